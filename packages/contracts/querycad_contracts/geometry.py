@@ -1,0 +1,176 @@
+"""What a CAD model is made of, as every service sees it: sides, faces, parts, bodies, the whole shape.
+
+All lengths are metres, areas square metres, volumes cubic metres, angles radians; all points and directions
+are in the coordinate frame of the file. `x` is width, `y` is depth, `z` is height; `extents` are full lengths.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from pydantic import BaseModel, ConfigDict, Field
+
+Vector = tuple[float, float, float]
+"""A point (metres) or a unit direction in the frame of the file."""
+
+
+class Frozen(BaseModel):
+    """Base of every contract: immutable, unknown fields refused."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+
+class Side(StrEnum):
+    """The six sides a model is looked at from, named as in the CAD-Q&A benchmark."""
+
+    TOP = "top"
+    BOTTOM = "bottom"
+    LEFT = "left"
+    RIGHT = "right"
+    FRONT = "front"
+    BACK = "back"
+
+    @property
+    def outward(self) -> Vector:
+        """Which way does this side face? The unit vector from the model towards a viewer on this side."""
+        return _OUTWARD[self]
+
+    @property
+    def opposite(self) -> Side:
+        """The side on the other end of the same axis."""
+        return _OPPOSITE[self]
+
+
+_OUTWARD: dict[Side, Vector] = {
+    Side.TOP: (0.0, 0.0, 1.0),
+    Side.BOTTOM: (0.0, 0.0, -1.0),
+    Side.LEFT: (-1.0, 0.0, 0.0),
+    Side.RIGHT: (1.0, 0.0, 0.0),
+    Side.FRONT: (0.0, -1.0, 0.0),
+    Side.BACK: (0.0, 1.0, 0.0),
+}
+_OPPOSITE: dict[Side, Side] = {
+    Side.TOP: Side.BOTTOM,
+    Side.BOTTOM: Side.TOP,
+    Side.LEFT: Side.RIGHT,
+    Side.RIGHT: Side.LEFT,
+    Side.FRONT: Side.BACK,
+    Side.BACK: Side.FRONT,
+}
+
+
+class SurfaceKind(StrEnum):
+    """The canonical form of a face's surface; a B-spline that is a cylinder is a cylinder."""
+
+    PLANE = "plane"
+    CYLINDER = "cylinder"
+    CONE = "cone"
+    SPHERE = "sphere"
+    TORUS = "torus"
+    FREEFORM = "freeform"
+
+
+class Convexity(StrEnum):
+    """How a curved face bulges, seen from outside the material: a boss is convex, a hole's wall concave."""
+
+    CONVEX = "convex"
+    CONCAVE = "concave"
+    FLAT = "flat"
+    MIXED = "mixed"
+
+
+class Face(Frozen):
+    """One face of the B-rep."""
+
+    id: int = Field(description="Index of the face in file order, stable for a file.")
+    body: int = Field(description="Index of the body (solid, or loose shell) that the face belongs to.")
+    kind: SurfaceKind
+    center: Vector = Field(description="Centre of the face's bounding box.")
+    extents: Vector
+    area: float
+    convexity: Convexity
+    radius: float | None = Field(None, description="Of a cylinder or sphere; a torus's minor radius; a cone's largest.")
+    normal: Vector | None = Field(None, description="Outward unit normal of a plane.")
+    axis: Vector | None = Field(None, description="Unit axis of a cylinder, cone or torus.")
+
+
+class Body(Frozen):
+    """One body: a solid, or a loose shell where the file holds surfaces only."""
+
+    id: int
+    name: str = Field(description="Product or shape name in the file; empty when it has none.")
+    color: str | None = Field(None, description="Hexadecimal sRGB such as '#c0c0c0'.")
+    is_solid: bool
+    center: Vector
+    extents: Vector
+    volume: float
+    area: float
+    face_count: int
+
+
+class Shape(Frozen):
+    """The whole model."""
+
+    name: str
+    center: Vector = Field(description="Centre of the exact bounding box.")
+    extents: Vector
+    volume: float
+    area: float
+    thickness: float | None = Field(None, description="Of sheet or plate material, where most walls share one.")
+    bodies: tuple[Body, ...]
+    face_count: int
+
+
+class Evidence(Frozen):
+    """What a part rests on."""
+
+    source: str = Field(description="'geometry', 'vision', 'name' or 'color'.")
+    confidence: float = Field(ge=0.0, le=1.0)
+    reason: str = Field(description="One sentence: why these faces are this part.")
+
+
+class Part(Frozen):
+    """A part or feature of the model that words can name: a hole, a boss, a body, a face.
+
+    A measure that the part does not have is None.
+    """
+
+    id: str = Field(description="Unique within the model, such as 'hole-3'.")
+    kind: str = Field(description="Family, a canonical term of the lexicon: 'hole', 'boss', 'slot', 'body' …")
+    tags: tuple[str, ...] = Field(
+        (), description="Canonical attributes: 'through', 'blind', 'counterbored', 'circular' …"
+    )
+    label: str = Field(description="What a drawing would call it: 'through hole, diameter 5.5 mm'.")
+    faces: tuple[int, ...] = Field(description="Ids of the faces it is made of.")
+    sides: tuple[Side, ...] = Field(
+        (), description="Sides it is visible from; for a hole or pocket, through its opening."
+    )
+    center: Vector
+    extents: Vector
+    axis: Vector | None = None
+    normal: Vector | None = Field(None, description="Outward unit direction: of a planar part, or out of the opening.")
+    radius: float | None = None
+    diameter: float | None = None
+    depth: float | None = Field(None, description="Along the part's own axis, from the opening to the bottom.")
+    height: float | None = Field(None, description="Along the part's own axis for what protrudes; else the z extent.")
+    width: float | None = None
+    length: float | None = None
+    thickness: float | None = None
+    opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
+    tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes.")
+    bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical' or 'open'.")
+    local_size: Vector | None = Field(
+        None, description="Length, width, height in the part's own frame, longest of the plane first."
+    )
+    volume: float | None = None
+    area: float | None = None
+    radii: tuple[float, ...] = Field((), description="Radii of the coaxial steps from the opening inwards.")
+    edge_distance: float | None = Field(
+        None, description="From the opening's rim to the outer edge of its face, where recognition measured it."
+    )
+    children: tuple[str, ...] = Field(
+        (), description="Ids of the parts this one is made of or carries, such as the holes of a pattern."
+    )
+    name: str | None = Field(None, description="Product name in the file, of a body.")
+    color: str | None = None
+    evidence: Evidence

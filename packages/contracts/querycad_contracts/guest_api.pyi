@@ -1,0 +1,148 @@
+"""The guest API: all that a program which answers a question sees.
+
+Everything is SI: lengths in metres, areas in m2, volumes in m3, angles in radians (1 mm = 0.001, 1 inch = 0.0254).
+The frame is the file's: x is width (left to right), y is depth (front to back), z is height (bottom to top).
+Extents are full lengths unless the name says `half_`. The result is whatever the program assigns to `solution`.
+A measure that a part does not have raises AttributeError with a message that names the measures it has.
+"""
+
+from typing import Literal, TypeAlias
+
+Vector: TypeAlias = tuple[float, float, float]
+Side: TypeAlias = Literal["top", "bottom", "left", "right", "front", "back"]
+
+class Face:
+    """One face of the model's surface."""
+
+    id: int
+    kind: Literal["plane", "cylinder", "cone", "sphere", "torus", "freeform"]
+    convexity: Literal["convex", "concave", "flat", "mixed"]
+    """Seen from outside the material: a shaft is convex, the wall of a hole concave."""
+    center: Vector
+    extents: Vector
+    area: float
+    radius: float
+    """Of a cylinder, sphere, torus tube, or a cone's widest end."""
+    normal: Vector
+    """Unit direction out of the material; planes only."""
+    axis: Vector
+    """Unit axis of a cylinder, cone or torus."""
+
+class Body:
+    """One body of the file, as modelled: a solid, or a loose sheet where there is no solid."""
+
+    id: int
+    name: str
+    """Its product name in the file; empty when it has none."""
+    color: str
+    """Hexadecimal such as '#c0c0c0'."""
+    is_solid: bool
+    center: Vector
+    extents: Vector
+    half_extents: Vector
+    volume: float
+    area: float
+
+class Shape:
+    """The whole model."""
+
+    name: str
+    center: Vector
+    """Centre of the bounding box."""
+    extents: Vector
+    """Full size along x (width), y (depth) and z (height)."""
+    half_extents: Vector
+    min_corner: Vector
+    max_corner: Vector
+    width: float
+    depth: float
+    height: float
+    volume: float
+    area: float
+    thickness: float
+    """Of the sheet or plate material that the model is made of."""
+    bodies: list[Body]
+    face_count: int
+
+class Part:
+    """A part or feature of the model: a hole, a shaft, a slot, a body …"""
+
+    id: str
+    kind: str
+    """Its family: 'hole', 'boss', 'slot', 'body' …"""
+    tags: list[str]
+    """Such as 'through', 'blind', 'counterbored', 'circular', 'threaded'."""
+    label: str
+    name: str
+    """Product name in the file; bodies only."""
+    sides: list[Side]
+    """Where it is visible from; a hole or pocket counts where one looks into its opening."""
+    faces: list[Face]
+    center: Vector
+    """Middle of the part: of a hole, half-way between its ends on its axis."""
+    opening: Vector
+    """Centre of a hole's, pocket's or slot's opening."""
+    tip: Vector
+    """Outermost point on the axis of a shaft, pin, boss, cone."""
+    extents: Vector
+    """Full size along x, y, z of the file."""
+    half_extents: Vector
+    axis: Vector
+    normal: Vector
+    """Unit direction that it faces; out of a hole's opening."""
+    radius: float
+    """Of a stepped hole: of its narrowest bore. See `radii` for every step."""
+    diameter: float
+    radii: list[float]
+    """Radii of the coaxial steps, from the opening inwards."""
+    depth: float
+    """Of a hole, pocket or slot: along its axis from opening to bottom. Else its extent along y."""
+    height: float
+    """Of what protrudes: along its own axis from base to tip. Else its extent along z."""
+    width: float
+    """In the part's own frame; of the whole body, its extent along x."""
+    length: float
+    thickness: float
+    local_size: Vector
+    bottom: Literal["through", "flat", "conical", "spherical", "open"]
+    volume: float
+    area: float
+
+    def distance_to(self, other: "Part") -> float:
+        """How far apart are the two parts' surfaces? 0 when they touch."""
+        ...
+
+    def center_distance(self, other: "Part") -> float:
+        """How far apart are the two parts' centres?"""
+        ...
+
+    def angle_to(self, other: "Part") -> float:
+        """Which angle, 0 to pi/2, do the two parts' axes (or normals) enclose?"""
+        ...
+
+    def edge_distance(self) -> float:
+        """How far is the part's surface from the outer edge of the face it lies in?"""
+        ...
+
+shape: Shape
+
+def find_parts(description: str, sides: list[Side] | None = None) -> list[Part]:
+    """Which parts does `description` mean, seen from any of `sides` (every side when None)?
+
+    `description` is free text: 'hole', 'blind hole', 'rectangular pocket', 'M5 threaded hole', 'circular base',
+    'screw', 'red body'. Parts come sorted by id. An empty list means: understood, but the model has none.
+    A description that cannot be grounded ends the program with its nearest known terms; it is never guessed.
+    """
+    ...
+
+def distance(a: Vector, b: Vector) -> float:
+    """How far apart are two points?"""
+    ...
+
+def different(values: list[float], tolerance: float = 1e-6) -> list[float]:
+    """Which different values are there? Sorted; values nearer than `tolerance` count as one."""
+    ...
+
+def close(a: float, b: float, tolerance: float = 5e-5) -> bool:
+    """Are two lengths the same to drawing accuracy (0.05 mm)?"""
+    ...

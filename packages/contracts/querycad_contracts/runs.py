@@ -1,0 +1,90 @@
+"""What the sandbox and SegCAD owe each other: the port that guest code's calls go through, and a run's outcome."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import StrEnum
+from typing import Any, Protocol
+
+from pydantic import Field
+
+from .geometry import Face, Frozen, Part, Shape, Side
+
+
+class Grounding(Frozen):
+    """Which parts does a description mean?
+
+    `understood` is False when a word of the description is not known at all; then `parts` is empty and `nearest`
+    holds known terms. A known word for something that the model does not have gives no parts with `understood` True.
+    """
+
+    description: str
+    sides: tuple[Side, ...] | None
+    parts: tuple[Part, ...]
+    understood: bool
+    nearest: tuple[str, ...] = Field((), description="Nearest terms that would find something in this model.")
+    message: str = Field("", description="Why nothing was found; empty when something was.")
+    warnings: tuple[str, ...] = ()
+
+
+class SegCad(Protocol):
+    """Finds and measures the parts of one known model: in this process when embedded, else over Celery."""
+
+    def shape(self) -> Shape:
+        """What is the whole model?"""
+        ...
+
+    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts does `description` mean, of those visible from any of `sides`?"""
+        ...
+
+    def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
+        """What are the faces with these ids? Raises KeyError for an id the model does not have."""
+        ...
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        """How far apart are the surfaces of two parts, in metres? Raises KeyError for an unknown part id."""
+        ...
+
+    def edge_distance(self, part: str) -> float:
+        """How far is a part from the outer edge of its face, in metres? Raises KeyError for an unknown part id."""
+        ...
+
+
+class RunStatus(StrEnum):
+    """How a program ended."""
+
+    OK = "ok"
+    RAISED = "raised"
+    TIMED_OUT = "timed_out"
+    OUT_OF_MEMORY = "out_of_memory"
+    REFUSED = "refused"
+    CRASHED = "crashed"
+
+
+class RunLimits(Frozen):
+    """What one program may use."""
+
+    duration_s: float = Field(5.0, gt=0, description="Interpreter time; a program of a few lines needs about 1 ms.")
+    memory_bytes: int = Field(64 * 2**20, gt=0, description="Interpreter heap; a thousand parts take a few MB.")
+    recursion: int = Field(200, gt=0, description="Stack depth; generated code does not recurse.")
+    host_calls: int = Field(2000, gt=0, description="Calls to the guest API, lazy attributes included.")
+    output_bytes: int = Field(64 * 2**10, gt=0, description="Printed text kept.")
+    code_bytes: int = Field(64 * 2**10, gt=0, description="Length of the program itself.")
+
+
+class RunOutcome(Frozen):
+    """What came of one program."""
+
+    status: RunStatus
+    value: Any = Field(
+        None,
+        description="`solution` as plain data: None, bool, int, float, str, nested lists; a part is {'part': id}.",
+    )
+    message: str = Field("", description="Why it did not end well, for the user and for a repair prompt.")
+    printed: str = ""
+    groundings: tuple[Grounding, ...] = Field((), description="Every find_parts call, in order.")
+    used_parts: tuple[str, ...] = Field(
+        (), description="Ids of parts whose measures the program read or returned, in order."
+    )
+    duration_ms: float = 0.0

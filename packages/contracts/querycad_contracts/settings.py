@@ -1,0 +1,76 @@
+"""How are settings read? From environment variables: the field `redis_url` is QUERYCAD_REDIS_URL."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Self
+
+from pydantic import Field
+
+from .geometry import Frozen
+
+PREFIX = "QUERYCAD_"
+
+
+def default_home() -> Path:
+    """Where is everything kept when nothing is said? `querycad` in the user's cache folder (XDG base directories)."""
+    cache = os.environ.get("XDG_CACHE_HOME")
+    return (Path(cache) if cache else Path.home() / ".cache") / "querycad"
+
+
+class Settings(Frozen):
+    """Base of a service's settings."""
+
+    @classmethod
+    def read(cls, environ: Mapping[str, str] | None = None) -> Self:
+        """What does the environment say? Raises pydantic.ValidationError, with the setting's name, for a bad value."""
+        given = os.environ if environ is None else environ
+        values = {name: given[cls.variable(name)] for name in cls.model_fields if given.get(cls.variable(name))}
+        return cls.model_validate(values)
+
+    @staticmethod
+    def variable(field: str) -> str:
+        """Which environment variable holds the field?"""
+        return PREFIX + field.upper()
+
+
+class BrokerSettings(Settings):
+    """What every service of the distributed runtime knows."""
+
+    redis_url: str = Field(
+        "redis://127.0.0.1:6379/0", description="Redis-protocol server: queues, state of models and jobs, answers."
+    )
+
+
+class WorkerSettings(BrokerSettings):
+    """Of processes that take tasks from a queue."""
+
+    sole_worker: bool = Field(
+        False,
+        description="Whether no other worker has these queues: what a predecessor left undone is then begun at once.",
+    )
+
+
+class StorageSettings(Settings):
+    """Of services that see the shared folder."""
+
+    home: Path = Field(
+        default_factory=default_home,
+        description="Folder for uploaded files, artefacts and pictures, shared by api and segworker.",
+    )
+
+    @property
+    def models(self) -> Path:
+        """The folder of artefacts, as in `querycad_segworker.model.ModelStore`."""
+        return self.home / "models"
+
+    @property
+    def pictures(self) -> Path:
+        """The folder of drawn pictures."""
+        return self.home / "pictures"
+
+    def upload(self, model: str) -> Path:
+        """Where is the uploaded file with this SHA-256?"""
+        return self.home / "files" / model[:2] / model
