@@ -1,0 +1,1 @@
+"""Finds and measures the parts of a CAD model."""

@@ -1,0 +1,104 @@
+"""Exact measurements between faces, by the kernel."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from OCP.BinTools import BinTools
+from OCP.BRep import BRep_Builder
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+from OCP.BRepGProp import BRepGProp
+from OCP.BRepTools import BRepTools
+from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
+from OCP.GeomAbs import GeomAbs_SurfaceType
+from OCP.GProp import GProp_GProps
+from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopExp import TopExp
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape
+
+from querycad_segworker.errors import UnreadableFile
+
+from .faces import METRES_PER_MM
+
+
+def save_faces(faces: Sequence[TopoDS_Face], path: Path) -> None:
+    """Keeps the faces, in order, in the kernel's binary format."""
+    if not BinTools.Write_s(_compound(faces), str(path)):
+        raise UnreadableFile("the kernel could not keep the model's faces")
+
+
+def distance(path: Path, first: Sequence[int], second: Sequence[int]) -> float:
+    """How far apart are two groups of faces, in metres? `path` is what `save_faces` wrote. 0 when they touch."""
+    faces = _load_faces(path)
+    return _between(_compound([faces[i] for i in first]), _compound([faces[i] for i in second]))
+
+
+def edge_distance(path: Path, part: Sequence[int]) -> float:
+    """How far is a part from the outer boundary of the plane face it lies in, in metres?
+
+    That face is the largest plane one that shares an edge with the part without belonging to it.
+    """
+    faces = _load_faces(path)
+    own = ShapeMap()
+    for i in part:
+        TopExp.MapShapes_s(faces[i], TopAbs_ShapeEnum.TopAbs_EDGE, own)
+    host, host_area = None, 0.0
+    for i, face in enumerate(faces):
+        if i in set(part) or BRepAdaptor_Surface(face).GetType() != GeomAbs_SurfaceType.GeomAbs_Plane:
+            continue
+        edges = ShapeMap()
+        TopExp.MapShapes_s(face, TopAbs_ShapeEnum.TopAbs_EDGE, edges)
+        if any(own.Contains(edges.FindKey(k)) for k in range(1, edges.Size() + 1)):
+            area = GProp_GProps()
+            BRepGProp.SurfaceProperties_s(face, area)
+            if area.Mass() > host_area:
+                host, host_area = face, area.Mass()
+    if host is None:
+        raise UnreadableFile("the part lies in no plane face, so it has no distance to the edge of one")
+    return _between(_compound([faces[i] for i in part]), BRepTools.OuterWire_s(host))
+
+
+def _load_faces(path: Path) -> list[TopoDS_Face]:
+    shape = TopoDS_Shape()
+    if not BinTools.Read_s(shape, str(path)):
+        raise UnreadableFile("the model's faces could not be read again")
+    faces = []
+    iterator = TopoDS_Iterator(shape)
+    while iterator.More():
+        faces.append(TopoDS.Face(iterator.Value()))
+        iterator.Next()
+    return faces
+
+
+def _between(first: TopoDS_Shape, second: TopoDS_Shape) -> float:
+    extrema = BRepExtrema_DistShapeShape(first, second)
+    if not extrema.IsDone():
+        raise UnreadableFile("the kernel found no distance between these parts")
+    return float(extrema.Value()) * METRES_PER_MM
+
+
+def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
+    compound, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(compound)
+    for shape in shapes:
+        builder.Add(compound, shape)
+    return compound
+
+
+def main() -> None:
+    """Answers one request on standard input, {"what", "first", "second"}, with {"metres"} on standard output."""
+    request = json.load(sys.stdin)
+    path = Path(sys.argv[1])
+    if request["what"] == "distance":
+        metres = distance(path, request["first"], request["second"])
+    else:
+        metres = edge_distance(path, request["first"])
+    sys.stdout.write(json.dumps({"metres": metres}) + "\n")
+
+
+if __name__ == "__main__":
+    main()

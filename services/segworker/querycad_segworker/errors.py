@@ -1,0 +1,42 @@
+"""What can be wrong with a file: one sentence each, written for the user.
+
+FileProblem
+├── NotStep            no STEP file at all, or not in a form that can be read
+├── IncompleteFile     empty, cut short, or without geometry
+├── NoLengthUnit       its numbers have no unit
+├── UnreadableFile     the kernel cannot make sense of it
+├── FileTooLarge       over the size limit
+└── KernelDied         the kernel crashed, hung or ran out of memory on it
+"""
+
+from __future__ import annotations
+
+
+class FileProblem(Exception):
+    """A file that cannot be answered about; `str()` is the sentence for the user."""
+
+    retryable = False
+
+
+class NotStep(FileProblem):
+    """The file is not STEP (ISO 10303-21)."""
+
+
+class IncompleteFile(FileProblem):
+    """The file is STEP but something that every model needs is missing."""
+
+
+class NoLengthUnit(FileProblem):
+    """The file declares no length unit, so no length in it can be trusted."""
+
+
+class UnreadableFile(FileProblem):
+    """The kernel refused the file."""
+
+
+class FileTooLarge(FileProblem):
+    """The file is larger than the limit."""
+
+
+class KernelDied(FileProblem):
+    """The kernel's process crashed, ran out of time or out of memory."""

@@ -1,0 +1,106 @@
+"""Reads a CAD file once: the kernel works in a child with limits, so that its crash is only an error message."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from . import errors
+from .errors import FileProblem, KernelDied
+from .model import Artefacts, ModelStore, file_sha256
+from .sniff import check_step
+
+Progress = Callable[[str], None]
+"""Told the stage that begins: 'read', 'measure', 'tessellate', 'look', 'recognise'."""
+
+
+@dataclass(frozen=True, slots=True)
+class IngestLimits:
+    """What reading one file may cost."""
+
+    duration_s: float = 180.0
+    """The largest of 201 ugly files needs some 10 s; a kernel that takes longer is hanging."""
+    memory_bytes: int = 8 * 2**30
+    """Address space of the child: the kernel's libraries alone map about 1 GiB."""
+
+
+def ingest(
+    path: Path,
+    store: ModelStore,
+    limits: IngestLimits | None = None,
+    progress: Progress | None = None,
+    file_name: str | None = None,
+) -> Artefacts:
+    """What does the file hold? Known content is not read again. Raises FileProblem, with a sentence for the user.
+
+    `file_name` is the name that the user knows the file by, where `path` has another.
+    """
+    sha256 = file_sha256(path) if path.is_file() and os.access(path, os.R_OK) else ""
+    known = store.find(sha256) if sha256 else None
+    if known is not None:
+        return known
+    cleaned = check_step(path)
+    scratch = store.scratch()
+    try:
+        source = path.resolve()
+        if cleaned is not None:
+            source = scratch / "cleaned.step"
+            source.write_bytes(cleaned)
+        _run_child(source, file_name or path.name, sha256, scratch, limits or IngestLimits(), progress)
+        return store.keep(sha256, scratch)
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+def _run_child(
+    source: Path, file_name: str, sha256: str, scratch: Path, limits: IngestLimits, progress: Progress | None
+) -> None:
+    """Runs `ingest_child`; its standard output names the stages, its outcome is a file."""
+    outcome = scratch / "outcome.json"
+    command = [sys.executable, "-m", "querycad_segworker.ingest_child", str(source), file_name, sha256, str(scratch)]
+    with tempfile.TemporaryFile() as log:
+        child = subprocess.Popen(
+            [*command, str(limits.memory_bytes)],
+            stdout=subprocess.PIPE,
+            stderr=log,
+            stdin=subprocess.DEVNULL,
+            text=True,
+        )
+        timer = threading.Timer(limits.duration_s, child.kill)
+        timer.start()
+        try:
+            assert child.stdout is not None
+            for line in child.stdout:
+                if progress is not None and line.startswith("stage "):
+                    progress(line.removeprefix("stage ").strip())
+            code = child.wait()
+        finally:
+            timed_out = not timer.is_alive()
+            timer.cancel()
+            child.kill()
+            child.wait()
+    result = json.loads(outcome.read_text(encoding="utf-8")) if outcome.exists() else None
+    if result is None:
+        raise KernelDied(_death(code, timed_out, limits))
+    outcome.unlink()
+    if "problem" in result:
+        kind = getattr(errors, result["problem"], FileProblem)
+        raise kind(result["message"])
+
+
+def _death(code: int, timed_out: bool, limits: IngestLimits) -> str:
+    if timed_out:
+        return f"the CAD kernel did not finish reading this file within {limits.duration_s:.0f} s and was stopped"
+    if code < 0:
+        name = signal.Signals(-code).name
+        return f"the CAD kernel crashed on this file ({name}); the file is damaged or uses something it cannot handle"
+    return f"the CAD kernel gave up on this file (exit code {code})"

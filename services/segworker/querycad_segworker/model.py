@@ -1,0 +1,106 @@
+"""What is kept of a model once its file has been read, and where: one folder under the file's SHA-256."""
+
+from __future__ import annotations
+
+import hashlib
+import shutil
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from pydantic import TypeAdapter
+
+from querycad_contracts import Face, Frozen, Part, Shape
+
+ARTEFACT_VERSION = 6
+"""Raise it whenever recognition or the files below change: older artefacts are then made anew."""
+
+_FACES = TypeAdapter(tuple[Face, ...])
+
+
+class Model(Frozen):
+    """A model as recognised: everything that a question without new measurements needs."""
+
+    sha256: str
+    file_name: str
+    shape: Shape
+    parts: tuple[Part, ...]
+    warnings: tuple[str, ...]
+    timings_ms: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Artefacts:
+    """The files of one model."""
+
+    folder: Path
+
+    @property
+    def model(self) -> Path:
+        """`Model` as JSON."""
+        return self.folder / "model.json"
+
+    @property
+    def faces(self) -> Path:
+        """All faces as a JSON list, in order of their ids."""
+        return self.folder / "faces.json"
+
+    @property
+    def mesh(self) -> Path:
+        """`mesh.Mesh` as arrays."""
+        return self.folder / "mesh.npz"
+
+    @property
+    def kernel_faces(self) -> Path:
+        """The faces in the kernel's binary format, for measurements that need exact surfaces."""
+        return self.folder / "faces.bin"
+
+    def load_model(self) -> Model:
+        """What was recognised?"""
+        return Model.model_validate_json(self.model.read_bytes())
+
+    def load_faces(self) -> tuple[Face, ...]:
+        """Which faces does the model have?"""
+        return _FACES.validate_json(self.faces.read_bytes())
+
+    def save(self, model: Model, faces: Sequence[Face]) -> None:
+        """Keeps what was recognised."""
+        self.faces.write_bytes(_FACES.dump_json(tuple(faces)))
+        self.model.write_text(model.model_dump_json(exclude_defaults=True), encoding="utf-8")
+
+
+class ModelStore:
+    """Artefacts by the file's SHA-256, in a folder of this machine. Safe for several processes at once."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+
+    def find(self, sha256: str) -> Artefacts | None:
+        """Which artefacts are kept for this file? None when there are none of this version."""
+        artefacts = Artefacts(self._folder(sha256))
+        return artefacts if artefacts.model.exists() else None
+
+    def scratch(self) -> Path:
+        """A new empty folder on the same file system, for what `keep` will put in place."""
+        self.root.mkdir(parents=True, exist_ok=True)
+        return Path(tempfile.mkdtemp(prefix="ingest-", dir=self.root))
+
+    def keep(self, sha256: str, scratch: Path) -> Artefacts:
+        """Puts a finished scratch folder in place, all at once; where another process was faster, its result stays."""
+        target = self._folder(sha256)
+        target.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            scratch.rename(target)
+        except OSError:
+            shutil.rmtree(scratch, ignore_errors=True)
+        return Artefacts(target)
+
+    def _folder(self, sha256: str) -> Path:
+        return self.root / sha256[:2] / sha256 / f"v{ARTEFACT_VERSION}"
+
+
+def file_sha256(path: Path) -> str:
+    """What identifies the file's content? Hexadecimal SHA-256."""
+    with path.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()

@@ -1,0 +1,86 @@
+"""Is this a STEP file worth giving to the kernel? Checked as text, before anything that could crash sees it."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from .errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
+
+MAX_FILE_BYTES = 512 * 2**20
+"""The largest file accepted: single parts have kilobytes to a few megabytes, large assemblies some hundred."""
+
+_BOM = b"\xef\xbb\xbf"
+_MAGIC = b"ISO-10303-21"
+_DATA = re.compile(rb"\bDATA\s*(\([^;]*\))?\s*;")
+_ENTITY = re.compile(rb"#\s*\d+\s*=")
+_LENGTH_UNIT = re.compile(rb"\bLENGTH_UNIT\b|\bLENGTH_MEASURE_WITH_UNIT\b|\.METRE\.")
+_FACE = re.compile(
+    rb"\b(ADVANCED_FACE|FACE_SURFACE|TRIANGULATED_FACE\w*|COMPLEX_TRIANGULATED_FACE\w*|\w*SURFACE\w*)\s*\("
+)
+
+
+def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
+    """Raises the FileProblem that says what is wrong with the file.
+
+    Returns None when the file can be read as it is, or the cleaned text when something before the header (a byte
+    order mark, blank lines) would keep the kernel from reading it.
+    """
+    if not path.exists():
+        raise NotStep(f"no such file: {path}")
+    if not path.is_file():
+        raise NotStep(f"not a file: {path}")
+    size = path.stat().st_size
+    if size == 0:
+        raise IncompleteFile("the file is empty")
+    if size > max_bytes:
+        raise FileTooLarge(f"the file has {size / 2**20:.0f} MB; at most {max_bytes / 2**20:.0f} MB are read")
+    try:
+        data = path.read_bytes()
+    except PermissionError as error:
+        raise NotStep(f"no permission to read {path}") from error
+    start = _start(data)
+    if b"\x00" in data[start : start + 4096]:
+        raise NotStep("not a STEP file: it holds binary data after the header")
+    end = data.rfind(b"END-ISO-10303-21")
+    if not _DATA.search(data, start):
+        raise IncompleteFile("the file has no DATA section: it holds a header only")
+    if not _ENTITY.search(data, start):
+        raise IncompleteFile("the file holds no geometry: its DATA section is empty")
+    if end < 0:
+        raise IncompleteFile("the file is cut short: its end mark (END-ISO-10303-21) is missing")
+    refers_elsewhere = b"DOCUMENT_FILE" in data  # an assembly whose parts are files of their own
+    if not refers_elsewhere and not _FACE.search(data, start):
+        raise IncompleteFile("the file holds no geometry: no surface or face in it")
+    if not _LENGTH_UNIT.search(data, start):
+        raise NoLengthUnit("the file declares no length unit, so its lengths could be millimetres, metres or inches")
+    return data[start:] if start else None
+
+
+def _start(data: bytes) -> int:
+    """Where does the STEP text begin? Raises NotStep with what the file looks like instead."""
+    start = len(_BOM) if data.startswith(_BOM) else 0
+    while start < len(data) and data[start : start + 1].isspace():
+        start += 1
+    if data.startswith(_MAGIC, start):
+        return start
+    raise NotStep(f"not a STEP file: {_looks_like(data)}")
+
+
+def _looks_like(data: bytes) -> str:
+    head = data[:512].lstrip(_BOM).lstrip()
+    if data.startswith(b"\x1f\x8b"):
+        return "it is compressed with gzip; unpack it first"
+    if data.startswith(b"PK\x03\x04"):
+        return "it is a zip archive; unpack it first"
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "it is encoded as UTF-16; save it as plain text first"
+    if head[:1] == b"<":
+        return "it is an HTML or XML document"
+    if len(data) > 80 and re.match(rb"[^\n]{72}S      1", data):
+        return "it is an IGES file; export it as STEP"
+    if head.startswith((b"solid", b"DBRep_DrawableShape", b"CASCADE Topology")):
+        return "it is another CAD or mesh format; export it as STEP"
+    if b"\x00" in data[:4096]:
+        return "it holds binary data"
+    return "it does not begin with ISO-10303-21"

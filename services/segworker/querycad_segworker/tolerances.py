@@ -1,0 +1,36 @@
+"""How near is the same? Every tolerance of recognition, with its reason, in one object."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerances:
+    """Tolerances for one model, lengths in metres.
+
+    Lengths follow the model's size, so that a model scaled by 0.01 or 100 is recognised alike.
+    """
+
+    length: float
+    """Two points, axes or radii nearer than this are the same."""
+    canonical: float
+    """A freeform surface this near to a plane, cylinder, cone or sphere is one."""
+    angle: float = math.radians(0.1)
+    """Two directions nearer than this are parallel: CAD systems write directions to far more digits, but converted
+    files carry errors of some 1e-4 rad."""
+    smooth: float = math.radians(2.0)
+    """Faces that meet with less than this between their normals are tangent: blends of converted files are off by
+    up to one degree, while a real draft or chamfer edge is rarely below three."""
+    ratio: float = 1e-3
+    """Two measures of one feature agree when they differ by less than this share."""
+
+    @classmethod
+    def for_diagonal(cls, diagonal_m: float) -> Tolerances:
+        """Which tolerances suit a model whose bounding box has this diagonal, in metres?
+
+        `length`: 1e-5 of the diagonal; writers keep 1e-7 m at least, and the smallest feature worth naming is a
+        thousand times larger than this. `canonical`: 1e-5 of the diagonal, a tenth of usual drawing tolerances.
+        """
+        return cls(length=1e-5 * diagonal_m, canonical=1e-5 * diagonal_m)

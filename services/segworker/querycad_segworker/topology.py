@@ -1,0 +1,146 @@
+"""The B-rep as recognition sees it: faces, edges and bodies with canonical geometry, free of the kernel.
+
+Metres and radians; frame of the file. Face ids are positions in file order, edge ids positions in `Brep.edges`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import cached_property
+
+from querycad_contracts import Convexity, SurfaceKind, Vector
+
+from .vectors import Box, box_union
+
+
+class EdgeKind(StrEnum):
+    """The canonical form of an edge's curve."""
+
+    LINE = "line"
+    CIRCLE = "circle"
+    OTHER = "other"
+
+
+class EdgeConvexity(StrEnum):
+    """How two faces meet along an edge, seen from outside the material."""
+
+    CONVEX = "convex"
+    CONCAVE = "concave"
+    SMOOTH = "smooth"
+    FREE = "free"
+    SEAM = "seam"
+
+
+@dataclass(frozen=True, slots=True)
+class EdgeRecord:
+    """One edge. `faces` holds the ids of the faces that meet in it: two as a rule, one for a free or seam edge."""
+
+    id: int
+    kind: EdgeKind
+    start: Vector
+    end: Vector
+    mid: Vector
+    length: float
+    faces: tuple[int, ...]
+    convexity: EdgeConvexity
+    angle: float
+    """Between the two outward normals at the edge's middle, 0 (smooth) to pi (knife)."""
+    center: Vector | None = None
+    axis: Vector | None = None
+    radius: float | None = None
+    closed: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """One wire of a face: its edges in order. The outer loop comes first in `FaceRecord.loops`."""
+
+    edges: tuple[int, ...]
+    outer: bool
+
+
+@dataclass(frozen=True, slots=True)
+class FaceRecord:
+    """One face with its canonical surface.
+
+    `origin` and `axis`: a plane's point and outward normal; a point on and the direction of the axis of a cylinder,
+    cone or torus (a cone's axis points towards growing radius, its origin is the apex); a sphere's centre.
+    `radius`: cylinder, sphere; a torus's major radius, whose tube has `minor_radius`; a cone's largest radius, its
+    smallest is `minor_radius` and `half_angle` its angle to the axis.
+    `outward`: +1 where the outward normal points away from the axis or centre (convex), -1 where towards it, 0 for
+    planes and freeform faces.
+    `sweep`: angle that a surface of revolution covers around its axis, up to 2 pi.
+    """
+
+    id: int
+    body: int
+    kind: SurfaceKind
+    origin: Vector
+    axis: Vector
+    area: float
+    box: Box
+    loops: tuple[Loop, ...]
+    radius: float = 0.0
+    minor_radius: float = 0.0
+    half_angle: float = 0.0
+    outward: int = 0
+    sweep: float = 0.0
+    point: Vector = (0.0, 0.0, 0.0)
+    """A point on the surface near the middle of the face's parameter range."""
+    point_normal: Vector = (0.0, 0.0, 0.0)
+    """Outward unit normal there."""
+
+    @property
+    def convexity(self) -> Convexity:
+        """How does the face bulge?"""
+        if self.kind is SurfaceKind.PLANE:
+            return Convexity.FLAT
+        if self.kind is SurfaceKind.FREEFORM:
+            return Convexity.MIXED
+        return Convexity.CONVEX if self.outward > 0 else Convexity.CONCAVE
+
+
+@dataclass(frozen=True, slots=True)
+class BodyRecord:
+    """One body: a solid, or a shell or loose faces sewn together."""
+
+    id: int
+    name: str
+    color: str | None
+    is_solid: bool
+    faces: tuple[int, ...]
+    volume: float
+    area: float
+
+
+@dataclass(frozen=True)
+class Brep:
+    """A whole model. `warnings` says what was skipped or mended on the way in."""
+
+    name: str
+    faces: tuple[FaceRecord, ...]
+    edges: tuple[EdgeRecord, ...]
+    bodies: tuple[BodyRecord, ...]
+    warnings: tuple[str, ...] = field(default=())
+
+    @cached_property
+    def box(self) -> Box:
+        """Which exact axis-aligned box holds the model?"""
+        box = box_union(face.box for face in self.faces)
+        if box is None:
+            raise ValueError("a model without faces has no box")
+        return box
+
+    @cached_property
+    def face_edges(self) -> tuple[tuple[int, ...], ...]:
+        """Which edges bound each face? Indexed by face id."""
+        return tuple(tuple(edge for loop in face.loops for edge in loop.edges) for face in self.faces)
+
+    def neighbours(self, face: int) -> list[tuple[EdgeRecord, int]]:
+        """Which faces meet this face, and along which edge? One entry an edge; seam edges left out."""
+        found: list[tuple[EdgeRecord, int]] = []
+        for edge_id in self.face_edges[face]:
+            edge = self.edges[edge_id]
+            found.extend((edge, other) for other in edge.faces if other != face)
+        return found
