@@ -1,0 +1,1 @@
+"""Pictures of a model and which faces each of their pixels shows."""
