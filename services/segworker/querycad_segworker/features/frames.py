@@ -1,0 +1,110 @@
+"""Boxes in a feature's own frame, and the names of outlines."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
+from querycad_segworker.vectors import add, cross, dot, norm, parallel, perpendicular, scale, sub, unit
+
+POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
+"""Names of outlines by their number of sides."""
+
+
+@dataclass(frozen=True, slots=True)
+class LocalFrame:
+    """A box in a depression's own frame: unit vectors u (length), v (width), n (out), and its low corner and size."""
+
+    u: Vector
+    v: Vector
+    n: Vector
+    low: tuple[float, float, float]
+    size: tuple[float, float, float]
+
+    def point(self, a: float, b: float, c: float) -> Vector:
+        """The point at these shares of the box."""
+        u, v, n = (low + share * size for low, size, share in zip(self.low, self.size, (a, b, c), strict=True))
+        return add(add(scale(self.u, u), scale(self.v, v)), scale(self.n, n))
+
+
+def frame_of(
+    brep: Brep, faces: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
+) -> LocalFrame:
+    """The box of some faces along `normal` and the direction of their longest straight edge across it."""
+    edges = {e for f in faces for e in brep.face_edges[f]}
+    straight: dict[Vector, float] = defaultdict(float)
+    for e in rim.edges if rim is not None else edges:
+        edge = brep.edges[e]
+        way = sub(edge.end, edge.start)
+        flat = sub(way, scale(normal, dot(way, normal)))
+        if edge.kind is EdgeKind.LINE and norm(flat) > 0.7 * edge.length:
+            d = unit(flat)
+            d = d if (d > (-d[0], -d[1], -d[2])) else scale(d, -1.0)
+            straight[(round(d[0], 4), round(d[1], 4), round(d[2], 4))] += edge.length
+    u = along or (unit(max(straight, key=lambda d: straight[d])) if straight else perpendicular(normal))
+    u = unit(sub(u, scale(normal, dot(u, normal))))
+    v = cross(normal, u)
+    points = [p for e in edges for p in _points(brep, e)]
+    ranges = [(min(dot(p, d) for p in points), max(dot(p, d) for p in points)) for d in (u, v, normal)]
+    if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
+        u, v = v, scale(u, -1.0)
+        ranges = [(min(dot(p, d) for p in points), max(dot(p, d) for p in points)) for d in (u, v, normal)]
+    low = (ranges[0][0], ranges[1][0], ranges[2][0])
+    size = tuple(b - a for a, b in ranges)
+    return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
+
+
+def _points(brep: Brep, e: int) -> list[Vector]:
+    """Points that span an edge: its ends and middle; a circle's quarter points."""
+    edge = brep.edges[e]
+    points = [edge.start, edge.mid, edge.end]
+    if edge.center is not None and edge.axis is not None and edge.radius is not None and edge.closed:
+        x = perpendicular(edge.axis)
+        y = cross(edge.axis, x)
+        for i in range(16):
+            angle = i * math.pi / 8
+            offset = add(scale(x, edge.radius * math.cos(angle)), scale(y, edge.radius * math.sin(angle)))
+            points.append(add(edge.center, offset))
+    return points
+
+
+def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, float | None]:
+    """The name of the rim's outline, and the radius of its rounded corners."""
+    edges = [brep.edges[e] for e in rim.edges]
+    lines = [edge for edge in edges if edge.kind is EdgeKind.LINE]
+    arcs = [edge for edge in edges if edge.kind is EdgeKind.CIRCLE]
+    if len(lines) + len(arcs) < len(edges):
+        return "free", None
+    if not lines:
+        centers = {
+            tuple(round(c / max(tolerances.length * 10, 1e-12)) for c in arc.center) for arc in arcs if arc.center
+        }
+        return ("circular" if len(centers) == 1 else "free"), None
+    directions = _runs(lines, tolerances)
+    half_turns = [arc for arc in arcs if arc.radius and abs(arc.length - math.pi * arc.radius) < 0.02 * arc.length]
+    if len(directions) == 2 and len(half_turns) in (2, 4):
+        return "obround", half_turns[0].radius
+    total_arc = sum(arc.length / arc.radius for arc in arcs if arc.radius)
+    if len(directions) == 2 and abs(total_arc - 2 * math.pi) < 0.1:
+        return "obround", arcs[0].radius
+    radii = [arc.radius for arc in arcs if arc.radius]
+    return POLYGONS.get(len(directions), "polygonal"), min(radii) if radii else None
+
+
+def _runs(lines: Sequence[EdgeRecord], tolerances: Tolerances) -> list[Vector]:
+    """The sides of an outline: collinear neighbouring lines are one side."""
+    sides: list[tuple[Vector, Vector]] = []
+    for line in lines:
+        start, end = line.start, line.end
+        d = unit(sub(end, start))
+        if not any(
+            parallel(d, other, 1e-3) and norm(cross(sub(start, origin), other)) <= 10 * tolerances.length
+            for origin, other in sides
+        ):
+            sides.append((start, d))
+    return [d for _, d in sides]

@@ -1,0 +1,165 @@
+"""Gears and other cyclic teeth: faces that repeat around an axis."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter, defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, FaceRecord
+
+from .walls import Axis, Wall
+
+MIN_TEETH = 6
+"""Fewer repetitions are a bolt pattern or a polygon; the smallest pinions have six teeth or more."""
+MIN_FACES_PER_TOOTH = 3
+"""Two flanks and a tip at least."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tooth:
+    """One tooth: its faces, and the middle of its tip."""
+
+    faces: tuple[int, ...]
+    tip: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Gear:
+    """A ring of equal teeth around an axis. Metres.
+
+    `tip_radius` is the largest distance of tooth faces from the axis, `root_radius` the smallest; of an internal gear
+    the tips are nearest the axis. `width` is measured along the axis.
+    """
+
+    axis: Axis
+    teeth: tuple[Tooth, ...]
+    tip_radius: float
+    root_radius: float
+    width: float
+    center: Vector
+    faces: tuple[int, ...]
+    body: int
+    internal: bool
+
+
+def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[Gear]:
+    """Which gears, splines and other toothed rings does the model have? Sorted by lowest face id.
+
+    Around each axis on which round walls lie, faces of one size, distance and height form a ring when they stand at
+    equal angles. At least three such rings with the same count, touching each other, are teeth.
+    """
+    found: list[Gear] = []
+    for body in brep.bodies:
+        members = [brep.faces[i] for i in body.faces]
+        if len(members) < MIN_TEETH * MIN_FACES_PER_TOOTH:
+            continue
+        for axis in _axes([w for w in walls if w.body == body.id], tolerances):
+            gear = _gear(brep, members, axis, body.id, tolerances)
+            if gear is not None and not any(set(gear.faces) & set(other.faces) for other in found):
+                found.append(gear)
+    return sorted(found, key=lambda gear: gear.faces[0])
+
+
+def _axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
+    """The axes on which the most round faces lie, at most three: teeth stand around a main axis of their body."""
+    groups: list[tuple[Axis, float]] = []
+    for wall in walls:
+        if not wall.encloses:
+            continue
+        for i, (axis, weight) in enumerate(groups):
+            if axis.same_line(wall.axis, tolerances):
+                groups[i] = (axis, weight + wall.height * wall.radius)
+                break
+        else:
+            groups.append((wall.axis, wall.height * wall.radius))
+    groups.sort(key=lambda group: -group[1])
+    return [axis for axis, _ in groups[:3]]
+
+
+def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
+    rings = _rings(faces, axis, tolerances)
+    if not rings:
+        return None
+    per_count: Counter[int] = Counter()
+    for count, ring in rings:
+        per_count[count] += len(ring) // count
+    teeth = max(per_count, key=lambda n: (per_count[n], n))
+    chosen = [ring for count, ring in rings if count == teeth]
+    patterned = {face.id for ring in chosen for face in ring}
+    touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
+    chosen = [ring for ring in chosen if all(face.id in touching for face in ring)]
+    if sum(len(ring) for ring in chosen) < MIN_FACES_PER_TOOTH * teeth:
+        return None
+    ids = sorted(face.id for ring in chosen for face in ring)
+    points = [p for i in ids for e in brep.face_edges[i] for p in (brep.edges[e].start, brep.edges[e].mid)]
+    radii = [axis.radius_of(p) for p in points]
+    positions = [axis.position(p) for p in points]
+    facing = [f for ring in chosen for f in ring if _is_coaxial(f, axis, tolerances)]
+    inner = sum(f.outward < 0 and axis.radius_of(f.point) < (min(radii) + max(radii)) / 2 for f in facing)
+    tips = min if inner > len(facing) / 2 else max
+    single = [ring for ring in chosen if len(ring) == teeth]
+    if not single:
+        return None
+    tip_ring = tips(single, key=lambda ring: axis.radius_of(ring[0].point))
+    middle = (min(positions) + max(positions)) / 2
+    return Gear(
+        axis=axis,
+        teeth=_teeth(chosen, tip_ring, axis),
+        tip_radius=tips(radii),
+        root_radius=(max if tips is min else min)(radii),
+        width=max(positions) - min(positions),
+        center=axis.at(middle),
+        faces=tuple(ids),
+        body=body,
+        internal=tips is min,
+    )
+
+
+def _rings(faces: Sequence[FaceRecord], axis: Axis, tolerances: Tolerances) -> list[tuple[int, list[FaceRecord]]]:
+    """Groups of alike faces that repeat around the axis, each with how often."""
+    groups: dict[tuple[object, ...], list[FaceRecord]] = defaultdict(list)
+    for face in faces:
+        if axis.radius_of(face.point) > 10 * tolerances.length:
+            groups[_signature(face, axis)].append(face)
+    periods = [(_period(group, axis), group) for group in groups.values() if len(group) >= MIN_TEETH]
+    return [(count, group) for count, group in periods if count >= MIN_TEETH]
+
+
+def _signature(face: FaceRecord, axis: Axis) -> tuple[object, ...]:
+    """What stays the same when a face is turned about the axis; two digits, as converted files differ slightly."""
+    radius = axis.radius_of(face.point)
+    position = axis.position(face.point) / radius
+    return face.kind, f"{face.area / radius**2:.2g}", f"{radius:.3g}", round(position, 1), len(face.loops)
+
+
+def _period(group: Sequence[FaceRecord], axis: Axis) -> int:
+    """How often does the group repeat in one turn? One or two faces a tooth, as its flanks are alike; 0: no order."""
+    angles = sorted(axis.angle_of(face.point) for face in group)
+    for per_tooth in (1, 2):
+        count, rest = divmod(len(angles), per_tooth)
+        pitch = 2 * math.pi / max(count, 1)
+        ahead = [*angles[per_tooth:], *(angle + 2 * math.pi for angle in angles[:per_tooth])]
+        if rest == 0 and all(abs(b - a - pitch) < 0.05 * pitch for a, b in zip(angles, ahead, strict=True)):
+            return count
+    return 0
+
+
+def _is_coaxial(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
+    return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis(face.origin, face.axis), tolerances)
+
+
+def _teeth(rings: Sequence[Sequence[FaceRecord]], tips: Sequence[FaceRecord], axis: Axis) -> tuple[Tooth, ...]:
+    """Each face goes to the tooth whose tip is nearest by angle."""
+    ordered = sorted(tips, key=lambda face: axis.angle_of(face.point))
+    members: list[list[int]] = [[] for _ in ordered]
+    pitch = 2 * math.pi / len(ordered)
+    first = axis.angle_of(ordered[0].point)
+    for ring in rings:
+        for face in ring:
+            turns = (axis.angle_of(face.point) - first) / pitch
+            members[round(turns) % len(ordered)].append(face.id)
+    return tuple(Tooth(tuple(sorted(ids)), face.point) for ids, face in zip(members, ordered, strict=True))

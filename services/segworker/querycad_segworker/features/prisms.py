@@ -1,0 +1,156 @@
+"""Prisms: closed rings of plane side faces around the material, such as hexagon heads, octagonal plates and blocks."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.vectors import cross, dot, norm, parallel, scale, sub, unit
+
+from .adjacency import is_blend
+from .frames import frame_of
+
+MAX_SIDES = 12
+"""More sides than this are a faceted circle."""
+NAMES = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
+
+
+@dataclass(frozen=True, slots=True)
+class Prism:
+    """One prism. Metres, frame of the file. `normal` is its axis, from its lower to its upper end."""
+
+    sides: int
+    normal: Vector
+    direction: Vector
+    length: float
+    width: float
+    height: float
+    center: Vector
+    tip: Vector
+    faces: tuple[int, ...]
+    body: int
+
+    @property
+    def outline(self) -> str:
+        """What is its cross-section called?"""
+        return NAMES.get(self.sides, "polygonal")
+
+
+def recognise_prisms(brep: Brep) -> list[Prism]:
+    """Which prisms does the model have? Sorted by lowest face id.
+
+    The side faces of a prism are planes parallel to one direction, of which each meets the next in a convex edge (or
+    a rounding) along that direction, all the way around. A cuboid has three such rings; the one around its shortest
+    direction is kept, as for a plate.
+    """
+    found: list[Prism] = []
+    for direction, links in _links_by_direction(brep).items():
+        seen: set[int] = set()
+        for start in sorted(links):
+            if start in seen:
+                continue
+            ring = _component(links, start)
+            seen |= ring
+            if 3 <= len(ring) <= MAX_SIDES and all(len(links[face]) == 2 for face in ring):
+                found.append(_prism(brep, ring, direction))
+    kept: list[Prism] = []
+    for prism in sorted(found, key=lambda p: (p.height, p.faces)):
+        if not any(len(set(prism.faces) & set(other.faces)) >= 2 for other in kept):
+            kept.append(prism)
+    return sorted(kept, key=lambda p: p.faces[0])
+
+
+def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
+    """Pairs of plane faces that meet in a straight convex edge or over a rounding, by the direction of that edge."""
+    links: dict[Vector, dict[int, set[int]]] = defaultdict(lambda: defaultdict(set))
+    for edge in brep.edges:
+        if len(edge.faces) != 2 or edge.kind is not EdgeKind.LINE or edge.convexity is not EdgeConvexity.CONVEX:
+            continue
+        a, b = (brep.faces[i] for i in edge.faces)
+        if a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE:
+            _link(links, unit(sub(edge.end, edge.start)), a, b)
+    for face in brep.faces:
+        if face.kind is SurfaceKind.CYLINDER and face.outward > 0 and is_blend(brep, face):
+            planes = [
+                brep.faces[other]
+                for edge, other in brep.neighbours(face.id)
+                if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.PLANE
+            ]
+            if len(planes) == 2:
+                _link(links, face.axis, planes[0], planes[1])
+    return links
+
+
+def _link(links: dict[Vector, dict[int, set[int]]], direction: Vector, a: FaceRecord, b: FaceRecord) -> None:
+    if a.id == b.id or parallel(a.axis, b.axis, 1e-3):
+        return
+    turned = max(direction, scale(direction, -1.0))
+    key = next((known for known in links if norm(cross(known, turned)) < 1e-3), turned)
+    links[key][a.id].add(b.id)
+    links[key][b.id].add(a.id)
+
+
+def _component(links: dict[int, set[int]], start: int) -> set[int]:
+    group, todo = {start}, [start]
+    while todo:
+        new = links[todo.pop()] - group
+        group |= new
+        todo.extend(new)
+    return group
+
+
+def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
+    axis = _upwards(direction)
+    breaks = _edge_breaks(brep, ring, axis)
+    caps = _caps(brep, ring | breaks, axis)
+    frame = frame_of(brep, ring | breaks, axis, None)
+    length, width, height = frame.size
+    return Prism(
+        sides=len(ring),
+        normal=axis,
+        direction=frame.u,
+        length=length,
+        width=width,
+        height=height,
+        center=frame.point(0.5, 0.5, 0.5),
+        tip=frame.point(0.5, 0.5, 1.0),
+        faces=tuple(sorted(ring | breaks | caps)),
+        body=brep.faces[min(ring)].body,
+    )
+
+
+def _upwards(direction: Vector) -> Vector:
+    """Of the two ways along a line, the one to the top, else to the front, else to the right."""
+    x, y, z = direction
+    sign = next((math.copysign(1.0, c) for c in (z, -y, x) if abs(c) > 0.05), 1.0)
+    return scale(direction, sign)
+
+
+def _edge_breaks(brep: Brep, ring: set[int], axis: Vector) -> set[int]:
+    """Chamfers and roundings between the sides and the ends, of the ring's own size: they belong to the prism."""
+    breaks = set()
+    for side in ring:
+        for edge, other in brep.neighbours(side):
+            face = brep.faces[other]
+            slanted = face.kind is SurfaceKind.PLANE and 0.3 < abs(dot(face.axis, axis)) < 0.95
+            chamfer = slanted and edge.convexity is EdgeConvexity.CONVEX and face.area < 0.5 * brep.faces[side].area
+            rounding = face.outward > 0 and is_blend(brep, face) and edge.convexity is EdgeConvexity.SMOOTH
+            if other not in ring and (chamfer or rounding):
+                breaks.add(other)
+    return breaks
+
+
+def _caps(brep: Brep, around: set[int], axis: Vector) -> set[int]:
+    """The end faces: planes at right angles to the axis that only the prism's own faces bound from outside."""
+    caps = set()
+    for face in {other for side in around for _, other in brep.neighbours(side)} - around:
+        record = brep.faces[face]
+        if record.kind is not SurfaceKind.PLANE or not parallel(record.axis, axis, 1e-2) or not record.loops:
+            continue
+        outer = {other for e in record.loops[0].edges for other in brep.edges[e].faces} - {face}
+        if outer <= around and record.loops[0].outer:
+            caps.add(face)
+    return caps

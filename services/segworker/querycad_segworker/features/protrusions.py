@@ -1,0 +1,107 @@
+"""Protrusions of any outline that rise from a face: rectangular and polygonal pads, pins, ribs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from querycad_contracts import Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
+
+from .frames import frame_of, outline_of
+
+RIB_RATIO = 3.0
+"""A protrusion this much longer than thick is a rib, fin or wall."""
+
+
+@dataclass(frozen=True, slots=True)
+class Protrusion:
+    """One protrusion. Metres, frame of the file. `base` and `tip` lie on its middle axis along `normal`."""
+
+    outline: str
+    normal: Vector
+    base: Vector
+    tip: Vector
+    center: Vector
+    length: float
+    width: float
+    height: float
+    direction: Vector
+    faces: tuple[int, ...]
+    body: int
+    tags: tuple[str, ...]
+
+
+def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: Tolerances) -> list[Protrusion]:
+    """Which protrusions have another outline than a circle? Sorted by lowest face id.
+
+    A protrusion is what lies beyond an inner loop of a face when all edges of that loop are concave; round ones, whose
+    walls are all in `round_faces`, are bosses.
+    """
+    found = []
+    for face in brep.faces:
+        for loop in face.loops:
+            if loop.outer:
+                continue
+            group = _beyond(brep, face, loop)
+            walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
+            if group and not walls <= set(round_faces):
+                found.append(_protrusion(brep, face, loop, group, tolerances))
+    return sorted(found, key=lambda p: p.faces[0])
+
+
+def _beyond(brep: Brep, host: FaceRecord, loop: Loop) -> set[int]:
+    """The faces on the far side of a loop that rises; empty when it sinks, or when they lead back to the host."""
+    rim = set(loop.edges)
+    first: set[int] = set()
+    for e in loop.edges:
+        edge = brep.edges[e]
+        others = [i for i in edge.faces if i != host.id]
+        if not others:
+            return set()
+        rounded = edge.convexity is EdgeConvexity.SMOOTH and brep.faces[others[0]].outward < 0
+        if edge.convexity is not EdgeConvexity.CONCAVE and not rounded:
+            return set()
+        first.update(others)
+    group, todo = set(first), list(first)
+    while todo:
+        current = todo.pop()
+        for e in brep.face_edges[current]:
+            if e in rim:
+                continue
+            for other in brep.edges[e].faces:
+                if other == host.id:
+                    return first
+                if other not in group:
+                    group.add(other)
+                    todo.append(other)
+    return group
+
+
+def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion:
+    normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
+    frame = frame_of(brep, group, normal, loop)
+    outline, _ = outline_of(brep, loop, tolerances)
+    length, width, height = frame.size
+    tags = []
+    if length > RIB_RATIO * width:
+        tags.append("rib")
+    if height > max(length, width):
+        tags.append("slender")
+    elif height < 0.5 * width:
+        tags.append("flat")
+    return Protrusion(
+        outline=outline,
+        normal=normal,
+        base=frame.point(0.5, 0.5, 0.0),
+        tip=frame.point(0.5, 0.5, 1.0),
+        center=frame.point(0.5, 0.5, 0.5),
+        length=length,
+        width=width,
+        height=height,
+        direction=frame.u,
+        faces=tuple(sorted(group)),
+        body=host.body,
+        tags=tuple(tags),
+    )

@@ -1,0 +1,208 @@
+"""Which walls are one bore or one shaft? Coaxial walls that follow each other along one axis form a stack."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import cross, dot, norm, parallel, scale
+
+from .walls import Axis, Wall
+
+
+class End(StrEnum):
+    """What a stack runs into at one end."""
+
+    OPEN = "open"
+    """A convex rim: the outside, for a bore; a free tip, for a shaft."""
+    CLOSED = "closed"
+    """A concave corner: a bottom, for a bore; the material it stands on, for a shaft."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stack:
+    """Coaxial walls in order of position along `axis`, with what closes them.
+
+    `shoulders` are the ring faces between walls, `low_faces` and `high_faces` the faces beyond the two ends.
+    """
+
+    axis: Axis
+    walls: tuple[Wall, ...]
+    shoulders: tuple[int, ...]
+    low_end: End
+    high_end: End
+    low_faces: tuple[int, ...]
+    high_faces: tuple[int, ...]
+
+    @property
+    def low(self) -> float:
+        """Where does it begin along its axis?"""
+        return min(wall_range(self.axis, wall)[0] for wall in self.walls)
+
+    @property
+    def high(self) -> float:
+        """Where does it end along its axis?"""
+        return max(wall_range(self.axis, wall)[1] for wall in self.walls)
+
+
+def wall_range(axis: Axis, wall: Wall) -> tuple[float, float]:
+    """From where to where does the wall reach along `axis`, which is coaxial to it?"""
+    a, b = axis.position(wall.axis.at(wall.low)), axis.position(wall.axis.at(wall.high))
+    return min(a, b), max(a, b)
+
+
+def radius_at(axis: Axis, wall: Wall, high: bool) -> float:
+    """What is the wall's radius at its low or high end along `axis`?"""
+    same_way = dot(axis.direction, wall.axis.direction) > 0
+    return wall.radius_high if high == same_way else wall.radius_low
+
+
+def stacks(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances, belongs: Callable[[Wall], bool]) -> list[Stack]:
+    """Which stacks do those walls form for which `belongs` is true?
+
+    Two coaxial walls follow each other when they share an edge, or when a plane ring around the axis joins one
+    to the other: a shoulder, whose one boundary is the first wall's rim and whose other boundary is the second's.
+    """
+    members = [wall for wall in walls if belongs(wall)]
+    owner = {face: i for i, wall in enumerate(members) for face in wall.faces}
+    links: dict[int, set[int]] = defaultdict(set)
+    shoulders: dict[int, set[int]] = defaultdict(set)
+    for edge in brep.edges:
+        if len(edge.faces) == 2:
+            a, b = owner.get(edge.faces[0]), owner.get(edge.faces[1])
+            if a is not None and b is not None and a != b and _coaxial(members[a], members[b], tolerances):
+                links[a].add(b)
+                links[b].add(a)
+    for face in brep.faces:
+        if face.kind is SurfaceKind.PLANE:
+            joined = _joined_by(face, brep, members, owner, tolerances)
+            for i in joined:
+                links[i].update(j for j in joined if j != i)
+                shoulders[i].add(face.id)
+    result, seen = [], set[int]()
+    for start in range(len(members)):
+        if start in seen:
+            continue
+        group, todo = {start}, [start]
+        while todo:
+            new = links[todo.pop()] - group
+            group |= new
+            todo.extend(new)
+        seen |= group
+        rings = {face for i in group for face in shoulders[i]}
+        result.append(_stack(brep, [members[i] for i in sorted(group)], rings))
+    return result
+
+
+def _coaxial(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
+    return a.axis.same_line(b.axis, tolerances)
+
+
+def _joined_by(
+    face: FaceRecord, brep: Brep, members: Sequence[Wall], owner: dict[int, int], tolerances: Tolerances
+) -> set[int]:
+    """The coaxial walls between which a plane face is the shoulder: each boundary of the ring is one wall's rim."""
+    if len(face.loops) != 2:
+        return set()
+    rims = []
+    for loop in face.loops:
+        walls_of_loop = {
+            owner[other]
+            for e in loop.edges
+            for other in brep.edges[e].faces
+            if other != face.id and other in owner and parallel(face.axis, members[owner[other]].axis.direction, 1e-2)
+        }
+        covered = sum(
+            brep.edges[e].length for e in loop.edges if any(o in owner for o in brep.edges[e].faces if o != face.id)
+        )
+        if len(walls_of_loop) != 1 or covered < 0.5 * sum(brep.edges[e].length for e in loop.edges):
+            return set()
+        rims.append(walls_of_loop.pop())
+    first, second = rims
+    if first != second and _coaxial(members[first], members[second], tolerances):
+        return {first, second}
+    return set()
+
+
+def _stack(brep: Brep, group: list[Wall], shoulders: set[int]) -> Stack:
+    lead = max(group, key=lambda wall: (wall.kind is SurfaceKind.CYLINDER, wall.height * wall.sweep))
+    axis = lead.axis
+    ordered = sorted(group, key=lambda wall: wall_range(axis, wall))
+    inside = {face for wall in ordered for face in wall.faces} | shoulders
+    low_end, low_faces = _end(brep, axis, inside, ordered, at_high=False)
+    high_end, high_faces = _end(brep, axis, inside, ordered, at_high=True)
+    return Stack(axis, tuple(ordered), tuple(sorted(shoulders)), low_end, high_end, low_faces, high_faces)
+
+
+def _end(
+    brep: Brep, axis: Axis, inside: set[int], ordered: Sequence[Wall], *, at_high: bool
+) -> tuple[End, tuple[int, ...]]:
+    """Open or closed, by the angle around the axis that convex and concave edges cover at this end."""
+    wall = ordered[-1] if at_high else ordered[0]
+    if at_high:
+        wall = max(ordered, key=lambda w: wall_range(axis, w)[1])
+    if radius_at(axis, wall, at_high) <= 1e-3 * wall.radius:
+        return End.CLOSED, ()
+    middle = sum(wall_range(axis, wall)) / 2
+    score = {End.OPEN: 0.0, End.CLOSED: 0.0}
+    beyond: dict[int, float] = defaultdict(float)
+    for face in wall.faces:
+        for e in brep.face_edges[face]:
+            edge = brep.edges[e]
+            others = [f for f in edge.faces if f not in inside]
+            if not others or (axis.position(_edge_middle(edge)) > middle) != at_high:
+                continue
+            turn = winding(axis, edge)
+            beyond[others[0]] += turn
+            kind = _verdict(brep, edge, others[0])
+            if kind is not None:
+                score[kind] += turn
+    if not any(score.values()):
+        return End.OPEN, tuple(sorted(beyond))
+    return max(score, key=lambda end: score[end]), tuple(sorted(f for f, turn in beyond.items() if turn > 0.1))
+
+
+def _edge_middle(edge: EdgeRecord) -> Vector:
+    return edge.center if edge.center is not None and edge.closed else edge.mid
+
+
+def _verdict(brep: Brep, edge: EdgeRecord, beyond: int) -> End | None:
+    """Does this edge speak for an open or a closed end? Across a smooth edge the blend's own curvature decides."""
+    if edge.convexity is EdgeConvexity.CONVEX:
+        return End.OPEN
+    if edge.convexity is EdgeConvexity.CONCAVE:
+        return End.CLOSED
+    if edge.convexity is not EdgeConvexity.SMOOTH:
+        return None
+    face = brep.faces[beyond]
+    if face.kind in (SurfaceKind.TORUS, SurfaceKind.SPHERE, SurfaceKind.CYLINDER, SurfaceKind.CONE):
+        return End.OPEN if face.outward > 0 else End.CLOSED
+    return None
+
+
+def winding(axis: Axis, edge: EdgeRecord) -> float:
+    """Which angle around the axis does the edge cover? A closed edge that does not go around the axis covers none."""
+    if edge.center is not None and edge.axis is not None and edge.radius:
+        on_axis = axis.radius_of(edge.center) <= 0.05 * edge.radius and norm(cross(edge.axis, axis.direction)) < 0.1
+        if on_axis:
+            return min(edge.length / edge.radius, 2 * math.pi)
+    first = _wrapped(axis.angle_of(edge.mid) - axis.angle_of(edge.start))
+    second = _wrapped(axis.angle_of(edge.end) - axis.angle_of(edge.mid))
+    if edge.closed:
+        return 2 * math.pi if abs(first) > math.radians(120) else 0.0
+    return abs(first + second)
+
+
+def _wrapped(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi
+
+
+def flipped(axis: Axis) -> Axis:
+    """The same line, pointing the other way."""
+    return Axis(axis.origin, scale(axis.direction, -1.0))

@@ -1,0 +1,210 @@
+"""Which faces are one wall? Cylinders and cones that a CAD system split into halves or strips are united again."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import add, cross, dot, foot, line_distance, norm, parallel, perpendicular, scale, sub
+
+REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A directed line in space: positions along it are `dot(p - origin, direction)`."""
+
+    origin: Vector
+    direction: Vector
+
+    def position(self, point: Vector) -> float:
+        """Where along the axis is the foot of `point`, in metres from the origin?"""
+        return dot(sub(point, self.origin), self.direction)
+
+    def at(self, position: float) -> Vector:
+        """Which point lies at this position?"""
+        return add(self.origin, scale(self.direction, position))
+
+    def radius_of(self, point: Vector) -> float:
+        """How far is `point` from the axis?"""
+        return line_distance(point, self.origin, self.direction)
+
+    def angle_of(self, point: Vector) -> float:
+        """At which angle around the axis is `point`? Radians, -pi to pi, from an arbitrary but fixed zero."""
+        x = perpendicular(self.direction)
+        y = cross(self.direction, x)
+        offset = sub(point, self.origin)
+        return math.atan2(dot(offset, y), dot(offset, x))
+
+    def same_line(self, other: Axis, tolerances: Tolerances) -> bool:
+        """Do both lie on one line, whichever way they point?"""
+        return (
+            parallel(self.direction, other.direction, tolerances.angle * 3)
+            and line_distance(other.origin, self.origin, self.direction) <= 3 * tolerances.length
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """One surface of revolution about an axis, made of one or more faces.
+
+    `low` and `high` are its ends along the axis; `radius_low` and `radius_high` its radii there (equal for a cylinder).
+    `sweep` is the angle that its faces cover; `outward` as in `FaceRecord`.
+    """
+
+    kind: SurfaceKind
+    axis: Axis
+    radius_low: float
+    radius_high: float
+    low: float
+    high: float
+    sweep: float
+    outward: int
+    faces: tuple[int, ...]
+    body: int
+
+    @property
+    def radius(self) -> float:
+        """How large is the radius? A cone's is its larger one."""
+        return max(self.radius_low, self.radius_high)
+
+    @property
+    def height(self) -> float:
+        """How long is it along its axis?"""
+        return self.high - self.low
+
+    @property
+    def is_full(self) -> bool:
+        """Does it go all around? A small gap (a seam, a sliver) is forgiven: 10 degrees of 360."""
+        return self.sweep >= math.radians(350)
+
+    @property
+    def encloses(self) -> bool:
+        """Does it hold a cylinder put into it, that is cover clearly more than half of the circle?"""
+        return self.sweep > math.radians(200)
+
+
+def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
+    """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united."""
+    faces = [face for face in brep.faces if face.kind in REVOLVED]
+    groups = _Groups(face.id for face in faces)
+    for edge in brep.edges:
+        if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
+            a, b = (brep.faces[i] for i in edge.faces)
+            if a.kind in REVOLVED and same_surface(a, b, tolerances):
+                groups.unite(a.id, b.id)
+    return [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
+
+
+def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
+    """Do two faces of revolution lie on one surface, on the same side of the material?"""
+    if a.kind is not b.kind or a.outward != b.outward or a.body != b.body:
+        return False
+    if not Axis(a.origin, a.axis).same_line(Axis(b.origin, b.axis), tolerances):
+        return False
+    near = 3 * tolerances.length
+    if a.kind is SurfaceKind.CYLINDER:
+        return abs(a.radius - b.radius) <= near
+    along = abs(dot(sub(b.origin, a.origin), a.axis)) <= near
+    if a.kind is SurfaceKind.CONE:
+        return along and abs(a.half_angle - b.half_angle) <= 10 * tolerances.angle
+    return along and abs(a.radius - b.radius) <= near and abs(a.minor_radius - b.minor_radius) <= near
+
+
+class _Groups:
+    """Disjoint sets of face ids."""
+
+    def __init__(self, ids: Iterable[int]) -> None:
+        self.parent = {i: i for i in ids}
+
+    def root(self, i: int) -> int:
+        while self.parent[i] != i:
+            self.parent[i] = self.parent[self.parent[i]]
+            i = self.parent[i]
+        return i
+
+    def unite(self, a: int, b: int) -> None:
+        first, second = sorted((self.root(a), self.root(b)))
+        self.parent[second] = first
+
+    def all(self) -> list[list[int]]:
+        found: dict[int, list[int]] = defaultdict(list)
+        for i in sorted(self.parent):
+            found[self.root(i)].append(i)
+        return list(found.values())
+
+
+def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
+    first = faces[0]
+    axis = Axis(first.origin, first.axis)
+    points = [
+        p
+        for face in faces
+        for e in brep.face_edges[face.id]
+        for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)
+    ]
+    positions = [axis.position(p) for p in points] or [axis.position(first.point)]
+    if first.kind is SurfaceKind.TORUS:
+        positions.extend(axis.position(f.point) for f in faces)
+    low, high = min(positions), max(positions)
+    if first.kind is SurfaceKind.CONE:
+        slope = math.tan(first.half_angle)
+        if not any(_rings(brep.edges[e], axis, near=low) for f in faces for e in brep.face_edges[f.id]):
+            low = 0.0
+        radius_low, radius_high = max(low, 0.0) * slope, high * slope
+    elif first.kind is SurfaceKind.TORUS:
+        radii = [axis.radius_of(p) for p in points] or [first.radius]
+        at_low = [axis.radius_of(p) for p in points if axis.position(p) - low <= 0.1 * (high - low)]
+        at_high = [axis.radius_of(p) for p in points if high - axis.position(p) <= 0.1 * (high - low)]
+        radius_low, radius_high = max(at_low or radii), max(at_high or radii)
+    else:
+        radius_low = radius_high = first.radius
+    return Wall(
+        kind=first.kind,
+        axis=axis,
+        radius_low=radius_low,
+        radius_high=radius_high,
+        low=low,
+        high=high,
+        sweep=_sweep(faces, axis),
+        outward=first.outward,
+        faces=tuple(face.id for face in faces),
+        body=first.body,
+    )
+
+
+def _rings(edge: EdgeRecord, axis: Axis, near: float) -> bool:
+    """Is the edge a circle around the axis, of some radius, at the position `near`?"""
+    if edge.center is None or edge.axis is None or edge.radius is None:
+        return False
+    return (
+        norm(cross(edge.axis, axis.direction)) < 1e-2
+        and norm(sub(edge.center, foot(edge.center, axis.origin, axis.direction))) < 1e-2 * edge.radius
+        and abs(axis.position(edge.center) - near) < 0.05 * edge.radius
+    )
+
+
+def _sweep(faces: Sequence[FaceRecord], axis: Axis) -> float:
+    """The angle covered by all faces together: the union of their ranges, each centred on the face's middle point."""
+    ranges = []
+    for face in faces:
+        if face.sweep >= 2 * math.pi - 1e-6:
+            return 2 * math.pi
+        middle = axis.angle_of(face.point)
+        ranges.append((middle - face.sweep / 2, middle + face.sweep / 2))
+    covered: list[tuple[float, float]] = []
+    for start, end in ranges:
+        start, end = start % (2 * math.pi), start % (2 * math.pi) + (end - start)
+        covered.append((start, min(end, 2 * math.pi)))
+        if end > 2 * math.pi:
+            covered.append((0.0, end - 2 * math.pi))
+    total, reach = 0.0, 0.0
+    for start, end in sorted(covered):
+        total += max(0.0, end - max(start, reach))
+        reach = max(reach, end)
+    return total

@@ -1,0 +1,107 @@
+"""The `SegCad` port on this machine: answers from artefacts, and asks the kernel only for new measurements."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from collections.abc import Sequence
+from functools import cached_property
+
+from querycad_contracts import Face, Grounding, Part, Shape, Side
+from querycad_segworker.errors import KernelDied
+from querycad_segworker.model import Artefacts, Model
+from querycad_segworker.vectors import cross, dot, line_distance, norm
+
+from .ground import ground
+
+MEASURE_TIMEOUT_S = 60.0
+"""One distance between two parts takes milliseconds after the kernel's start of 2 s."""
+
+
+class LocalSegCad:
+    """Finds and measures the parts of one model. Nothing here imports the kernel."""
+
+    def __init__(self, artefacts: Artefacts, model: Model | None = None) -> None:
+        self._artefacts = artefacts
+        self.model = model or artefacts.load_model()
+
+    @cached_property
+    def _parts(self) -> dict[str, Part]:
+        return {part.id: part for part in self.model.parts}
+
+    @cached_property
+    def _faces(self) -> tuple[Face, ...]:
+        return self._artefacts.load_faces()
+
+    def shape(self) -> Shape:
+        """What is the whole model?"""
+        return self.model.shape
+
+    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts does `description` mean, of those visible from any of `sides`?"""
+        return ground(self.model.parts, description, sides)
+
+    def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
+        """What are the faces with these ids? Raises KeyError for an id the model does not have."""
+        if any(not 0 <= i < len(self._faces) for i in ids):
+            raise KeyError(f"the model has faces 0 to {len(self._faces) - 1}")
+        return tuple(self._faces[i] for i in ids)
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        """How far apart are the surfaces of two parts, in metres? Exact, by the kernel in a process of its own."""
+        first, second = self._parts[part_a], self._parts[part_b]
+        if set(first.faces) & set(second.faces):
+            return 0.0
+        between = _between_cylinders(first, second)
+        if between is not None:
+            return between
+        return _measure(self._artefacts, "distance", first.faces, second.faces)
+
+    def edge_distance(self, part: str) -> float:
+        """How far is a part from the outer edge of the face it lies in, in metres?"""
+        found = self._parts[part]
+        return (
+            found.edge_distance
+            if found.edge_distance is not None
+            else _measure(self._artefacts, "edge_distance", found.faces, ())
+        )
+
+
+def _between_cylinders(a: Part, b: Part) -> float | None:
+    """The gap between two plain round walls side by side, without the kernel: the axes' distance less both radii.
+
+    None where that does not hold: axes not parallel, no overlap along them, several steps, or one inside the other.
+    """
+    if a.axis is None or b.axis is None or a.radius is None or b.radius is None:
+        return None
+    if len(a.radii) != 1 or len(b.radii) != 1 or "conical" in (*a.tags, *b.tags):
+        return None
+    if norm(cross(a.axis, b.axis)) > 1e-9:
+        return None
+    spans = []
+    for part in (a, b):
+        middle, half = dot(part.center, a.axis), (part.depth or part.height or 0.0) / 2
+        spans.append((middle - half, middle + half))
+    gap = line_distance(b.center, a.center, a.axis) - a.radius - b.radius
+    overlap = min(spans[0][1], spans[1][1]) - max(spans[0][0], spans[1][0])
+    return gap if gap > 0 and overlap > 0 else None
+
+
+def _measure(artefacts: Artefacts, what: str, first: Sequence[int], second: Sequence[int]) -> float:
+    """Runs `brep.measure` in a process of its own, as the kernel may crash and takes 2 s to start."""
+    request = json.dumps({"what": what, "first": list(first), "second": list(second)})
+    command = [sys.executable, "-m", "querycad_segworker.brep.measure", str(artefacts.kernel_faces)]
+    try:
+        done = subprocess.run(
+            command, input=request, capture_output=True, text=True, timeout=MEASURE_TIMEOUT_S, check=False
+        )
+    except subprocess.TimeoutExpired as error:
+        raise KernelDied(f"the CAD kernel did not measure this within {MEASURE_TIMEOUT_S:.0f} s") from error
+    if done.returncode != 0:
+        raise KernelDied("the CAD kernel could not measure this")
+    value = float(json.loads(done.stdout.splitlines()[-1])["metres"])
+    if not math.isfinite(value):
+        raise KernelDied("the CAD kernel found no such distance")
+    return value
