@@ -1,0 +1,154 @@
+"""Does a program use only what exists? The interpreter's type checker, kept warm, asked without running anything."""
+
+from __future__ import annotations
+
+import re
+import secrets
+from dataclasses import dataclass
+from importlib.resources import files
+from queue import Empty, LifoQueue
+from threading import BoundedSemaphore
+from typing import Final
+
+from pydantic_monty import Monty, MontyCrashedError, MontyError, MontySession, MontySyntaxError, MontyTypingError
+
+SCRIPT: Final = "program.py"
+CHECK_TIMEOUT_S: Final = 3.0
+"""A check takes about 1 ms, the first of a process 50 ms; what takes this long was written to."""
+CHECK_MEMORY_BYTES: Final = 256 * 2**20
+CHECKS_PER_SESSION: Final = 500
+"""The checker keeps what it learnt of each program; a new session forgets it."""
+MESSAGE_CHARS: Final = 300
+SHOWN: Final = 10
+"""Diagnostics told of one program: more help neither a reader nor a repair."""
+
+REFUSED_RULES: Final = frozenset(
+    {
+        "call-non-callable",
+        "invalid-syntax",
+        "missing-argument",
+        "not-iterable",
+        "not-subscriptable",
+        "parameter-already-assigned",
+        "too-many-positional-arguments",
+        "unknown-argument",
+        "unresolved-attribute",
+        "unresolved-import",
+        "unresolved-reference",
+        "unsupported-operator",
+    }
+)
+"""The checker's rules that say: this fails whatever the values are. The rest is left to the run: a wrong annotation
+harms nothing, and the guest API checks its own arguments and says more clearly what it wanted."""
+
+_DIAGNOSTIC: Final = re.compile(rf"^{re.escape(SCRIPT)}:(\d+):\d+: (\w+)\[([\w-]+)\] (.*)$")
+_UNCERTAIN: Final = re.compile(r"`None`| \| | in union |Literal\[[^]]*,")
+"""A value that may be None, or one of several types, may well be the right one when the program gets there."""
+
+
+def checker_stubs() -> str:
+    """What a program may refer to: the guest API, and the builtins that the checker does not know of."""
+    guest_api = files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8")
+    return guest_api + "\n" + files(__package__).joinpath("extra_builtins.pyi").read_text(encoding="utf-8")
+
+
+@dataclass(slots=True)
+class _Session:
+    monty: MontySession
+    checks: int = 0
+
+
+class TypeChecker:
+    """Checks programs one after the other in sessions that have read the stubs already; thread safe.
+
+    Nothing is run and nothing is kept from program to program: each is sent behind a line that names an undefined
+    variable, so that the check always fails, and the interpreter neither runs nor remembers what fails its check.
+    A program is good when that line is all that is wrong.
+    """
+
+    def __init__(self, workers: int) -> None:
+        self._pool = Monty(min_processes=1, max_processes=workers, request_timeout=CHECK_TIMEOUT_S)
+        self._stubs = checker_stubs()
+        self._gate = f"_{secrets.token_hex(8)}"
+        self._idle: LifoQueue[_Session] = LifoQueue()
+        self._free = BoundedSemaphore(workers)
+
+    def start(self) -> None:
+        """Starts the first worker process."""
+        self._pool.__enter__()
+
+    def close(self) -> None:
+        """Ends the worker processes."""
+        while True:
+            try:
+                self._idle.get_nowait().monty.__exit__(None, None, None)
+            except Empty:
+                break
+        self._pool.__exit__(None, None, None)
+
+    def problems(self, code: str) -> tuple[str, ...]:
+        """What in `code` cannot work, a line each; empty when nothing is known to be wrong."""
+        with self._free:
+            try:
+                return self._ask(code)
+            except MontyCrashedError as error:
+                if error.timed_out:
+                    return (f"the program could not be checked in {CHECK_TIMEOUT_S:g} s",)
+            return self._ask(code)  # a worker that died while it was idle is missed only now
+
+    def _ask(self, code: str) -> tuple[str, ...]:
+        session, healthy = self._take(), False
+        try:
+            session.monty.feed_run(f"{self._gate}\n{code}", print_callback=_discard)
+        except MontyTypingError as error:
+            healthy = True
+            return self._read(error.display())
+        except MontySyntaxError as error:
+            healthy = True
+            return (f"invalid syntax: {error}",)
+        except MontyCrashedError:
+            raise
+        except MontyError as error:
+            return (f"the program could not be checked: {error}",)
+        finally:
+            self._put_back(session, healthy)
+        return ("the program could not be checked",)
+
+    def _take(self) -> _Session:
+        try:
+            return self._idle.get_nowait()
+        except Empty:
+            session = self._pool.checkout(
+                script_name=SCRIPT,
+                type_check=True,
+                type_check_stubs=self._stubs,
+                type_check_format="concise",
+                limits={"max_memory": CHECK_MEMORY_BYTES},
+            )
+            session.__enter__()
+            return _Session(session)
+
+    def _put_back(self, session: _Session, healthy: bool) -> None:
+        session.checks += 1
+        if healthy and session.checks < CHECKS_PER_SESSION:
+            self._idle.put(session)
+        else:
+            session.monty.__exit__(None, None, None)
+
+    def _read(self, diagnostics: str) -> tuple[str, ...]:
+        if self._gate not in diagnostics.partition("\n")[0]:
+            return ("the program could not be checked",)
+        problems = []
+        for line in diagnostics.splitlines()[1:]:
+            match = _DIAGNOSTIC.match(line)
+            if match is None:
+                continue
+            row, severity, rule, message = match.groups()
+            message = message[:MESSAGE_CHARS]
+            if severity == "error" and rule in REFUSED_RULES and not _UNCERTAIN.search(message):
+                problems.append(f"line {int(row) - 1}: {message}")
+        return tuple(problems[:SHOWN])
+
+
+def _discard(stream: str, text: str) -> None:
+    """Nothing is printed by a program that is not run."""

@@ -1,0 +1,220 @@
+"""The host side of one run's guest API: what a program's calls do, and what they leave behind.
+
+A call that the program got wrong raises TypeError, ValueError or AttributeError into the program. A call that ends the
+run (`RunEndedError`), or a failure of SegCAD itself, is kept in `Guest.ended`: whatever the program does with the
+exception that it sees, the run is over.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from time import perf_counter
+from typing import Any, Final, NoReturn, TypeVar
+
+from pydantic_monty import ClassInstance, ClassType
+
+from querycad_contracts import Body, Face, Grounding, Part, RunStatus, SegCad, Shape, Side, Vector
+
+from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
+
+T = TypeVar("T")
+
+PART_METHODS: Final = frozenset({"distance_to", "center_distance", "angle_to", "edge_distance"})
+DESCRIPTION_CHARS: Final = 300
+"""Longest description of a part; a phrase of a question has a few dozen characters."""
+DESCRIPTIONS: Final = 100
+"""Most different find_parts calls of a run; each may render and segment, and its time is not the program's."""
+
+_SIDES: Final = {side.value: side for side in Side}
+_CLASSES: Final = {kind: ClassType(kind) for kind in (Part, Face, Body, Shape)}
+"""How a program sees the classes of the guest API: it can ask isinstance(), and make no objects of them."""
+
+
+class RunEndedError(Exception):
+    """The run is over, whatever the program would do next."""
+
+    def __init__(self, status: RunStatus, message: str) -> None:
+        super().__init__(message)
+        self.status = status
+        self.message = message
+
+
+class View(ClassInstance):
+    """An object of the model as a program sees it: its measures, and an AttributeError for any other name."""
+
+    def __init__(self, guest: Guest, value: Part | Face | Body | Shape, measures: Measures) -> None:
+        super().__init__(value, class_type=_CLASSES[type(value)])
+        self.guest = guest
+        self.measures = measures
+
+    def get_eager_attrs(self) -> dict[str, Any]:
+        """The measures that go into the sandbox with the object."""
+        return self.measures
+
+    def lookup_lazy_attrs(self, name: str) -> Any:
+        """A name that is no measure of the object: the interpreter asks the host before it gives up."""
+        self.guest.absence = self.lacks(name)
+        raise AttributeError(self.guest.absence)
+
+    def lacks(self, name: str) -> str:
+        """What to say of a measure that the object does not have?"""
+        return f"{_noun(self.value)} has no {name}; it has {', '.join(sorted(self.measures))}"
+
+
+class PartView(View):
+    """A part: fetches its faces, and measures to other parts, when asked."""
+
+    def lookup_lazy_attrs(self, name: str) -> Any:
+        """`faces`, the one attribute that costs a call to SegCAD."""
+        return self.guest.faces(self.value) if name == "faces" else super().lookup_lazy_attrs(name)
+
+    def call_method(self, name: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> Any:
+        """Calls one of the part's methods."""
+        if name not in PART_METHODS:
+            return super().call_method(name, args, kwargs)
+        if kwargs.keys() - {"other"}:
+            raise TypeError(f"{name}() takes no argument {sorted(kwargs)[0][:40]!r}")
+        others = (*args, *kwargs.values())
+        wanted = 0 if name == "edge_distance" else 1
+        if len(others) != wanted:
+            raise TypeError(f"{name}() takes {'one other part' if wanted else 'no arguments'}")
+        if not all(isinstance(other, Part) for other in others):
+            raise TypeError(f"{name}() takes a part that find_parts returned")
+        return getattr(self.guest, name)(self.value, *others)
+
+
+class Guest:
+    """Answers one program's calls from one model, and keeps the groundings."""
+
+    def __init__(self, segcad: SegCad) -> None:
+        self._segcad = segcad
+        self._found: dict[tuple[str, tuple[Side, ...] | None], list[PartView]] = {}
+        self._faces: dict[str, list[View]] = {}
+        self.groundings: list[Grounding] = []
+        self.ended: BaseException | None = None
+        self.absence = ""
+        """What was said of the last measure asked for in vain."""
+        self.segcad_s = 0.0
+        """Time spent waiting for SegCAD, which is not the program's."""
+
+    def names(self) -> dict[str, Any]:
+        """What a program's undefined names stand for, but for `shape`, which is asked for when it is read."""
+        return {"find_parts": self.find_parts} | {kind.__name__: wrapper for kind, wrapper in _CLASSES.items()}
+
+    def shape(self) -> View:
+        """The variable `shape`."""
+        shape = self._ask(self._segcad.shape)
+        bodies = [View(self, body, body_measures(body)) for body in shape.bodies]
+        return View(self, shape, {**shape_measures(shape), "bodies": bodies})
+
+    def find_parts(self, description: str, sides: Sequence[str] | str | None = None) -> list[PartView]:
+        """The function `find_parts`. A call made before is answered from the first."""
+        key = (_description(description), _sides(sides))
+        if key not in self._found:
+            self._found[key] = [PartView(self, part, part_measures(part)) for part in self._ground(*key).parts]
+        return self._found[key]
+
+    def faces(self, part: Part) -> list[View]:
+        """A part's attribute `faces`."""
+        if part.id not in self._faces:
+            faces = self._ask(lambda: self._segcad.faces(part.faces))
+            self._faces[part.id] = [View(self, face, face_measures(face)) for face in faces]
+        return self._faces[part.id]
+
+    def distance_to(self, part: Part, other: Part) -> float:
+        """How far apart are the surfaces of two parts, in metres?"""
+        return self._ask(lambda: self._segcad.distance(part.id, other.id))
+
+    def edge_distance(self, part: Part) -> float:
+        """How far is a part from the outer edge of the face that it lies in, in metres?"""
+        return self._ask(lambda: self._segcad.edge_distance(part.id))
+
+    def center_distance(self, part: Part, other: Part) -> float:
+        """How far apart are the centres of two parts, in metres?"""
+        return math.dist(part.center, other.center)
+
+    def angle_to(self, part: Part, other: Part) -> float:
+        """Which angle, 0 to pi/2, do the axes (or normals) of two parts enclose?
+
+        From the cross and the dot product, which loses no digits near 0 and pi/2 as acos and asin do.
+        """
+        (ax, ay, az), (bx, by, bz) = _direction(part), _direction(other)
+        cross = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+        return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
+
+    def explain(self, type_name: str, attribute: str) -> str:
+        """What to say when an object of the guest API had no such attribute; empty when none is known to lack it.
+
+        Inside some callbacks the interpreter does not ask the host for an attribute; the parts found tell then.
+        """
+        if f" has no {attribute};" in self.absence:
+            return self.absence
+        views = (view for found in self._found.values() for view in found)
+        lacking = (view for view in views if type_name == "Part" and attribute not in view.measures)
+        return next((view.lacks(attribute) for view in lacking), "")
+
+    def _ground(self, description: str, sides: tuple[Side, ...] | None) -> Grounding:
+        if len(self.groundings) >= DESCRIPTIONS:
+            self._end(RunEndedError(RunStatus.REFUSED, f"the program asked for more than {DESCRIPTIONS} descriptions"))
+        grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
+        self.groundings.append(grounding)
+        if not grounding.understood:
+            nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
+            reason = f": {grounding.message.rstrip('.')}" if grounding.message else ""
+            self._end(RunEndedError(RunStatus.RAISED, f"not grounded: {description!r}{reason}{nearest}"))
+        return grounding
+
+    def _ask(self, call: Callable[[], T]) -> T:
+        started = perf_counter()
+        try:
+            return call()
+        except BaseException as error:  # SegCAD's own failure is no exception of the program's
+            self._end(error)
+        finally:
+            self.segcad_s += perf_counter() - started
+
+    def _end(self, reason: BaseException) -> NoReturn:
+        self.ended = reason
+        raise RuntimeError("the run has ended")
+
+
+def _noun(value: Part | Face | Body | Shape) -> str:
+    match value:
+        case Part():
+            return f"part {value.id!r}"
+        case Face():
+            return f"face {value.id} ({value.kind.value})"
+        case Body():
+            return f"body {value.id}"
+        case Shape():
+            return "the model"
+
+
+def _direction(part: Part) -> Vector:
+    direction = part.axis or part.normal
+    if direction is None:
+        raise AttributeError(f"{_noun(part)} has neither axis nor normal")
+    return direction
+
+
+def _description(description: object) -> str:
+    if not isinstance(description, str):
+        raise TypeError("find_parts() takes a description as text, such as 'through hole'")
+    if not description.strip() or len(description) > DESCRIPTION_CHARS:
+        raise ValueError(f"a description has 1 to {DESCRIPTION_CHARS} characters")
+    return description.strip()
+
+
+def _sides(sides: object) -> tuple[Side, ...] | None:
+    """The sides asked for, in the order of `Side`; None for every side."""
+    if sides is None:
+        return None
+    words = [sides] if isinstance(sides, str) else sides
+    if not isinstance(words, (list, tuple, set, frozenset)) or not all(isinstance(word, str) for word in words):
+        raise TypeError("find_parts() takes its sides as a list such as ['top', 'left'], or None for every side")
+    unknown = sorted(set(words) - _SIDES.keys())
+    if unknown or not words:
+        problem = f"no side is called {unknown[0][:40]!r}" if unknown else "no side given"
+        raise ValueError(f"{problem}: use {', '.join(_SIDES)}")
+    return tuple(side for word, side in _SIDES.items() if word in words)

@@ -1,0 +1,75 @@
+# ruff: noqa: A001, ANN001, ANN002, ANN003, ANN201, ANN202, D103 - these replace builtins, for a reader of Python
+# mypy: ignore-errors
+"""What every program finds defined besides the host's names. Its text is run inside the sandbox, ahead of the program.
+
+`min`, `max`, `sorted`, `map` and `filter` replace the interpreter's own, which call their function where it cannot ask
+the host anything: with these, `min(parts, key=lambda p: p.edge_distance())` works as in any Python.
+`next` takes the first value of a generator expression, which the interpreter makes a list.
+The helpers of the guest API that need no host are here too: a program may call them thousands of times.
+"""
+
+from math import dist as _dist
+
+_min, _max, _next, _sorted = min, max, next, sorted
+
+
+def sorted(iterable, /, *, key=None, reverse=False):
+    if key is None:
+        return _sorted(iterable, reverse=reverse)
+    items = list(iterable)
+    keys = [key(item) for item in items]
+    order = _sorted(range(len(items)), key=lambda i: keys[i], reverse=reverse)
+    return [items[i] for i in order]
+
+
+def _extreme(builtin, values, key, default):
+    items = list(values[0]) if len(values) == 1 else list(values)
+    if key is None or not items:
+        return builtin(items, **default)
+    keys = [key(item) for item in items]
+    return items[builtin(range(len(items)), key=lambda i: keys[i])]
+
+
+def min(*values, key=None, **default):
+    return _extreme(_min, values, key, default)
+
+
+def max(*values, key=None, **default):
+    return _extreme(_max, values, key, default)
+
+
+def map(function, /, *iterables):
+    return [function(*values) for values in zip(*iterables, strict=False)]
+
+
+def filter(function, iterable, /):
+    return [value for value in iterable if (value if function is None else function(value))]
+
+
+def next(iterator, /, *default):
+    if not isinstance(iterator, list):
+        return _next(iterator, *default)
+    if iterator:
+        return iterator.pop(0)
+    if default:
+        return default[0]
+    raise StopIteration
+
+
+def distance(a, b):
+    for point in (a, b):
+        if not isinstance(point, (tuple, list)) or len(point) != 3:
+            raise TypeError("distance() takes two points of three numbers, such as part.center")
+    return _dist(a, b)
+
+
+def different(values, tolerance=1e-6):
+    kept = []
+    for value in _sorted(values):
+        if not kept or value - kept[-1] >= tolerance:
+            kept.append(value)
+    return kept
+
+
+def close(a, b, tolerance=5e-5):
+    return abs(a - b) <= tolerance

@@ -1,0 +1,147 @@
+"""The `SegCad` port over the queue: every call is a task that some segworker does, by name.
+
+SegCadUnavailable    no segworker answered
+SegCadFailed         a segworker answered that it cannot: `failure` says why
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from typing import Any, Final, Protocol, TypeVar
+
+from celery import Celery
+from celery import exceptions as celery_errors
+from kombu.exceptions import OperationalError
+from pydantic import TypeAdapter
+from redis.exceptions import RedisError
+
+from querycad_contracts import (
+    DistanceTask,
+    EdgeDistanceTask,
+    Face,
+    FacesTask,
+    FindPartsTask,
+    Grounding,
+    ModelTask,
+    Queue,
+    Shape,
+    Side,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+)
+
+from .settings import SandboxSettings
+
+TRIES: Final = 2
+"""A call is lost with the worker that died at it; asking again does no harm, as no call changes anything."""
+RESULT_S: Final = 600
+
+T = TypeVar("T")
+log = logging.getLogger(__name__)
+
+_SHAPE = TypeAdapter(TaskOutcome[Shape])
+_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
+_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
+_FLOAT = TypeAdapter(TaskOutcome[float])
+
+
+class SegCadUnavailable(Exception):
+    """No segworker answered in time."""
+
+
+class SegCadFailed(Exception):
+    """A segworker cannot do what was asked."""
+
+    def __init__(self, failure: TaskFailure) -> None:
+        super().__init__(failure.message)
+        self.failure = failure
+
+
+class Caller(Protocol):
+    """Sends a task and waits for what comes of it."""
+
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
+        """The task's result as JSON data. Raises SegCadUnavailable."""
+        ...
+
+
+class CeleryCaller:
+    """Sends tasks to the segworkers. Thread safe; each thread has a connection of its own for the results."""
+
+    def __init__(self, redis_url: str) -> None:
+        self._app = Celery("querycad_sandbox", broker=redis_url, backend=redis_url, set_as_current=False)
+        self._app.conf.update(
+            result_expires=RESULT_S,
+            broker_transport_options={"socket_connect_timeout": 2, "max_retries": 2},
+            redis_socket_connect_timeout=2,
+            task_publish_retry_policy={"max_retries": 2, "interval_start": 0.1},
+        )
+
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
+        """The task's result as JSON data. Raises SegCadUnavailable when no worker answered, twice."""
+        for attempt in range(1, TRIES + 1):
+            try:
+                sent = self._app.send_task(
+                    name.value, args=[payload], queue=Queue.SEGCAD.value, expires=timeout_s, retry=True
+                )
+                answer = sent.get(timeout=timeout_s)
+                sent.forget()
+                return answer
+            except celery_errors.TimeoutError:
+                log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
+            except (celery_errors.CeleryError, OperationalError, RedisError) as error:
+                log.warning("%s: %s (attempt %d)", name.value, error, attempt)
+        raise SegCadUnavailable("no segworker answered; try again in a moment")
+
+    def close(self) -> None:
+        """Closes the connections."""
+        self._app.close()
+
+
+class RemoteSegCad:
+    """Finds and measures the parts of one model, by asking a segworker. Raises SegCadUnavailable and SegCadFailed."""
+
+    def __init__(self, model: str, call: Caller, settings: SandboxSettings) -> None:
+        self._model = model
+        self._call = call
+        self._settings = settings
+
+    def shape(self) -> Shape:
+        """What is the whole model?"""
+        return self._ask(TaskName.SHAPE, ModelTask(model=self._model), _SHAPE)
+
+    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts does `description` mean, of those visible from any of `sides`?"""
+        asked = None if sides is None else tuple(sides)
+        task = FindPartsTask(model=self._model, description=description, sides=asked)
+        return self._ask(TaskName.FIND_PARTS, task, _GROUNDING)
+
+    def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
+        """What are the faces with these ids? Raises KeyError for an id the model does not have."""
+        return self._ask(TaskName.FACES, FacesTask(model=self._model, ids=tuple(ids)), _FACES)
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        """How far apart are the surfaces of two parts, in metres? Raises KeyError for an unknown part id."""
+        return self._measure(TaskName.DISTANCE, DistanceTask(model=self._model, part_a=part_a, part_b=part_b))
+
+    def edge_distance(self, part: str) -> float:
+        """How far is a part from the outer edge of the face it lies in, in metres? Raises KeyError as above."""
+        return self._measure(TaskName.EDGE_DISTANCE, EdgeDistanceTask(model=self._model, part=part))
+
+    def _measure(self, name: TaskName, task: ModelTask) -> float:
+        return self._ask(name, task, _FLOAT, self._settings.measure_s)
+
+    def _ask(
+        self, name: TaskName, task: ModelTask, outcome: TypeAdapter[TaskOutcome[T]], timeout_s: float | None = None
+    ) -> T:
+        answer = self._call(name, task.model_dump(mode="json"), timeout_s or self._settings.call_s)
+        done = outcome.validate_python(answer)
+        if done.failure is not None and done.failure.kind is TaskFailureKind.UNKNOWN_ID:
+            raise KeyError(done.failure.message)
+        if done.failure is not None or done.value is None:
+            unknown = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the segworker gave neither value nor reason")
+            raise SegCadFailed(done.failure or unknown)
+        return done.value

@@ -1,0 +1,17 @@
+"""What can be set of the sandbox's service, by environment variables."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from querycad_contracts import BrokerSettings
+
+
+class SandboxSettings(BrokerSettings):
+    """Of one sandbox service."""
+
+    sandbox_host: str = Field("127.0.0.1", description="Address that the sandbox listens on.")
+    sandbox_port: int = Field(8101, ge=1, le=65535, description="Port that the sandbox listens on.")
+    sandbox_runs: int = Field(4, ge=1, le=256, description="Programs that a sandbox runs at the same time.")
+    call_s: float = Field(20.0, gt=0, description="Seconds that the sandbox waits for a segworker, then asks again.")
+    measure_s: float = Field(100.0, gt=0, description="The same for a distance, which may need the CAD kernel.")

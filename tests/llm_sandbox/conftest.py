@@ -1,0 +1,178 @@
+"""A small model behind the SegCad port, made by hand, and one sandbox for all tests.
+
+The plate: three through holes on a line (two of radius 2.5 mm, one of 5 mm), a blind slot, a boss on top, its top face,
+and the plate itself as a body. Metres.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import pytest
+
+from querycad_contracts import Body, Convexity, Evidence, Face, Grounding, Part, Shape, Side, SurfaceKind
+from querycad_sandbox import Sandbox
+
+KNOWN = {"hole": "hole", "boss": "boss", "slot": "slot", "face": "face", "plate": "body", "gear": "gear"}
+UP = (0.0, 0.0, 1.0)
+
+
+class FakeSegCad:
+    """Answers from the plate, and keeps what it was asked."""
+
+    def __init__(self, prefix: str = "") -> None:
+        self.calls: list[tuple[str, object]] = []
+        self.parts = [
+            make_part(f"{prefix}{part['id']}", **{key: value for key, value in part.items() if key != "id"})
+            for part in PARTS
+        ]
+
+    def shape(self) -> Shape:
+        self.calls.append(("shape", None))
+        return make_shape()
+
+    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        self.calls.append(("find_parts", (description, sides)))
+        kind = next((kind for word, kind in KNOWN.items() if word in description), None)
+        found = [part for part in self.parts if part.kind == kind and (not sides or set(sides) & set(part.sides))]
+        nearest = () if kind else ("hole", "boss")
+        return Grounding(
+            description=description,
+            sides=None if sides is None else tuple(sides),
+            parts=tuple(found),
+            understood=kind is not None,
+            nearest=nearest,
+            message="" if kind else f"no such word: {description}.",
+        )
+
+    def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
+        self.calls.append(("faces", tuple(ids)))
+        return tuple(make_face(i) for i in ids)
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        self.calls.append(("distance", (part_a, part_b)))
+        return 0.0 if part_a == part_b else 0.007
+
+    def edge_distance(self, part: str) -> float:
+        self.calls.append(("edge_distance", part))
+        return {"1": 0.003, "2": 0.002, "3": 0.004}[part[-1]]
+
+
+def make_part(part_id: str, **measures: Any) -> Part:
+    kind = measures.pop("kind", part_id.rpartition("-")[0])
+    return Part(
+        id=part_id,
+        kind=kind,
+        label=measures.pop("label", kind),
+        faces=measures.pop("faces", (1,)),
+        center=measures.pop("center", (0.0, 0.0, 0.0)),
+        extents=measures.pop("extents", (0.01, 0.02, 0.03)),
+        evidence=Evidence(source="geometry", confidence=1.0, reason="made by hand"),
+        **measures,
+    )
+
+
+def make_face(face_id: int, **measures: Any) -> Face:
+    return Face(
+        id=face_id,
+        body=0,
+        kind=measures.pop("kind", SurfaceKind.CYLINDER),
+        center=(0.0, 0.0, 0.0),
+        extents=(0.005, 0.005, 0.01),
+        area=1.5e-4,
+        convexity=measures.pop("convexity", Convexity.CONCAVE),
+        **({"radius": 0.0025, "axis": UP} | measures),
+    )
+
+
+def make_shape(**measures: Any) -> Shape:
+    return Shape(
+        name="plate",
+        center=(0.05, 0.02, 0.005),
+        extents=(0.1, 0.04, 0.01),
+        volume=4e-5,
+        area=1e-2,
+        face_count=12,
+        bodies=measures.pop("bodies", (make_body(),)),
+        **measures,
+    )
+
+
+def make_body(**measures: Any) -> Body:
+    return Body(
+        id=0,
+        name=measures.pop("name", "plate"),
+        is_solid=True,
+        center=(0.05, 0.02, 0.005),
+        extents=(0.1, 0.04, 0.01),
+        volume=4e-5,
+        area=1e-2,
+        face_count=12,
+        **measures,
+    )
+
+
+def _hole(part_id: str, x: float, radius: float) -> dict[str, Any]:
+    top = (x, 0.02, 0.01)
+    return {
+        "id": part_id,
+        "kind": "hole",
+        "tags": ("through", "circular"),
+        "label": f"through hole, diameter {2000 * radius:g} mm",
+        "faces": (1, 2),
+        "sides": (Side.TOP, Side.BOTTOM),
+        "center": (x, 0.02, 0.005),
+        "extents": (2 * radius, 2 * radius, 0.01),
+        "axis": UP,
+        "normal": UP,
+        "radius": radius,
+        "diameter": 2 * radius,
+        "depth": 0.01,
+        "opening": top,
+        "bottom": "through",
+        "radii": (radius,),
+    }
+
+
+PARTS: list[dict[str, Any]] = [
+    _hole("hole-1", 0.02, 0.0025),
+    _hole("hole-2", 0.05, 0.0025),
+    _hole("hole-3", 0.08, 0.005),
+    {
+        "id": "slot-1",
+        "kind": "slot",
+        "sides": (Side.TOP,),
+        "center": (0.05, 0.01, 0.008),
+        "extents": (0.02, 0.004, 0.004),
+        "normal": UP,
+        "opening": (0.05, 0.01, 0.01),
+        "width": 0.004,
+        "length": 0.02,
+        "bottom": "flat",
+    },
+    {
+        "id": "boss-1",
+        "kind": "boss",
+        "sides": (Side.TOP, Side.LEFT),
+        "center": (0.05, 0.03, 0.0125),
+        "extents": (0.006, 0.006, 0.005),
+        "axis": (1.0, 0.0, 0.0),
+        "radius": 0.003,
+        "height": 0.005,
+        "tip": (0.05, 0.03, 0.015),
+    },
+    {"id": "face-1", "kind": "face", "normal": UP, "local_size": (0.1, 0.04, 0.0), "area": 4e-3},
+    {"id": "body-1", "kind": "body", "name": "plate", "extents": (0.1, 0.04, 0.01), "volume": 4e-5},
+]
+
+
+@pytest.fixture(scope="session")
+def sandbox() -> Iterator[Sandbox]:
+    with Sandbox(workers=2) as made:
+        yield made
+
+
+@pytest.fixture
+def segcad() -> FakeSegCad:
+    return FakeSegCad()

@@ -1,0 +1,148 @@
+"""The type check: it refuses what cannot work, lets the rest run, runs nothing itself and remembers nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from tests.llm_sandbox.conftest import FakeSegCad
+
+from querycad_contracts import RunStatus
+from querycad_sandbox import Sandbox
+from querycad_sandbox.check import CHECKS_PER_SESSION, TypeChecker
+
+
+@pytest.fixture(scope="module")
+def checker() -> Iterator[TypeChecker]:
+    made = TypeChecker(1)
+    made.start()
+    yield made
+    made.close()
+
+
+@pytest.mark.parametrize(
+    ("code", "problem"),
+    [
+        ("solution = undefined", "line 1: Name `undefined` used when not defined"),
+        ("\n\nsolution = math.pi", "line 3: Name `math` used when not defined"),
+        ("import statistics", "line 1: Cannot resolve imported module `statistics`"),
+        ("import os, subprocess", "line 1: Cannot resolve imported module `subprocess`"),
+        ('solution = find_parts("hole")[0].colour', "line 1: Object of type `Part` has no attribute `colour`"),
+        ('solution = find_parts("hole").radius', "line 1: Object of type `list[Part]` has no attribute `radius`"),
+        ("solution = shape.solids", "line 1: Object of type `Shape` has no attribute `solids`"),
+        ("solution = shape.width()", "line 1: Object of type `float` is not callable"),
+        ('solution = find_parts("hole", side=["top"])', "line 1: Argument `side` does not match any known parameter"),
+        ("solution = find_parts()", "line 1: No argument provided for required parameter `description`"),
+        ("solution = distance(shape.center)", "line 1: No argument provided for required parameter `b`"),
+        ("solution = close(1, 2, 3, 4)", "line 1: Too many positional arguments"),
+        ('solution = find_parts("hole")[0]["radius"]', "line 1: Cannot subscript object of type `Part`"),
+        ("for x in shape:\n    solution = x", "line 1: Object of type `Shape` is not iterable"),
+        ('solution = shape.name + 1', "line 1: Operator `+` is not supported"),
+        ("solution = = 1", "line 1: Expected an expression"),
+        ("if True:\nsolution = 1", "line 2: Expected an indented block"),
+        ('solution = "', "line 1: "),
+        ("solution = (", "line 1: "),
+        ("x = 1\n y = 2", "line 2: Unexpected indentation"),
+        ("solution = open('/etc/passwd')", "line 1: Name `open` used when not defined"),
+        ("solution = __import__('os')", "line 1: Name `__import__` used when not defined"),
+        ("from __future__ import annotations\nsolution = 1", "line 1: "),
+    ],
+)  # fmt: skip
+def test_what_cannot_work_is_refused_with_its_line(checker: TypeChecker, code: str, problem: str) -> None:
+    problems = checker.problems(code)
+    assert problems[0].startswith(problem)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "best = None\nfor p in find_parts('hole'):\n    best = p\nsolution = best.radius * 2",
+        "best = None\nfor p in find_parts('hole'):\n    best = p.radius\nsolution = round(best * 1000, 2)",
+        "solution = max(find_parts('hole'), key=lambda p: p.radius, default=None).center[2]",
+        "a = None\nif shape.width > 2:\n    a = find_parts('hole')\nsolution = [len(a), a[0].id] + [p.id for p in a]",
+        "import re\nsolution = re.match('a', shape.name).group(0)",
+        "x = 1 if shape.width > 2 else 'one'\nsolution = x + 1",
+        "largest: Part = None\nsolution = 1",
+        "def f(parts: list[Part] = None) -> int:\n    return 'a'\nsolution = f()",
+        "solution: int = 'a'",
+        "c = [sum(v) for v in zip(*[p.center for p in find_parts('hole')])]\nsolution = distance(c, shape.center)",
+        "sides = ['top']\nsolution = find_parts('hole', sides=sides)",
+        "def f(x):\n    return x.anything\nsolution = f(3)",
+        "solution = getattr(find_parts('hole')[0], 'radius', None)",
+        "solution = undefined  # type: ignore",
+    ],
+)
+def test_what_may_work_is_left_to_the_run(checker: TypeChecker, code: str) -> None:
+    assert checker.problems(code) == ()
+
+
+def test_several_problems_are_told_in_order_up_to_ten(checker: TypeChecker) -> None:
+    problems = checker.problems("\n".join(f"x{i} = undefined{i}" for i in range(30)))
+    assert [p.partition(":")[0] for p in problems] == [f"line {i}" for i in range(1, 11)]
+
+
+def test_no_program_is_remembered(checker: TypeChecker) -> None:
+    for code in ("value = 1", "def value(): ...", "import math", "class value: ...", "solution = 1"):
+        assert checker.problems(code) == ()
+    for name in ("value", "math", "solution"):
+        assert checker.problems(f"x = {name}") == (f"line 1: Name `{name}` used when not defined",)
+
+
+def test_no_program_is_run(sandbox: Sandbox) -> None:
+    """A run that the check refuses has asked nothing and printed nothing."""
+    segcad = FakeSegCad()
+    outcome = sandbox.run('print("hello")\nsolution = len(find_parts("hole"))\nsolution = undefined', segcad)
+    assert (outcome.status, outcome.printed, segcad.calls) == (RunStatus.REFUSED, "", [])
+
+
+def test_a_program_cannot_name_the_line_that_guards_its_check(checker: TypeChecker) -> None:
+    other = TypeChecker(1)
+    assert checker._gate != other._gate
+    other.start()
+    other.close()
+    assert checker.problems(f"{other._gate} = 1\nsolution = {other._gate}") == ()
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "# ty: ignore\nsolution = 1",
+        "# type: ignore\nsolution = 1",
+        "while True:\n    pass",
+        "raise SystemExit",
+        "from typing import *\nsolution = 1",
+        "def f():\n    global solution\n    solution = 1\nf()",
+    ],
+)
+def test_the_check_never_runs_a_program_that_means_to_escape_it(checker: TypeChecker, code: str) -> None:
+    assert checker.problems(code) == ()
+    assert checker.problems("x = solution") == ("line 1: Name `solution` used when not defined",)
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "solution = " + "(" * 10000 + "1" + ")" * 10000,
+        "solution = " + "-" * 60000 + "1",
+        "solution = " + "lambda: " * 6000 + "1",
+        "solution = shape" + ".x" * 20000,
+        "solution = " + "[" * 5000 + "]" * 5000,
+    ],
+    ids=["parentheses", "minus", "lambda", "attributes", "lists"],
+)
+def test_what_is_nested_too_deeply_is_refused(checker: TypeChecker, code: str) -> None:
+    assert checker.problems(code) == ("invalid syntax: Source is too deeply nested",)
+    assert checker.problems("solution = 1") == ()
+
+
+def test_a_program_that_never_ends_being_checked_is_refused(checker: TypeChecker) -> None:
+    grows = "".join(f"  x = (x, {i}) if shape.area else [x]\n" for i in range(30))
+    assert checker.problems(f"x = 0\nwhile shape.volume > 0:\n{grows}solution = x") == (
+        "the program could not be checked in 3 s",
+    )
+    assert checker.problems("solution = 1") == ()
+
+
+def test_a_session_is_renewed_after_its_share_of_programs(checker: TypeChecker) -> None:
+    for i in range(CHECKS_PER_SESSION + 2):
+        assert checker.problems(f"solution = {i}") == ()

@@ -1,0 +1,302 @@
+"""The guest API: what is served is what guest_api.pyi says, no more and no less, with the fallbacks that it states."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from tests.llm_sandbox.conftest import make_body, make_face, make_part, make_shape
+
+from querycad_contracts import Face, Part, RunLimits, RunStatus, Side, SurfaceKind
+from querycad_sandbox import Sandbox
+from querycad_sandbox.guest import PART_METHODS, Guest
+from querycad_sandbox.measures import body_measures, face_measures, part_measures, shape_measures
+
+if TYPE_CHECKING:
+    from tests.llm_sandbox.conftest import FakeSegCad
+
+STUB = ast.parse(files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8"))
+PRELUDE = ast.parse(files("querycad_sandbox").joinpath("prelude.py").read_text(encoding="utf-8"))
+UP = (0.0, 0.0, 1.0)
+
+
+def stub_class(name: str) -> ast.ClassDef:
+    return next(node for node in STUB.body if isinstance(node, ast.ClassDef) and node.name == name)
+
+
+def attributes(name: str) -> set[str]:
+    body = stub_class(name).body
+    return {node.target.id for node in body if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)}
+
+
+def functions(tree: ast.Module | ast.ClassDef) -> dict[str, ast.FunctionDef]:
+    return {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+
+
+def full_part() -> Part:
+    return make_part(
+        "hole-1",
+        tags=("through",),
+        sides=(Side.TOP,),
+        name="x",
+        opening=UP,
+        tip=UP,
+        axis=UP,
+        normal=UP,
+        radius=1.0,
+        diameter=2.0,
+        radii=(1.0,),
+        depth=1.0,
+        height=1.0,
+        width=1.0,
+        length=1.0,
+        thickness=1.0,
+        local_size=UP,
+        bottom="through",
+        volume=1.0,
+        area=1.0,
+    )
+
+
+def test_every_attribute_of_the_stub_is_served_and_no_other() -> None:
+    assert part_measures(full_part()).keys() | {"faces"} == attributes("Part")
+    assert face_measures(make_face(1, normal=UP)).keys() == attributes("Face")
+    assert body_measures(make_body(color="#c0c0c0")).keys() == attributes("Body")
+    assert shape_measures(make_shape(thickness=0.01)).keys() | {"bodies"} == attributes("Shape")
+
+
+def test_every_method_of_the_stub_is_served_and_no_other() -> None:
+    assert functions(stub_class("Part")).keys() == PART_METHODS
+    assert not any(functions(stub_class(name)) for name in ("Face", "Body", "Shape"))
+
+
+def test_every_function_of_the_stub_takes_the_same_arguments() -> None:
+    stubs, prelude = functions(STUB), functions(PRELUDE)
+    assert stubs.keys() == {"find_parts", "distance", "different", "close"}
+    for name in stubs.keys() - {"find_parts"}:
+        assert [a.arg for a in prelude[name].args.args] == [a.arg for a in stubs[name].args.args]
+        assert ast.dump(ast.List(prelude[name].args.defaults)) == ast.dump(ast.List(stubs[name].args.defaults))
+    parameters = inspect.signature(Guest.find_parts).parameters
+    assert list(parameters)[1:] == [a.arg for a in stubs["find_parts"].args.args]
+    assert parameters["sides"].default is None
+
+
+def test_every_name_of_the_stub_is_there_at_run_time(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    classes = {node.name for node in STUB.body if isinstance(node, ast.ClassDef)}
+    names = sorted(classes | functions(STUB).keys() | {"shape"})
+    assert sandbox.run(f"solution = len([{', '.join(names)}])", segcad).value == 9
+
+
+def test_every_attribute_and_method_of_the_stub_passes_the_type_check_and_runs(
+    sandbox: Sandbox, segcad: FakeSegCad
+) -> None:
+    segcad.parts = [full_part()]
+    reads = [f"part.{name}" for name in sorted(attributes("Part"))]
+    calls = [
+        "part.distance_to(part)",
+        "part.center_distance(other=part)",
+        "part.angle_to(part)",
+        "part.edge_distance()",
+    ]
+    code = 'part = find_parts("hole")[0]\nsolution = len([' + ", ".join(reads + calls) + "])"
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.status, outcome.value, outcome.message) == (RunStatus.OK, len(reads) + len(calls), "")
+
+
+def test_a_hole_has_no_depth_but_its_own() -> None:
+    assert "depth" not in part_measures(make_part("hole-1", opening=UP))
+    assert part_measures(make_part("hole-1", opening=UP, depth=0.004))["depth"] == 0.004
+    assert part_measures(make_part("hole-1", opening=UP))["height"] == 0.03
+
+
+def test_a_boss_has_no_height_but_its_own() -> None:
+    assert "height" not in part_measures(make_part("boss-1", tip=UP))
+    assert part_measures(make_part("boss-1", tip=UP, height=0.004))["height"] == 0.004
+    assert part_measures(make_part("boss-1", tip=UP))["depth"] == 0.02
+
+
+def test_anything_else_has_its_extents_for_depth_and_height() -> None:
+    measures = part_measures(make_part("body-1"))
+    assert (measures["width"], measures["depth"], measures["height"]) == (0.01, 0.02, 0.03)
+
+
+def test_width_and_length_are_of_the_parts_own_frame() -> None:
+    measures = part_measures(make_part("slot-1", local_size=(0.05, 0.006, 0.002)))
+    assert (measures["length"], measures["width"]) == (0.05, 0.006)
+    assert not {"length", "width"} & part_measures(make_part("slot-1")).keys()
+
+
+def test_radius_and_diameter_stand_in_for_each_other() -> None:
+    assert part_measures(make_part("hole-1", radius=0.002))["diameter"] == 0.004
+    assert part_measures(make_part("hole-1", diameter=0.004))["radius"] == 0.002
+    assert part_measures(make_part("hole-1", radius=0.002))["radii"] == [0.002]
+    assert part_measures(make_part("hole-1", radius=0.002, radii=(0.004, 0.002)))["radii"] == [0.004, 0.002]
+    assert not {"radius", "diameter", "radii"} & part_measures(make_part("slot-1")).keys()
+
+
+def test_a_radius_of_zero_is_a_radius() -> None:
+    assert part_measures(make_part("hole-1", radius=0.0))["diameter"] == 0.0
+
+
+def test_a_part_without_normal_faces_along_its_axis() -> None:
+    assert part_measures(make_part("boss-1", axis=UP))["normal"] == UP
+    assert part_measures(make_part("boss-1", axis=UP, normal=(1.0, 0.0, 0.0)))["normal"] == (1.0, 0.0, 0.0)
+
+
+def test_corners_and_half_extents_follow_from_center_and_extents() -> None:
+    measures = shape_measures(make_shape())
+    assert measures["min_corner"] == pytest.approx((0.0, 0.0, 0.0))
+    assert measures["max_corner"] == pytest.approx((0.1, 0.04, 0.01))
+    assert (measures["width"], measures["depth"], measures["height"]) == (0.1, 0.04, 0.01)
+    assert part_measures(make_part("x-1"))["half_extents"] == (0.005, 0.01, 0.015)
+
+
+@pytest.mark.parametrize(
+    ("code", "message"),
+    [
+        (
+            'solution = find_parts("slot")[0].radius',
+            "AttributeError: part 'slot-1' has no radius; it has bottom, center",
+        ),
+        ('solution = [p.tip for p in find_parts("hole")]', "part 'hole-1' has no tip; it has axis, bottom"),
+        ('solution = max(find_parts("slot"), key=lambda p: p.radius)', "part 'slot-1' has no radius; it has"),
+        ('ps = find_parts("slot")\nps.sort(key=lambda p: p.radius)\nsolution = ps', "part 'slot-1' has no radius;"),
+        ("solution = shape.thickness", "the model has no thickness; it has area, bodies, center"),
+        ("solution = shape.bodies[0].color", "body 0 has no color; it has"),
+        ('solution = find_parts("hole")[0].faces[0].normal', "face 1 (cylinder) has no normal; it has"),
+        ('def f(p):\n    return p.colour\nsolution = f(find_parts("hole")[0])', "part 'hole-1' has no colour; it has"),
+        ('solution = find_parts("hole")[0].center.x', "tuple[float, float, float]"),
+    ],
+)
+def test_a_missing_measure_is_named_with_those_there_are(
+    sandbox: Sandbox, segcad: FakeSegCad, code: str, message: str
+) -> None:
+    assert message in sandbox.run(code, segcad).message
+
+
+def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = '\nparts = find_parts("slot")\nsolution = [p.radius for p in parts]'
+    assert sandbox.run(code, segcad).message.endswith("(line 3: solution = [p.radius for p in parts])")
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        ("find_parts(3)", "TypeError: find_parts() takes a description as text"),
+        ('find_parts("")', "ValueError: a description has 1 to 300 characters"),
+        ('find_parts("x" * 301)', "ValueError: a description has 1 to 300 characters"),
+        ('find_parts("hole", sides=["upper"])', "ValueError: no side is called 'upper': use top, bottom, left"),
+        ('find_parts("hole", sides="upper")', "ValueError: no side is called 'upper'"),
+        ('find_parts("hole", sides=[])', "ValueError: no side given"),
+        ('find_parts("hole", sides=3)', "TypeError: find_parts() takes its sides as a list"),
+        ('find_parts("hole", sides=[1])', "TypeError: find_parts() takes its sides as a list"),
+        ('find_parts("hole", sides={"top": 1})', "TypeError: find_parts() takes its sides as a list"),
+        (
+            'find_parts("hole")[0].distance_to("hole-2")',
+            "TypeError: distance_to() takes a part that find_parts returned",
+        ),
+        ('find_parts("hole")[0].angle_to(find_parts("face")[0].id)', "TypeError: angle_to() takes a part"),
+        ('find_parts("hole")[0].edge_distance(*[1])', "TypeError: edge_distance() takes no arguments"),
+        ('find_parts("hole")[0].distance_to(*[])', "TypeError: distance_to() takes one other part"),
+        ('find_parts("hole")[0].distance_to(**{"part": 1})', "TypeError: distance_to() takes no argument 'part'"),
+        ('distance(find_parts("hole")[0], shape.center)', "TypeError: distance() takes two points"),
+        ("distance((0.0, 0.0), (1.0, 1.0))", "TypeError: distance() takes two points"),
+    ],
+)
+def test_a_wrong_argument_is_told_to_the_program(sandbox: Sandbox, segcad: FakeSegCad, call: str, message: str) -> None:
+    outcome = sandbox.run(f"solution = {call}", segcad)
+    assert outcome.status is RunStatus.RAISED
+    assert outcome.message.startswith(message)
+    assert sandbox.run(f"try:\n    {call}\nexcept Exception:\n    solution = 1", segcad).value == 1
+
+
+def test_sides_reach_segcad_in_one_order_each_once(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = (
+        'for s in (["left", "top", "left"], ("top", "left"), {"left", "top"}):\n    find_parts("boss", s)\nsolution = 1'
+    )
+    outcome = sandbox.run(code, segcad)
+    assert segcad.calls == [("find_parts", ("boss", (Side.TOP, Side.LEFT)))]
+    assert outcome.groundings[0].sides == (Side.TOP, Side.LEFT)
+
+
+def test_a_repeated_call_is_answered_from_the_first(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run('solution = sum(len(find_parts("hole")) for i in range(50))', segcad)
+    assert (outcome.value, len(segcad.calls), len(outcome.groundings)) == (150, 1, 1)
+
+
+def test_segcad_is_asked_only_for_what_is_read(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    sandbox.run("solution = 1", segcad)
+    assert segcad.calls == []
+    sandbox.run("solution = shape.width + shape.depth", segcad)
+    assert segcad.calls == [("shape", None)]
+    segcad.calls.clear()
+    sandbox.run('p = find_parts("hole")[0]\nsolution = [len(p.faces), len(p.faces)]', segcad)
+    assert segcad.calls == [("find_parts", ("hole", None)), ("faces", (1, 2))]
+
+
+def test_distances_between_points_ask_nobody(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = 'p = find_parts("hole")[0]\nsolution = sum(distance(p.center, shape.center) for i in range(3000))'
+    outcome = sandbox.run(code, segcad, RunLimits(host_calls=10))
+    assert outcome.status is RunStatus.OK
+
+
+def test_groundings_are_kept_in_the_order_of_the_calls(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run('solution = len(find_parts("slot")) + len(find_parts("hole"))', segcad)
+    assert [g.description for g in outcome.groundings] == ["slot", "hole"]
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'solution = find_parts("sprocket")',
+        'solution = find_parts("hole") + find_parts("sprocket")',
+        'try:\n    find_parts("sprocket")\nexcept BaseException:\n    pass\nsolution = 3',
+        'try:\n    find_parts("sprocket")\nfinally:\n    solution = 3\n    while True:\n        pass',
+        'solution = [1]\nsolution = sorted([1, 2], key=lambda v: len(find_parts("sprocket")))',
+    ],
+)
+def test_a_description_that_is_not_understood_ends_the_program(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad, RunLimits(duration_s=0.3))
+    assert (outcome.status, outcome.value) == (RunStatus.RAISED, None)
+    assert outcome.message == (
+        "not grounded: 'sprocket': no such word: sprocket; the nearest known terms are: hole, boss"
+    )
+    assert not outcome.groundings[-1].understood
+
+
+def test_a_part_not_there_is_an_empty_list_and_no_end(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run('solution = len(find_parts("gear"))', segcad)
+    assert (outcome.status, outcome.value, outcome.groundings[0].understood) == (RunStatus.OK, 0, True)
+
+
+@pytest.mark.parametrize(
+    ("port_method", "code"),
+    [
+        ("find_parts", 'solution = find_parts("hole")'),
+        ("shape", "solution = shape.width"),
+        ("faces", 'solution = find_parts("hole")[0].faces'),
+        ("distance", 'a = find_parts("hole")[0]\nsolution = a.distance_to(a)'),
+        ("edge_distance", 'solution = find_parts("hole")[0].edge_distance()'),
+        ("edge_distance", 'try:\n    find_parts("hole")[0].edge_distance()\nexcept BaseException:\n    solution = 1'),
+    ],
+)
+def test_a_failure_of_segcad_is_raised_and_not_the_programs(
+    sandbox: Sandbox, segcad: FakeSegCad, monkeypatch: pytest.MonkeyPatch, port_method: str, code: str
+) -> None:
+    def fail(*args: Any) -> Any:
+        raise ConnectionError("the worker is gone")
+
+    monkeypatch.setattr(segcad, port_method, fail)
+    with pytest.raises(ConnectionError, match="the worker is gone"):
+        sandbox.run(code, segcad)
+    assert sandbox.run("solution = 1", segcad).value == 1
+
+
+def test_faces_come_as_values_and_enums_as_their_words() -> None:
+    measures = face_measures(make_face(3, kind=SurfaceKind.CONE))
+    assert (measures["kind"], measures["convexity"]) == ("cone", "concave")
+    assert isinstance(make_face(3), Face)
+    assert not any(isinstance(value, Side) for value in part_measures(full_part())["sides"])

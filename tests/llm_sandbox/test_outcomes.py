@@ -1,0 +1,232 @@
+"""How a run ends: limits, what is printed, which parts a result rests on, and a sandbox that is well afterwards."""
+
+from __future__ import annotations
+
+import os
+import signal
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from time import sleep
+
+import pytest
+from tests.llm_sandbox.conftest import FakeSegCad
+
+from querycad_contracts import AnswerType, Grounding, RunLimits, RunStatus, Side
+from querycad_sandbox import Sandbox
+from querycad_sandbox.guest import DESCRIPTIONS
+
+SHORT = RunLimits(duration_s=0.2)
+OK, RAISED, REFUSED = RunStatus.OK, RunStatus.RAISED, RunStatus.REFUSED
+TIMED_OUT, OUT_OF_MEMORY = RunStatus.TIMED_OUT, RunStatus.OUT_OF_MEMORY
+HOLES = ["hole-1", "hole-2", "hole-3"]
+
+
+@pytest.fixture
+def own_sandbox() -> Iterator[Sandbox]:
+    with Sandbox(workers=1) as made:
+        yield made
+
+
+@dataclass
+class OwnWorkers:
+    """A sandbox whose worker processes, and no others, can be killed."""
+
+    sandbox: Sandbox
+    others: set[int]
+
+    def kill(self) -> None:
+        for pid in workers() - self.others:
+            os.kill(pid, signal.SIGKILL)
+
+
+@pytest.fixture
+def own_workers() -> Iterator[OwnWorkers]:
+    others = workers()
+    with Sandbox(workers=1) as made:
+        made.warm()
+        yield OwnWorkers(made, others)
+
+
+@pytest.mark.parametrize("code", ["x = 1", "pass", "", "# nothing", "def f():\n    solution = 1\nf()", "solution_ = 1"])
+def test_a_program_that_assigns_no_solution_raised(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.status, outcome.value) == (RAISED, None)
+    assert outcome.message == "the program assigned nothing to `solution`"
+
+
+def test_the_expected_type_is_told_when_there_is_no_result(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert sandbox.run("x = 1", segcad, expects=AnswerType.LENGTHS).message.endswith(
+        "(a value of type 'lengths' is expected)"
+    )
+    assert sandbox.run("solution = {}", segcad, expects=AnswerType.COUNT).message.endswith(
+        "(a value of type 'count' is expected)"
+    )
+
+
+@pytest.mark.parametrize(
+    ("limits", "code", "status"),
+    [
+        (RunLimits(duration_s=0.1), "while True:\n    pass", TIMED_OUT),
+        (RunLimits(memory_bytes=2**22), 'x = "a" * 2**23\nsolution = 1', OUT_OF_MEMORY),
+        (RunLimits(recursion=50), "def f(n):\n    return n and f(n - 1)\nsolution = f(60)", RAISED),
+        (RunLimits(host_calls=5), 'p = find_parts("hole")[0]\nsolution = [len(p.faces) for i in range(9)]', REFUSED),
+        (RunLimits(code_bytes=20), "solution = 1 # a long remark", REFUSED),
+    ],
+)  # fmt: skip
+def test_a_limit_ends_the_program_and_not_the_sandbox(
+    sandbox: Sandbox, segcad: FakeSegCad, limits: RunLimits, code: str, status: RunStatus
+) -> None:
+    assert sandbox.run(code, segcad, limits).status is status
+    assert sandbox.run(code, segcad, RunLimits(duration_s=0.1)).status is (TIMED_OUT if status is TIMED_OUT else OK)
+
+
+def test_the_number_of_calls_is_exact(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = 'p = find_parts("hole")[0]\nsolution = [p.edge_distance() for i in range(3)]'
+    assert sandbox.run(code, segcad, RunLimits(host_calls=4)).status is OK
+    assert sandbox.run(code, segcad, RunLimits(host_calls=3)).status is REFUSED
+
+
+def test_too_many_different_descriptions_are_refused(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = f'solution = [len(find_parts(f"hole {{i}}")) for i in range({DESCRIPTIONS + 1})]'
+    outcome = sandbox.run(code, segcad)
+    assert outcome.status is REFUSED
+    assert len(outcome.groundings) == len(segcad.calls) == DESCRIPTIONS
+
+
+def test_the_time_that_segcad_takes_is_not_the_programs(sandbox: Sandbox) -> None:
+    class Slow(FakeSegCad):
+        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+            sleep(1.5)
+            return super().find_parts(description, sides)
+
+    assert sandbox.run('solution = len(find_parts("hole"))', Slow(), RunLimits(duration_s=0.1)).value == 3
+
+
+def test_printed_text_is_kept_and_cut_at_the_limit(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert sandbox.run('print("é", 1)\nprint(2, end="")\nsolution = 0', segcad).printed == "é 1\n2"
+    outcome = sandbox.run('print("é" * 5000)\nprint("x")\nsolution = 0', segcad, RunLimits(output_bytes=101))
+    assert (outcome.status, outcome.printed) == (OK, "é" * 50)
+
+
+def test_what_was_printed_before_a_failure_is_kept(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert sandbox.run('print("so far")\nsolution = 1 / 0', segcad).printed == "so far\n"
+
+
+def test_nothing_reaches_the_output_of_the_host(
+    sandbox: Sandbox, segcad: FakeSegCad, capfd: pytest.CaptureFixture[str]
+) -> None:
+    sandbox.run('import sys\nprint("a")\nprint("b", file=sys.stderr)\nsolution = 1', segcad)
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("code", "used"),
+    [
+        ('solution = find_parts("hole")[1:]', ["hole-2", "hole-3"]),
+        ('parts = find_parts("hole")\nsolution = parts[2]', ["hole-3"]),
+        ('solution = [[p, p.radius] for p in find_parts("boss")]', ["boss-1"]),
+        ('parts = [p for p in find_parts("hole") if p.radius > 0.003]\nsolution = len(parts)', ["hole-3"]),
+        ('parts = find_parts("hole")\npart = max(parts, key=lambda p: p.radius)\nsolution = part.depth', ["hole-3"]),
+        ('parts = find_parts("hole")\nt = 0.0\nfor part in parts:\n    t += part.radius\nsolution = t', HOLES),
+        ('t = 0.0\nfor i, part in enumerate(find_parts("hole")):\n    t += part.radius\nsolution = t', HOLES),
+        ('parts = {"a": find_parts("hole")[:1], "b": find_parts("boss")}\nsolution = 1', ["hole-1", "boss-1"]),
+        ('solution = len(find_parts("boss")) + len(find_parts("slot"))', ["boss-1", "slot-1"]),
+        ('parts = 3\nsolution = len(find_parts("boss"))', ["boss-1"]),
+        ('parts = ["hole-1"]\nsolution = len(find_parts("boss"))', ["boss-1"]),
+        ("solution = shape.width", []),
+    ],
+)  # fmt: skip
+def test_the_parts_that_a_result_rests_on(sandbox: Sandbox, segcad: FakeSegCad, code: str, used: list[str]) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.message, list(outcome.used_parts)) == ("", used)
+
+
+def test_a_program_that_failed_rests_on_nothing(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run('parts = find_parts("hole")\nsolution = 1 / 0', segcad)
+    assert (outcome.used_parts, len(outcome.groundings)) == ((), 1)
+
+
+def test_a_program_gives_the_same_answer_whenever_it_is_run(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    code = (
+        "import random, time, datetime\n"
+        "solution = [random.random(), time.time(), str(datetime.datetime.now()), hash('a'), random.Random().random()]"
+    )
+    first, second = sandbox.run(code, segcad), sandbox.run(code, segcad)
+    assert first.status is OK
+    assert first.value == second.value
+
+
+def test_nothing_of_one_run_is_left_in_the_next(own_sandbox: Sandbox) -> None:
+    greedy = (
+        'leftover = find_parts("hole")\nmin = max = None\nimport math\ndef distance(a, b):\n    return 42\nsolution = 1'
+    )
+    for _ in range(3):
+        assert own_sandbox.run(greedy, FakeSegCad("other-")).status is OK
+        for name in ("leftover", "math"):
+            hidden = own_sandbox.run(f'solution = eval("{name}")', FakeSegCad())
+            assert (hidden.status, hidden.message.partition(" (")[0]) == (
+                RAISED,
+                f"NameError: name '{name}' is not defined",
+            )
+        assert own_sandbox.run("solution = [min(2, 1), distance((0, 0, 0), (3, 4, 0))]", FakeSegCad()).value == [1, 5.0]
+
+
+def test_runs_of_two_models_at_once_see_their_own_parts(sandbox: Sandbox) -> None:
+    code = 'solution = [find_parts("hole")[0].id for i in range(20)] + [p.id for p in find_parts("boss")]'
+    models = [FakeSegCad(f"m{i}-") for i in range(12)]
+    with ThreadPoolExecutor(6) as threads:
+        outcomes = list(threads.map(lambda model: sandbox.run(code, model), models))
+    assert [o.value for o in outcomes] == [[f"m{i}-hole-1"] * 20 + [f"m{i}-boss-1"] for i in range(12)]
+
+
+def test_a_worker_killed_in_a_run_is_a_crash_and_is_replaced(own_workers: OwnWorkers) -> None:
+    class Killer(FakeSegCad):
+        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+            own_workers.kill()
+            return super().find_parts(description, sides)
+
+    outcome = own_workers.sandbox.run('solution = len(find_parts("hole"))', Killer())
+    assert (outcome.status, outcome.message) == (RunStatus.CRASHED, "the interpreter crashed")
+    assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakeSegCad()).value == 3
+
+
+def test_workers_killed_between_runs_are_replaced_unnoticed(own_workers: OwnWorkers) -> None:
+    for _ in range(2):
+        assert own_workers.sandbox.run('solution = len(find_parts("hole"))', FakeSegCad()).value == 3
+        own_workers.kill()
+
+
+def test_processes_start_with_the_first_run_and_end_with_close(segcad: FakeSegCad) -> None:
+    before = workers()
+    made = Sandbox()
+    assert workers() == before
+    made.warm()
+    assert made.run("solution = 1", segcad).value == 1
+    assert workers() > before
+    made.close()
+    made.close()
+    assert workers() & before == before
+    with pytest.raises(RuntimeError, match="closed"):
+        made.run("solution = 1", segcad)
+
+
+def test_a_sandbox_never_used_closes(segcad: FakeSegCad) -> None:
+    with Sandbox():
+        pass
+
+
+def test_duration_is_told(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert sandbox.run("while True:\n    pass", segcad, SHORT).duration_ms >= 200
+
+
+def workers() -> set[int]:
+    """Process ids of this process's children that run the interpreter."""
+    pids = set()
+    for task in Path("/proc/self/task").iterdir():
+        for pid in (task / "children").read_text().split():
+            name = Path(f"/proc/{pid}/comm")
+            if name.exists() and name.read_text().strip() == "monty":
+                pids.add(int(pid))
+    return pids
