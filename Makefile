@@ -1,0 +1,52 @@
+# The whole project from one place: `make` lists what there is. Every target sets up what it needs first.
+
+BIN := .venv/bin
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+.PHONY: help setup demo test check format serve bench openapi examples lock clean
+
+DEMO_MODEL := examples/flange.step
+DEMO_QUESTION := What is the diameter of the holes visible from the top?
+
+help: ## list the targets
+	@sed -n 's/^\([a-z][a-z-]*\):.*## \(.*\)/\1|\2/p' $(firstword $(MAKEFILE_LIST)) | while IFS='|' read -r name text; do printf '  %-10s %s\n' "$$name" "$$text"; done
+
+setup: ## make .venv with everything pinned in requirements.lock; quick when nothing changed
+	@scripts/setup.sh
+
+demo: setup ## answer a question about a model in examples/, with code, timings and a picture
+	@mkdir -p build
+	$(BIN)/querycad ask $(DEMO_MODEL) "$(DEMO_QUESTION)" --show-code --picture build/demo.png
+
+test: setup ## run all tests; arguments for pytest in ARGS
+	$(BIN)/python -m pytest $(ARGS)
+
+check: setup ## lint, format, types, import layers, scripts; changes nothing
+	$(BIN)/ruff check
+	$(BIN)/ruff format --check --quiet
+	$(BIN)/mypy
+	$(BIN)/lint-imports --no-logo
+	$(BIN)/shellcheck scripts/*.sh .ci/run
+
+format: setup ## rewrite the sources as the formatter wants them
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+serve: setup ## start all services on this machine; stop with Ctrl-C
+	$(BIN)/querycad serve
+
+bench: setup ## measure accuracy and speed
+	$(BIN)/querycad bench
+
+openapi: setup ## write openapi.yaml from the code
+	$(BIN)/python -m querycad_api.openapi
+
+examples: setup ## rebuild the example models and their pictures
+	$(BIN)/python examples/rebuild.py
+
+lock: setup ## resolve requirements.lock anew; PACKAGES="numpy …" upgrades only those
+	scripts/lock.sh $(PACKAGES)
+
+clean: ## remove what can be rebuilt, the environment included
+	rm -rf .venv build .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
+	find packages services examples tests scripts benchmark -name __pycache__ -type d -prune -exec rm -rf {} +
