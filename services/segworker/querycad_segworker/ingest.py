@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import os
 import shutil
 import signal
@@ -17,10 +18,18 @@ from pathlib import Path
 from . import errors
 from .errors import FileProblem, KernelDied
 from .model import Artefacts, ModelStore, file_sha256
-from .sniff import check_step
+from .sniff import check_step, missing_entities
 
 Progress = Callable[[str], None]
 """Told the stage that begins: 'read', 'measure', 'tessellate', 'look', 'recognise'."""
+
+
+LOG_TAIL_BYTES = 4000
+"""So much of what the child printed last goes to the log when it died: a traceback fits."""
+_OUT_OF_MEMORY = ("MemoryError", "bad_alloc", "OutOfMemory", "failed to map segment", "Cannot allocate memory")
+"""What Python, the C++ runtime, the kernel and the loader say when the address space is used up."""
+
+_log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,19 +97,30 @@ def _run_child(
             timer.cancel()
             child.kill()
             child.wait()
+            if child.stdout is not None:
+                child.stdout.close()
+        log.seek(0)
+        said = log.read()[-LOG_TAIL_BYTES:].decode(errors="replace")
     result = json.loads(outcome.read_text(encoding="utf-8")) if outcome.exists() else None
     if result is None:
-        raise KernelDied(_death(code, timed_out, limits))
+        _log.warning("the kernel's process ended with code %s on %s: %s", code, file_name, said.strip())
+        raise KernelDied(_death(code, timed_out, said, source, limits))
     outcome.unlink()
     if "problem" in result:
         kind = getattr(errors, result["problem"], FileProblem)
         raise kind(result["message"])
 
 
-def _death(code: int, timed_out: bool, limits: IngestLimits) -> str:
+def _death(code: int, timed_out: bool, said: str, source: Path, limits: IngestLimits) -> str:
     if timed_out:
         return f"the CAD kernel did not finish reading this file within {limits.duration_s:.0f} s and was stopped"
+    if any(words in said for words in _OUT_OF_MEMORY):
+        return f"reading this file needs more memory than the {limits.memory_bytes / 2**30:.1f} GB that are allowed"
     if code < 0:
         name = signal.Signals(-code).name
-        return f"the CAD kernel crashed on this file ({name}); the file is damaged or uses something it cannot handle"
+        missing = missing_entities(source)
+        why = "the file is damaged or uses something it cannot handle"
+        if missing:
+            why = f"the file is damaged: it refers to #{missing[0]}, which it does not hold"
+        return f"the CAD kernel crashed on this file ({name}); {why}"
     return f"the CAD kernel gave up on this file (exit code {code})"

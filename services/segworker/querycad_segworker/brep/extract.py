@@ -20,7 +20,7 @@ from querycad_segworker.topology import BodyRecord, Brep
 from querycad_segworker.vectors import dist
 
 from .boxes import rough_box
-from .faces import METRES_PER_MM, FaceTable
+from .faces import INTEGRATION_ERROR, METRES_PER_MM, FaceTable
 from .step import NamedShape, StepContent, subshapes
 
 _FACE = TopAbs_ShapeEnum.TopAbs_FACE
@@ -150,7 +150,7 @@ class _Volumes:
 def _volume(faces: Sequence[TopoDS_Face]) -> float:
     """By the divergence theorem."""
     properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(_compound(faces), properties)
+    BRepGProp.VolumeProperties_s(_compound(faces), properties, INTEGRATION_ERROR)
     return float(properties.Mass())
 
 

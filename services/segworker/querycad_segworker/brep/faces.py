@@ -43,6 +43,10 @@ from .canonical import Circle, Surface, canonical_circle, canonical_surface, is_
 METRES_PER_MM = 1e-3
 """The one conversion between the kernel's millimetres and the metres of everything else."""
 
+INTEGRATION_ERROR = 1e-3
+"""Relative error asked of the kernel's adaptive integration of areas and volumes; what it returns is some thirty times
+better, and exact on native surfaces. Without it B-spline cylinders come out up to 1 % wrong, in no less time."""
+
 _REVERSED = TopAbs_Orientation.TopAbs_REVERSED
 
 
@@ -125,7 +129,7 @@ class FaceTable:
         position = int(self._unplaced.Add(face.Located(TopLoc_Location())))
         if position > len(self._areas):
             properties = GProp_GProps()
-            BRepGProp.SurfaceProperties_s(face, properties)
+            BRepGProp.SurfaceProperties_s(face, properties, INTEGRATION_ERROR)
             self._areas.append(abs(float(properties.Mass())))
         return self._areas[position - 1]
 

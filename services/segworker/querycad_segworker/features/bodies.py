@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Body, Evidence, Part, SurfaceKind, Vector
+from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep
 from querycad_segworker.vectors import box_center, box_extents, cross, dot, perpendicular
@@ -32,13 +32,13 @@ def body(brep: Brep, record: BodyRecord) -> Body:
     )
 
 
-def _body_tags(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[str, ...]:
-    """The outline of the body's largest plane face, and whether the body is a plate along its normal."""
+def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[tuple[str, ...], float | None]:
+    """Tags for the outline of the body's largest plane face, and the body's thickness where it is a plate along it."""
     tags = ["solid" if record.is_solid else "sheet"]
     planes = [brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE]
     largest = max(planes, key=lambda face: face.area, default=None)
     if largest is None or not largest.loops:
-        return tuple(tags)
+        return tuple(tags), None
     outline, _ = outline_of(brep, largest.loops[0], tolerances)
     points = [brep.edges[e].mid for f in record.faces for e in brep.face_edges[f]]
     x = perpendicular(largest.axis)
@@ -46,10 +46,8 @@ def _body_tags(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[
         max(dot(p, d) for p in points) - min(dot(p, d) for p in points)
         for d in (largest.axis, x, cross(largest.axis, x))
     ]
-    if reach[0] < PLATE_RATIO * min(reach[1:]):
-        tags.append("plate")
-    tags.append(outline)
-    return tuple(tags)
+    flat = reach[0] < PLATE_RATIO * min(reach[1:])
+    return (*tags, *(("plate",) if flat else ()), outline), reach[0] if flat else None
 
 
 def _round_body(record: BodyRecord, bosses: Sequence[Boss], extents: Vector) -> Boss | None:
@@ -73,15 +71,15 @@ def body_part(
     """A body of the file as a part, so that names and colours find it. A round one has radii, axis and length too."""
     box = faces_box(brep, record.faces)
     extents = box_extents(box)
-    tags = _body_tags(brep, record, tolerances)
+    tags, thickness = _outline(brep, record, tolerances)
     round_boss = _round_body(record, bosses, extents)
-    measures: dict[str, object] = {}
+    measures: dict[str, object] = {} if thickness is None else {"thickness": thickness}
     if round_boss is not None:
         axis = Axis(round_boss.base, round_boss.normal)
         along = sum(e * abs(n) for e, n in zip(extents, round_boss.normal, strict=True))
         bores = [h for h in holes if h.body == record.id and axis.radius_of(h.center) < 0.01 * round_boss.radius]
         bore = max(bores, key=lambda h: h.radius, default=None)
-        measures = {
+        measures |= {
             "axis": round_boss.normal,
             "radius": round_boss.radius,
             "diameter": 2 * round_boss.radius,
@@ -91,6 +89,8 @@ def body_part(
         slender = along > 2 * round_boss.radius
         if slender:
             measures["height"] = along
+        elif along < round_boss.radius:
+            measures["thickness"] = along
         tags = (*tags, "circular", "cylindrical", *(("hollow",) if bore else ()), *(("slender",) if slender else ()))
     return Part(
         id=f"body-{number}",
@@ -116,4 +116,25 @@ def body_part(
             confidence=1.0,
             reason=f"body {number} of the file" + (f", named '{record.name}'" if record.name else ""),
         ),
+    )
+
+
+def model_part(brep: Brep, shape: Shape) -> Part:
+    """The whole model as a part, so that its name finds it."""
+    return Part(
+        id="model-1",
+        kind="model",
+        label=shape.name or "the whole model",
+        faces=tuple(face.id for face in brep.faces),
+        center=shape.center,
+        extents=shape.extents,
+        width=shape.extents[0],
+        depth=shape.extents[1],
+        height=shape.extents[2],
+        length=max(shape.extents),
+        thickness=shape.thickness,
+        volume=shape.volume or None,
+        area=shape.area,
+        name=shape.name or None,
+        evidence=Evidence(source="geometry", confidence=1.0, reason="all faces of the file"),
     )

@@ -48,7 +48,7 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
     """
     found: list[Boss] = []
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses):
-        steps = [wall for wall in stack.walls if _is_step(wall, stack)]
+        steps = [wall for wall in stack.walls if _is_step(wall, stack) and not is_neck(wall, stack)]
         found.extend(_boss(brep, stack, steps, wall, holes, tolerances) for wall in steps)
     return sorted(found, key=lambda boss: boss.faces[0])
 
@@ -59,6 +59,16 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
         return True
     cylinders = [w for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
     return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in cylinders)
+
+
+def is_neck(wall: Wall, stack: Stack) -> bool:
+    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between two wider walls?"""
+    low, high = wall_range(stack.axis, wall)
+    if wall.height >= 2 * wall.radius:
+        return False
+    below = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[1] <= low + 0.01 * wall.height]
+    above = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[0] >= high - 0.01 * wall.height]
+    return all(any(w.radius > 1.001 * wall.radius for w in side[-1:]) for side in (below, above[:1]))
 
 
 def _boss(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from querycad_contracts import Evidence, Part
+from querycad_contracts import Evidence, Part, Vector
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import Box, box_center, box_extents, box_union, mid
 
@@ -13,6 +13,7 @@ from .blends import Blend
 from .bosses import Boss
 from .depression import ELONGATED, Depression, DepressionKind
 from .gears import Gear
+from .grooves import TurnedGroove
 from .holes import Hole
 from .margins import edge_distance
 from .prisms import Prism
@@ -39,6 +40,8 @@ def faces_area(brep: Brep, faces: Iterable[int]) -> float:
     return sum(brep.faces[face].area for face in faces)
 
 
+ALIGNED = 0.9998
+"""Cosine of one degree: what deviates less runs along an axis of the file."""
 PLATE_RATIO = 0.35
 """A body thinner than this share of its smaller other extent is a plate."""
 
@@ -158,6 +161,27 @@ def cylinder_part(brep: Brep, wall: Wall, number: int) -> Part:
 _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
+def turned_groove_part(brep: Brep, found: TurnedGroove, number: int) -> Part:
+    """A groove around a shaft; its diameter is that of its bottom."""
+    return Part(
+        id=f"turned-groove-{number}",
+        kind="groove",
+        tags=("outer", "annular", "circular"),
+        label=f"groove, width {millimetres(found.width)}, diameter {millimetres(2 * found.radius)} at its bottom",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, found.faces)),
+        axis=found.axis,
+        radius=found.radius,
+        diameter=2 * found.radius,
+        depth=found.depth,
+        width=found.width,
+        area=faces_area(brep, found.faces),
+        radii=(found.radius,),
+        evidence=_geometry("a cylinder between two wider ones on the same axis"),
+    )
+
+
 def depression_part(brep: Brep, found: Depression, number: int) -> Part:
     """A pocket, cutout, slot, channel, step or notch as a part; its depth goes into the material from the opening."""
     kind = _DEPRESSION_NAMES.get(found.kind, found.kind.value)
@@ -168,6 +192,8 @@ def depression_part(brep: Brep, found: Depression, number: int) -> Part:
     if found.corner_radius is not None and found.outline != "obround":
         tags.append("rounded_corners")
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
+    extents = box_extents(faces_box(brep, found.faces))
+    across_file = found.outline == "rectangular" and not found.is_open
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
@@ -175,12 +201,12 @@ def depression_part(brep: Brep, found: Depression, number: int) -> Part:
         label=f"{_outlined(found.outline, kind)}, {size} mm, depth {millimetres(found.depth)}",
         faces=found.faces,
         center=found.center,
-        extents=box_extents(faces_box(brep, found.faces)),
+        extents=extents,
         axis=found.normal,
         normal=found.normal,
         radius=found.corner_radius,
         depth=found.depth,
-        width=found.width,
+        width=_width(found.normal, extents, found.width) if across_file else found.width,
         length=found.length,
         opening=found.opening,
         bottom="through" if through else "open" if found.is_open else "flat",
@@ -196,6 +222,7 @@ def depression_part(brep: Brep, found: Depression, number: int) -> Part:
 def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
     """A protrusion of any outline but a circle."""
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
+    extents = box_extents(faces_box(brep, found.faces))
     return Part(
         id=f"protrusion-{number}",
         kind="protrusion",
@@ -203,11 +230,11 @@ def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
         label=f"{_outlined(found.outline, 'protrusion')}, {size} mm, height {millimetres(found.height)}",
         faces=found.faces,
         center=found.center,
-        extents=box_extents(faces_box(brep, found.faces)),
+        extents=extents,
         axis=found.normal,
         normal=found.normal,
         height=found.height,
-        width=found.width,
+        width=found.width if "rib" in found.tags else _width(found.normal, extents, found.width),
         length=found.length,
         thickness=found.width if "rib" in found.tags else None,
         tip=found.tip,
@@ -360,6 +387,17 @@ def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
         )
         for i, tooth in enumerate(gear.teeth, start=1)
     ]
+
+
+def _width(normal: Vector, extents: Vector, across: float) -> float:
+    """The width of something rectangular: along x, or along y where it faces left or right.
+
+    What stands oblique in the file has its own: `across`, the smaller of its two dimensions.
+    """
+    along = max(range(3), key=lambda i: abs(normal[i]))
+    if abs(normal[along]) < ALIGNED:
+        return across
+    return extents[1] if along == 0 else extents[0]
 
 
 def _outlined(outline: str, name: str) -> str:

@@ -46,9 +46,15 @@ def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: 
                 continue
             group = _beyond(brep, face, loop)
             walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
-            if group and not walls <= set(round_faces):
+            if group and not walls <= set(round_faces) and _is_minor(brep, face, group):
                 found.append(_protrusion(brep, face, loop, group, tolerances))
     return sorted(found, key=lambda p: p.faces[0])
+
+
+def _is_minor(brep: Brep, host: FaceRecord, group: set[int]) -> bool:
+    """Does it stand on the body, rather than the body on it?"""
+    body = brep.bodies[host.body]
+    return sum(brep.faces[f].area for f in group) < 0.5 * body.area
 
 
 def _beyond(brep: Brep, host: FaceRecord, loop: Loop) -> set[int]:

@@ -12,10 +12,11 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_center, box_extents, dist
 
 from .blends import recognise_blends
-from .bodies import body, body_part
+from .bodies import body, body_part, model_part
 from .bosses import recognise_bosses
 from .depressions import recognise_depressions
 from .gears import recognise_gears
+from .grooves import recognise_turned_grooves
 from .holes import IsClear, recognise_holes
 from .parts import (
     arc_part,
@@ -29,6 +30,7 @@ from .parts import (
     protrusion_part,
     rib_part,
     tooth_parts,
+    turned_groove_part,
 )
 from .prisms import recognise_prisms
 from .protrusions import recognise_protrusions
@@ -65,6 +67,9 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None) -
     parts = [
         *hole_parts,
         *_numbered(bosses, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
+        *_numbered(
+            recognise_turned_grooves(brep, found_walls, tolerances), lambda g, n: turned_groove_part(brep, g, n)
+        ),
         *_numbered(depressions, lambda found, n: depression_part(brep, found, n)),
         *_numbered(recognise_protrusions(brep, round_faces, tolerances), lambda p, n: protrusion_part(brep, p, n)),
         *_numbered(recognise_prisms(brep), lambda prism, n: prism_part(brep, prism, n)),
@@ -87,6 +92,7 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None) -
         *_numbered(brep.bodies, lambda record, n: body_part(brep, record, n, tolerances, bosses, holes)),
     ]
     shape = _shape(brep, thickness_m)
+    parts.append(model_part(brep, shape))
     return Recognised(shape, tuple(with_relations(parts, shape)))
 
 

@@ -8,51 +8,15 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-FILLERS = frozenset(
-    [
-        "a",
-        "an",
-        "the",
-        "of",
-        "in",
-        "on",
-        "at",
-        "and",
-        "or",
-        "its",
-        "their",
-        "this",
-        "that",
-        "these",
-        "those",
-        "all",
-        "any",
-        "each",
-        "every",
-        "some",
-        "which",
-        "are",
-        "is",
-        "has",
-        "have",
-        "one",
-        "two",
-        "three",
-        "four",
-        "five",
-        "six",
-        "seven",
-        "eight",
-        "nine",
-        "ten",
-        "there",
-        "shaped",
-        "surface",
-        "side",
-        "sides",
-    ]
-)
+_FILLER_TEXT = """
+a an the and or its their this that these those all any each every both some which are is has have there
+one two three four five six seven eight nine ten shaped surface side sides
+"""
+FILLERS = frozenset(_FILLER_TEXT.split())
 """Words that carry no part of the meaning inside a part phrase."""
+_PREPOSITION_TEXT = "in of on at for to from by inside within into onto with without"
+PREPOSITIONS = frozenset(_PREPOSITION_TEXT.split())
+"""Words that end a noun phrase; what follows is a trait of it, or where it is."""
 
 
 @dataclass(frozen=True, slots=True)

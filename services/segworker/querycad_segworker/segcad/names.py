@@ -1,0 +1,61 @@
+"""Product names in the file: the designer's own words for the bodies come before any reading of their shape."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from querycad_contracts import Part, Side
+
+from .lexicon import singular, words_of
+
+GENERIC = frozenset(("body", "part", "component", "solid", "object", "piece", "element", "item"))
+"""Nouns that may follow a name without being part of it: 'the piston rod body'."""
+
+
+def name_words(name: str | None) -> list[str]:
+    """Which words does a product name hold, without sizes and counters? 'Screw M8x25' holds 'screw'."""
+    words = words_of((name or "").replace("_", " "))
+    return [word for word in words if word.isalpha()]
+
+
+def vocabulary(parts: Sequence[Part]) -> frozenset[str]:
+    """All words of the names of bodies and of the model."""
+    return frozenset(word for part in parts if part.kind in ("body", "model") for word in name_words(part.name))
+
+
+def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Side] | None) -> list[Part]:
+    """Which bodies of an assembly do these words name? Empty in a file of one body, whose name says nothing more.
+
+    The head noun must be the noun of the name, its last word; of several such bodies those count that share the most
+    words. A side that was asked for may be part of the name instead: the 'front cap' need not be seen from the front.
+    """
+    bodies = [part for part in parts if part.kind == "body"]
+    wanted = list(words)
+    while len(wanted) > 1 and wanted[-1] in GENERIC:
+        wanted.pop()
+    if len(bodies) < 2 or not wanted:
+        return []
+    asked = [side.value for side in sides or ()]
+    scores: dict[str, int] = {}
+    for body in bodies:
+        have = name_words(body.name)
+        if have and _same(have[-1], wanted[-1]):
+            scores[body.id] = sum(any(_same(h, w) for h in have) for w in [*wanted, *asked])
+    best = max(scores.values(), default=0)
+    found = [body for body in bodies if scores.get(body.id) == best]
+    if sides is None or any(side in name_words(found[0].name if found else None) for side in asked):
+        return found
+    return [body for body in found if set(sides) & set(body.sides)]
+
+
+def is_whole(parts: Sequence[Part], words: Sequence[str]) -> Part | None:
+    """Do these words name the whole model, by the name of its file or assembly?"""
+    model = next((part for part in parts if part.kind == "model"), None)
+    if model is None or not words:
+        return None
+    have = name_words(model.name)
+    return model if have and all(any(_same(h, w) for h in have) for w in words) else None
+
+
+def _same(a: str, b: str) -> bool:
+    return a == b or singular(a, frozenset((b,))) == b or singular(b, frozenset((a,))) == a
