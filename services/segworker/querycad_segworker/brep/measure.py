@@ -31,18 +31,16 @@ def save_faces(faces: Sequence[TopoDS_Face], path: Path) -> None:
         raise UnreadableFile("the kernel could not keep the model's faces")
 
 
-def distance(path: Path, first: Sequence[int], second: Sequence[int]) -> float:
-    """How far apart are two groups of faces, in metres? `path` is what `save_faces` wrote. 0 when they touch."""
-    faces = _load_faces(path)
+def distance(faces: Sequence[TopoDS_Face], first: Sequence[int], second: Sequence[int]) -> float:
+    """How far apart are two groups of faces, in metres? 0 when they touch."""
     return _between(_compound([faces[i] for i in first]), _compound([faces[i] for i in second]))
 
 
-def edge_distance(path: Path, part: Sequence[int]) -> float:
+def edge_distance(faces: Sequence[TopoDS_Face], part: Sequence[int]) -> float:
     """How far is a part from the outer boundary of the plane face it lies in, in metres?
 
     That face is the largest plane one that shares an edge with the part without belonging to it.
     """
-    faces = _load_faces(path)
     own = ShapeMap()
     for i in part:
         TopExp.MapShapes_s(faces[i], TopAbs_ShapeEnum.TopAbs_EDGE, own)
@@ -90,14 +88,23 @@ def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
 
 
 def main() -> None:
-    """Answers one request on standard input, {"what", "first", "second"}, with {"metres"} on standard output."""
-    request = json.load(sys.stdin)
-    path = Path(sys.argv[1])
-    if request["what"] == "distance":
-        metres = distance(path, request["first"], request["second"])
-    else:
-        metres = edge_distance(path, request["first"])
-    sys.stdout.write(json.dumps({"metres": metres}) + "\n")
+    """Answers requests, one JSON object a line, until standard input ends.
+
+    {"what": "distance" | "edge_distance", "first": [face ids], "second": [face ids]} is answered by {"metres": number}
+    or {"problem": sentence}.
+    """
+    faces = _load_faces(Path(sys.argv[1]))
+    for line in sys.stdin:
+        request = json.loads(line)
+        try:
+            if request["what"] == "distance":
+                answer: dict[str, float | str] = {"metres": distance(faces, request["first"], request["second"])}
+            else:
+                answer = {"metres": edge_distance(faces, request["first"])}
+        except UnreadableFile as problem:
+            answer = {"problem": str(problem)}
+        sys.stdout.write(json.dumps(answer) + "\n")
+        sys.stdout.flush()
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ def frame_of(
     """The box of some faces along `normal` and the direction of their longest straight edge across it."""
     edges = {e for f in faces for e in brep.face_edges[f]}
     straight: dict[Vector, float] = defaultdict(float)
+    exact: dict[Vector, Vector] = {}  # edges are gathered by rounded direction, the box is turned by an exact one
     for e in rim.edges if rim is not None else edges:
         edge = brep.edges[e]
         way = sub(edge.end, edge.start)
@@ -45,8 +46,11 @@ def frame_of(
         if edge.kind is EdgeKind.LINE and norm(flat) > 0.7 * edge.length:
             d = unit(flat)
             d = d if (d > (-d[0], -d[1], -d[2])) else scale(d, -1.0)
-            straight[(round(d[0], 4), round(d[1], 4), round(d[2], 4))] += edge.length
-    u = along or (unit(max(straight, key=lambda d: straight[d])) if straight else perpendicular(normal))
+            rounded = (round(d[0], 4), round(d[1], 4), round(d[2], 4))
+            straight[rounded] += edge.length
+            exact.setdefault(rounded, d)
+    longest = max(straight, key=lambda d: straight[d], default=None)
+    u = along or (exact[longest] if longest is not None else perpendicular(normal))
     u = unit(sub(u, scale(normal, dot(u, normal))))
     v = cross(normal, u)
     points = [p for e in edges for p in _points(brep, e)]

@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import math
-import subprocess
-import sys
 from collections.abc import Sequence
 from functools import cached_property
 
 from querycad_contracts import Face, Grounding, Part, Shape, Side
-from querycad_segworker.errors import KernelDied
 from querycad_segworker.model import Artefacts, Model
 from querycad_segworker.vectors import cross, dot, line_distance, norm
 
 from .ground import ground
-
-MEASURE_TIMEOUT_S = 60.0
-"""One distance between two parts takes milliseconds after the kernel's start of 2 s."""
+from .measuring import Kernel
 
 
 class LocalSegCad:
@@ -25,6 +18,7 @@ class LocalSegCad:
 
     def __init__(self, artefacts: Artefacts, model: Model | None = None) -> None:
         self._artefacts = artefacts
+        self._kernel = Kernel(artefacts.kernel_faces)
         self.model = model or artefacts.load_model()
 
     @cached_property
@@ -57,7 +51,7 @@ class LocalSegCad:
         between = _between_cylinders(first, second)
         if between is not None:
             return between
-        return _measure(self._artefacts, "distance", first.faces, second.faces)
+        return self._kernel.measure("distance", first.faces, second.faces)
 
     def edge_distance(self, part: str) -> float:
         """How far is a part from the outer edge of the face it lies in, in metres?"""
@@ -65,7 +59,7 @@ class LocalSegCad:
         return (
             found.edge_distance
             if found.edge_distance is not None
-            else _measure(self._artefacts, "edge_distance", found.faces, ())
+            else self._kernel.measure("edge_distance", found.faces)
         )
 
 
@@ -87,21 +81,3 @@ def _between_cylinders(a: Part, b: Part) -> float | None:
     gap = line_distance(b.center, a.center, a.axis) - a.radius - b.radius
     overlap = min(spans[0][1], spans[1][1]) - max(spans[0][0], spans[1][0])
     return gap if gap > 0 and overlap > 0 else None
-
-
-def _measure(artefacts: Artefacts, what: str, first: Sequence[int], second: Sequence[int]) -> float:
-    """Runs `brep.measure` in a process of its own, as the kernel may crash and takes 2 s to start."""
-    request = json.dumps({"what": what, "first": list(first), "second": list(second)})
-    command = [sys.executable, "-m", "querycad_segworker.brep.measure", str(artefacts.kernel_faces)]
-    try:
-        done = subprocess.run(
-            command, input=request, capture_output=True, text=True, timeout=MEASURE_TIMEOUT_S, check=False
-        )
-    except subprocess.TimeoutExpired as error:
-        raise KernelDied(f"the CAD kernel did not measure this within {MEASURE_TIMEOUT_S:.0f} s") from error
-    if done.returncode != 0:
-        raise KernelDied("the CAD kernel could not measure this")
-    value = float(json.loads(done.stdout.splitlines()[-1])["metres"])
-    if not math.isfinite(value):
-        raise KernelDied("the CAD kernel found no such distance")
-    return value

@@ -1,0 +1,181 @@
+"""What a segworker does when asked: plain functions from a task's payload to its value; `worker` puts them on queues.
+
+A file that cannot be read, or an id that the model does not have, is an outcome, never an exception: only a flaw of
+ours or of the machine is.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter, OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, TypeVar
+
+from querycad_contracts import (
+    DistanceTask,
+    EdgeDistanceTask,
+    Face,
+    FacesTask,
+    FindPartsTask,
+    Frozen,
+    Grounding,
+    IngestTask,
+    ModelSummary,
+    ModelTask,
+    PartsPage,
+    PartsTask,
+    PictureTask,
+    Shape,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+)
+
+from .errors import FileProblem
+from .ingest import IngestLimits, ingest
+from .model import Artefacts, Model, ModelStore
+from .segcad.local import LocalSegCad
+from .settings import SegworkerSettings
+
+BODIES_LISTED = 100
+"""Of an assembly with thousands of bodies; the summary is to stay short."""
+
+log = logging.getLogger(__name__)
+P = TypeVar("P", bound=Frozen)
+
+
+class UnknownModelError(FileProblem):
+    """No file with this id was uploaded."""
+
+
+class ModelCache:
+    """The models that one process has in memory: the most recently used, up to a number. For one thread."""
+
+    def __init__(self, settings: SegworkerSettings) -> None:
+        self._settings = settings
+        self._store = ModelStore(settings.models)
+        self._kept: OrderedDict[str, LocalSegCad] = OrderedDict()
+
+    def artefacts(self, model: str, file_name: str | None = None) -> Artefacts:
+        """What is kept of an uploaded model; its file is read now if that was not done yet. Raises FileProblem."""
+        known = self._store.find(model)
+        if known is not None:
+            return known
+        upload = self._settings.upload(model)
+        if not upload.is_file():
+            raise UnknownModelError("no such model: upload its file first")
+        limits = IngestLimits(duration_s=float(self._settings.ingest_s))
+        return ingest(upload, self._store, limits, file_name=file_name)
+
+    def segcad(self, model: str) -> LocalSegCad:
+        """The recognised model. Raises FileProblem."""
+        if model not in self._kept:
+            self._kept[model] = LocalSegCad(self.artefacts(model))
+        self._kept.move_to_end(model)
+        while len(self._kept) > self._settings.segworker_models:
+            self._kept.popitem(last=False)
+        return self._kept[model]
+
+
+@dataclass(frozen=True, slots=True)
+class Tasks:
+    """Every task, on the models of one process."""
+
+    cache: ModelCache
+    pictures: Path
+
+    def ingest(self, task: IngestTask) -> ModelSummary:
+        """What does the uploaded file hold? Read once; known content is answered at once."""
+        return summary(self.cache.artefacts(task.model, task.file_name).load_model())
+
+    def shape(self, task: ModelTask) -> Shape:
+        """What is the whole model?"""
+        return self.cache.segcad(task.model).shape()
+
+    def find_parts(self, task: FindPartsTask) -> Grounding:
+        """Which parts does the description mean?"""
+        return self.cache.segcad(task.model).find_parts(task.description, task.sides)
+
+    def faces(self, task: FacesTask) -> tuple[Face, ...]:
+        """What are these faces?"""
+        return self.cache.segcad(task.model).faces(task.ids)
+
+    def distance(self, task: DistanceTask) -> float:
+        """How far apart are the surfaces of two parts, in metres?"""
+        return self.cache.segcad(task.model).distance(task.part_a, task.part_b)
+
+    def edge_distance(self, task: EdgeDistanceTask) -> float:
+        """How far is a part from the outer edge of its face, in metres?"""
+        return self.cache.segcad(task.model).edge_distance(task.part)
+
+    def parts(self, task: PartsTask) -> PartsPage:
+        """Which parts does the model have? One page of them, by id."""
+        parts = self.cache.segcad(task.model).model.parts
+        wanted = [part for part in parts if task.kind is None or part.kind == task.kind]
+        return PartsPage(items=tuple(wanted[task.offset : task.offset + task.limit]), total=len(wanted))
+
+    def picture(self, task: PictureTask) -> str:
+        """Draws the parts that an answer rests on; the name of the file in the folder of pictures."""
+        from .render.evidence import draw_evidence  # here: most tasks draw nothing, and numpy's import is not free
+
+        self.pictures.mkdir(parents=True, exist_ok=True)
+        unfinished = self.pictures / f"unfinished-{task.name}"
+        draw_evidence(self.cache.artefacts(task.model), task.record, unfinished)
+        unfinished.rename(self.pictures / task.name)
+        return task.name
+
+    def table(self) -> dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]:
+        """Every task by its name, from JSON to JSON."""
+        return {
+            TaskName.INGEST: _as_data(IngestTask, self.ingest),
+            TaskName.SHAPE: _as_data(ModelTask, self.shape),
+            TaskName.FIND_PARTS: _as_data(FindPartsTask, self.find_parts),
+            TaskName.FACES: _as_data(FacesTask, self.faces),
+            TaskName.DISTANCE: _as_data(DistanceTask, self.distance),
+            TaskName.EDGE_DISTANCE: _as_data(EdgeDistanceTask, self.edge_distance),
+            TaskName.PARTS: _as_data(PartsTask, self.parts),
+            TaskName.PICTURE: _as_data(PictureTask, self.picture),
+        }
+
+
+def make_tasks(settings: SegworkerSettings) -> Tasks:
+    """The tasks of a process with these settings."""
+    return Tasks(ModelCache(settings), settings.pictures)
+
+
+def summary(model: Model) -> ModelSummary:
+    """What does the model hold, in short?"""
+    shape = model.shape
+    return ModelSummary(
+        shape=shape.model_copy(update={"bodies": shape.bodies[:BODIES_LISTED]}),
+        body_count=len(shape.bodies),
+        part_counts=dict(sorted(Counter(part.kind for part in model.parts).items())),
+        warnings=model.warnings,
+        timings_ms=model.timings_ms,
+    )
+
+
+def _as_data(payload: type[P], work: Callable[[P], Any]) -> Callable[[dict[str, Any]], dict[str, Any]]:
+    """The task with its payload, value and failures as JSON data, which is what the queue carries."""
+
+    def task(data: dict[str, Any]) -> dict[str, Any]:
+        outcome = _outcome(lambda: work(payload.model_validate(data)))
+        return outcome.model_dump(mode="json")
+
+    return task
+
+
+def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
+    try:
+        return TaskOutcome[Any](value=work())
+    except FileProblem as problem:
+        failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(problem), retryable=problem.retryable)
+    except KeyError as error:
+        failure = TaskFailure(
+            kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"
+        )
+    log.info("no value: %s", failure.message)
+    return TaskOutcome[Any](failure=failure)

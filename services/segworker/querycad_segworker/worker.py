@@ -1,0 +1,176 @@
+"""The segworker's process: takes tasks from the queues. `python -m querycad_segworker.worker`
+
+Processes, not threads: the CAD kernel is not thread safe, and only processes can be stopped when their time is up.
+A task is acknowledged when it is done, so that one whose worker died is done by another; after `ATTEMPTS` of these it
+is given up. What comes of a call is left in a list that its caller takes it from: Celery's own way of telling results
+gives up for good when Redis is away for a while.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any, cast
+
+from celery import Celery, Task
+from celery.bootsteps import StartStopStep
+from celery.signals import heartbeat_sent
+from kombu import Queue as KombuQueue
+from redis import Redis
+from redis.backoff import ExponentialBackoff
+from redis.retry import Retry
+
+from querycad_contracts import Queue, TaskFailure, TaskFailureKind, TaskName, TaskOutcome, alive_key, reply_key
+
+from .settings import SegworkerSettings
+from .tasks import Tasks, make_tasks
+
+ATTEMPTS = 2
+"""A file that has taken its worker with it twice will do so again."""
+CALL_S = 90
+"""Seconds after which a call is stopped: over the 60 that the kernel has for one measurement."""
+INGEST_MARGIN_S = 20
+"""What an ingest may take beside the kernel's work: its child is stopped and its artefacts are kept."""
+VISIBILITY_MARGIN_S = 10
+"""Redis gives a task to another worker this long after it must have ended; until then two would do the same."""
+STORE_TRIES, STORE_PAUSE_S = 50, 1.0
+"""A worker waits for a store that is away: what it found out would be lost otherwise."""
+RESTORE_S = 5
+"""Between two looks for tasks that were taken and not done in time."""
+REPLY_S = 60
+"""Who asked takes the reply at once; one that nobody waits for any more goes away."""
+DEATHS_S = 24 * 3600
+ALIVE_S = 10
+"""A worker counts as there this long after its last heartbeat; there is one every 2 seconds."""
+
+SERVED = tuple(name for name in TaskName if name not in (TaskName.QUESTION, TaskName.MODEL_READ, TaskName.MODEL_LOST))
+
+Work = Callable[[dict[str, Any]], dict[str, Any]]
+
+
+def make_app(settings: SegworkerSettings) -> Celery:
+    """The Celery application with every task of a segworker."""
+    app = Celery("querycad_segworker", broker=settings.redis_url)
+    # These connect when they are used, in each process anew.
+    redis = Redis.from_url(settings.redis_url)
+    patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
+    replies = Redis.from_url(settings.redis_url, retry=patience)
+    queues = [Queue(name.strip()) for name in settings.segworker_queues.split(",")]
+    undone = "querycad:" + "+".join(queue.value for queue in queues)
+    ingest_limit_s = settings.ingest_s + INGEST_MARGIN_S
+    app.conf.update(
+        task_queues=[KombuQueue(queue.value) for queue in queues],
+        worker_concurrency=settings.segworker_processes,
+        worker_pool="prefork",
+        worker_prefetch_multiplier=1,
+        worker_max_memory_per_child=settings.segworker_memory_mib * 1024,
+        worker_cancel_long_running_tasks_on_connection_loss=False,
+        worker_hijack_root_logger=False,
+        worker_redirect_stdouts=False,
+        broker_connection_retry_on_startup=True,
+        broker_transport_options={
+            "visibility_timeout": ingest_limit_s + VISIBILITY_MARGIN_S,
+            "unacked_key": f"{undone}:unacked",
+            "unacked_index_key": f"{undone}:unacked_index",
+            "unacked_mutex_key": f"{undone}:unacked_mutex",
+            "unacked_restore_interval": RESTORE_S,
+            "unacked_restore_throttle": 1,
+        },
+        task_publish_retry_policy={
+            "max_retries": STORE_TRIES,
+            "interval_start": 0,
+            "interval_step": 0.1,
+            "interval_max": STORE_PAUSE_S,
+        },
+        task_acks_late=True,
+        task_reject_on_worker_lost=True,
+        task_ignore_result=True,
+    )
+    process = _Process(settings)
+    for name in SERVED:
+        limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
+        app.task(_task(name, process.work(name), replies), bind=True, name=name.value, time_limit=limit_s)
+    heartbeat_sent.connect(lambda **_: _say_alive(redis, queues), weak=False)
+    if settings.sole_worker:
+        app.steps["consumer"].add(_take_over(redis, f"{undone}:unacked_index"))
+    return app
+
+
+class _Process:
+    """The tasks of this process, made after the fork, when the first one is called."""
+
+    def __init__(self, settings: SegworkerSettings) -> None:
+        self._settings = settings
+        self._table: dict[TaskName, Work] | None = None
+
+    def work(self, name: TaskName) -> Work:
+        def call(payload: dict[str, Any]) -> dict[str, Any]:
+            if self._table is None:
+                tasks: Tasks = make_tasks(self._settings)
+                self._table = tasks.table()
+            return self._table[name](payload)
+
+        return call
+
+
+def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str, Any]], dict[str, Any]]:
+    def run(self: Task, payload: dict[str, Any]) -> dict[str, Any]:
+        again = bool(self.request.delivery_info.get("redelivered"))
+        outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else work(payload)
+        if name is not TaskName.INGEST:
+            with redis.pipeline() as pipe:
+                pipe.rpush(reply_key(self.request.id), json.dumps(outcome))
+                pipe.expire(reply_key(self.request.id), REPLY_S)
+                pipe.execute()
+        return outcome
+
+    return run
+
+
+def _deaths(redis: Redis, task: str) -> int:
+    """How often was the task begun again, this time included? It was when its worker died."""
+    key = f"querycad:deaths:{task}"
+    with redis.pipeline() as pipe:
+        pipe.incr(key)
+        pipe.expire(key, DEATHS_S)
+        return int(pipe.execute()[0])
+
+
+def _given_up() -> dict[str, Any]:
+    failure = TaskFailure(kind=TaskFailureKind.FILE, message=f"given up: {ATTEMPTS} workers died of this file")
+    return TaskOutcome[None](failure=failure).model_dump(mode="json")
+
+
+def _say_alive(redis: Redis, queues: list[Queue]) -> None:
+    """Tells with every heartbeat that the queues are being worked on."""
+    for queue in queues:
+        redis.set(alive_key(queue), 1, ex=ALIVE_S)
+
+
+def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
+    """What a sole worker does each time that it connects: tasks that were taken and not done are due at once.
+
+    Its predecessor may have died with them, or the store while it had them.
+    """
+
+    class TakeOver(StartStopStep):  # type: ignore[misc]  # Celery is untyped
+        requires = ("celery.worker.consumer.tasks:Tasks",)
+
+        def start(self, _consumer: object) -> None:
+            for tag in cast("list[bytes]", redis.zrange(index, 0, -1)):
+                redis.zadd(index, {tag: 0}, xx=True)
+
+    return TakeOver
+
+
+def main() -> None:
+    """Works until it is told to stop; SIGTERM lets running tasks end."""
+    settings = SegworkerSettings.read()
+    name = "+".join(sorted(settings.segworker_queues.replace(" ", "").split(",")))
+    make_app(settings).worker_main(
+        ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", f"--hostname={name}@%h"]
+    )
+
+
+if __name__ == "__main__":
+    main()
