@@ -1,0 +1,132 @@
+"""A noun phrase while it is read, and what it means in the end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from querycad_contracts import Side
+
+from .lexicon import LEXICON
+from .meaning import Described, Filter, NounClass, Phrase, Rank, Selection, Target, Whole
+from .readings import bounded, ranked
+from .text import Text
+
+MODEL_NOUN = "body"
+"""The noun that SegCAD knows for one body of the model, whatever the question calls it."""
+
+
+@dataclass(slots=True)
+class Draft:
+    """What has been read of a phrase so far."""
+
+    words: list[str] = field(default_factory=list)
+    """The head noun and the adjectives before it."""
+    tail: list[str] = field(default_factory=list)
+    """What stays in the description behind the head: 'with ring'."""
+    sides: list[Side] = field(default_factory=list)
+    filters: list[Filter] = field(default_factory=list)
+    ranks: list[Rank] = field(default_factory=list)
+    described: list[tuple[list[str], bool]] = field(default_factory=list)
+    """Words said of the parts behind the head ('… are threaded'), and whether they hold."""
+    plural: bool = False
+    whole: bool = False
+    body: bool = False
+    """The noun may mean one body among others: 'the component on the top'."""
+    closed: bool = False
+    """The head is complete: further words are said of it."""
+    negated: bool = False
+    """The next modifier is denied."""
+    refused: bool = False
+    """A word was left over that changes the meaning: the phrase is not understood."""
+    singular: bool = False
+    """One of a plural is meant: 'the deepest of the holes'."""
+    side_noun: str = ""
+    """'face' in 'the top face', the head when no other follows."""
+
+    @property
+    def in_tail(self) -> bool:
+        """Do further words belong to a prepositional modifier that stays in the description?"""
+        return bool(self.tail) and not self.closed
+
+    def describe(self, word: str, continued: bool) -> None:
+        """Something is said of the parts; `continued` when it goes on with what was said last."""
+        if continued and self.described:
+            self.described[-1][0].append(word)
+        else:
+            self.described.append(([word], not self.negated))
+        self.negated = False
+
+    def said(self, head: str) -> tuple[list[str], tuple[Described, ...]]:
+        """The adjectives that hold, and filters against those that do not; `head` is the noun they are said of."""
+        groups = [([LEXICON.singular(word) for word in words], holds) for words, holds in self.described]
+        groups = [([word for word in words if word != head], holds) for words, holds in groups]
+        adjectives = [word for words, holds in groups if holds for word in words]
+        denied = tuple(Described(" ".join([*words, head]), False) for words, holds in groups if not holds and words)
+        return adjectives, denied
+
+    def close(self, after: int) -> int:
+        """The head, if there is one, is complete; reading goes on at `after`, which is given back."""
+        self.closed = bool(self.words)
+        return after
+
+
+def noun_class(description: str) -> NounClass:
+    """How is the size of what a head noun names meant? Judged by its longest known ending."""
+    words = description.split()
+    for start in range(len(words)):
+        if (found := LEXICON.match("noun", words, start, len(words))) and found[1] == len(words):
+            return NounClass(found[0])
+    return NounClass.OTHER
+
+
+def finished(text: Text, draft: Draft, like: Target | None) -> Target | None:
+    """What does a phrase mean that has been read to its end? None when it names nothing.
+
+    `like` is what 'the one' and a phrase without noun ('on the front') stand for.
+    """
+    if draft.refused:
+        return None
+    words = [LEXICON.singular(word) for word in draft.words]
+    plural = (draft.plural or bool(words and words[-1] != draft.words[-1])) and not draft.singular
+    if not words and draft.side_noun:
+        words = [LEXICON.singular(draft.side_noun)]
+        plural = plural or words[0] != draft.side_noun
+    if len(draft.words) == 1 and LEXICON.match("whole_plural", draft.words, 0, 1):
+        words = [MODEL_NOUN]
+    if not words and draft.whole:
+        one_body = draft.body and draft.sides
+        if not draft.ranks and not draft.filters and not draft.plural and not one_body:
+            return _whole(text, draft)
+        words = [MODEL_NOUN]
+    if not words:
+        return _like(text, draft, like)
+    if any(LEXICON.match(category, words, len(words) - 1, len(words)) for category in ("unanswerable", "measure_noun")):
+        return None
+    tail = [LEXICON.singular(word) for word in draft.tail]
+    return Selection((_phrase(text, draft, [*words, *tail], noun_class(" ".join(words)), plural),))
+
+
+def _phrase(text: Text, draft: Draft, words: list[str], noun: NounClass, plural: bool) -> Phrase:
+    adjectives, denied = draft.said(words[-1])
+    return Phrase(
+        description=" ".join([*adjectives, *words]),
+        noun_class=noun,
+        plural=plural,
+        sides=tuple(draft.sides),
+        filters=(*(bounded(condition, noun, text) for condition in draft.filters), *denied),
+        ranks=tuple(ranked(rank, noun, text) for rank in draft.ranks),
+    )
+
+
+def _whole(text: Text, draft: Draft) -> Whole:
+    if draft.sides:
+        text.note("The whole model is meant, whichever side it is seen from.")
+    return Whole()
+
+
+def _like(text: Text, draft: Draft, like: Target | None) -> Target | None:
+    """'the one on the front': the phrase that it stands for, selected anew."""
+    if not isinstance(like, Selection):
+        return None
+    base = like.phrases[0]
+    return Selection((_phrase(text, draft, base.description.split(), base.noun_class, draft.plural),))

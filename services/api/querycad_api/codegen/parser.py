@@ -1,0 +1,99 @@
+"""The semantic parser: an English question in, a program over the guest API out; no model, no network, no guessing."""
+
+from __future__ import annotations
+
+import difflib
+import re
+
+from querycad_contracts import Program
+
+from .errors import EmptyQuestion, NotUnderstood
+from .lexicon import LEXICON
+from .meaning import Query, descriptions
+from .questions import question
+from .text import Text
+from .tokens import Kind, Token, tokenize
+from .writer import write
+
+CODEGEN = "parser"
+LEAST_CONFIDENCE = 0.7
+"""Below this a question is declined: a third of the words that carry meaning went unused, or worse."""
+LONG_DESCRIPTION = 6
+"""Names of parts have fewer words than this; longer ones are rather a sentence that was not understood."""
+MAX_TOKENS = 80
+"""Longer than any question; the time to parse grows with the cube of the length."""
+_WITHOUT_MEANING = ("article", "light", "noise")
+
+
+def parse(question: str) -> Program:
+    """Which program answers an English question about a CAD model? Raises EmptyQuestion or NotUnderstood."""
+    meaning, text = understand(question)
+    unused = tuple(dict.fromkeys(token.raw for token in text.book.unread))
+    code, kind = write(meaning)
+    confidence = _confidence(meaning, text, len(unused))
+    if confidence < LEAST_CONFIDENCE:
+        raise NotUnderstood(f"The question was not understood; not used: {', '.join(unused)}.", unused)
+    return Program(
+        code=code,
+        codegen=CODEGEN,
+        expects=kind,
+        confidence=confidence,
+        unused_words=unused,
+        notes=tuple(dict.fromkeys(text.book.notes)),
+    )
+
+
+def understand(asked: str) -> tuple[Query, Text]:
+    """What does a question mean? With the text that keeps its notes. Raises EmptyQuestion or NotUnderstood."""
+    if not asked.strip():
+        raise EmptyQuestion
+    if len([part for part in asked.split("?") if re.search(r"\w", part)]) > 1:
+        raise NotUnderstood("Ask one question at a time.")
+    tokens = tokenize(asked)
+    if len(tokens) > MAX_TOKENS:
+        raise NotUnderstood(f"The question is too long: ask it in at most {MAX_TOKENS} words.")
+    _refuse_foreign(tokens)
+    text = Text(tokens)
+    meaning = question(text)
+    if meaning is None:
+        raise _declined(text)
+    return meaning, text
+
+
+def _confidence(meaning: Query, text: Text, unused: int) -> float:
+    """How sure is the reading, 0 to 1: the used share of the words that carry meaning, less for what is unusual.
+
+    Each corrected typing error costs 0.03, each word too many in a description 0.1.
+    """
+    end = len(text.tokens)
+    carrying = sum(not any(text.after(category, at, end) for category in _WITHOUT_MEANING) for at in range(end))
+    excess = sum(max(0, len(description.split()) - LONG_DESCRIPTION) for description in descriptions(meaning))
+    corrected = sum(token.corrected for token in text.tokens)
+    return round(max(0.0, 1 - unused / max(1, carrying) - 0.03 * corrected - 0.1 * excess), 2)
+
+
+def _refuse_foreign(tokens: tuple[Token, ...]) -> None:
+    """Raise NotUnderstood when two words, or half of them, are of another language and no words of the grammar."""
+    raw = {token.raw.lower() for token in tokens if token.kind is Kind.WORD}
+    for language, known in LEXICON.foreign.items():
+        found = (raw & known) - LEXICON.words
+        if len(found) >= 2 or (found and 2 * len(raw & known) >= len(raw)):
+            raise NotUnderstood(f"The question seems to be {language}; ask in English.", tuple(sorted(found)))
+    if raw and not any(word.isascii() for word in raw):
+        raise NotUnderstood("The question is not in English; ask in English.", tuple(sorted(raw)))
+
+
+def _declined(text: Text) -> NotUnderstood:
+    """The refusal: what was not understood, and which terms are near."""
+    end = len(text.tokens)
+    for at in range(end):
+        if reason := text.match("unanswerable", at, end):
+            return NotUnderstood(reason[0], (text.tokens[at].raw,))
+    words = [token.raw for token in text.tokens if token.kind is Kind.WORD and token.word not in LEXICON.words]
+    unknown = tuple(dict.fromkeys(words))
+    terms = LEXICON.wordings("property")
+    nearest = [term for word in unknown for term in difflib.get_close_matches(word.lower(), terms, n=2, cutoff=0.6)]
+    message = "The question was not understood; ask for a count, a measure, a position or a distance of a part."
+    if unknown:
+        message += f" Words that were not understood: {', '.join(unknown)}."
+    return NotUnderstood(message, unknown, tuple(dict.fromkeys(nearest)))

@@ -1,0 +1,280 @@
+"""Noun phrases: which parts does a stretch of the question mean?
+
+A phrase is read from left to right. What selects by number, side, place or rank becomes a filter; function words are
+passed over; every other word is description, kept for SegCAD to ground.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TypeAlias
+
+from . import modifiers, relations
+from .draft import MODEL_NOUN, Draft, finished
+from .lexicon import LEXICON
+from .meaning import AnyOf, Bottom, Described, Filter, NounClass, Phrase, Seen, Selection, Target, Whole
+from .readings import bounded
+from .text import Text
+from .tokens import Kind
+
+Rule: TypeAlias = Callable[[Text, int, int, Draft], int | None]
+"""Reads one modifier into the draft: where does it end? None when it does not stand there."""
+
+_DENIED = re.compile(r"(?:non-?|un)(\w+(?:ed|unk))")
+"""'non-threaded', 'unthreaded': not threaded."""
+_NO_CONJUNCT = ("light", "verb", "negation", "place", "centered")
+"""What follows 'and' and goes on about the same parts."""
+
+
+def target(text: Text, start: int, end: int, like: Target | None = None) -> Target | None:
+    """Which parts, or the whole model, does `start:end` mean? `like` is what 'the one' and 'it' stand for."""
+    return text.attempt(_target, start, end, like)
+
+
+def selection(text: Text, start: int, end: int, like: Target | None = None) -> Selection | None:
+    """Which parts does `start:end` mean? Nouns for the whole model mean its bodies here."""
+    found = target(text, start, end, like)
+    return Selection((Phrase(MODEL_NOUN, NounClass.BODY),)) if isinstance(found, Whole) else found
+
+
+def predicate(text: Text, start: int, end: int, owner: Selection) -> tuple[Filter, ...] | None:
+    """What is said of parts in 'are … (threaded, visible from the top, 10 mm deep)'? None when not clear."""
+    head = owner.phrases[0].description.split()[-1]
+    draft = Draft(words=[head], closed=True)
+    at = start
+    while at < end:
+        at = _step(text, at, end, draft)
+    if draft.refused or draft.ranks or draft.tail or draft.words != [head] or len(draft.sides) > 1:
+        return None
+    adjectives, denied = draft.said(head)
+    filters: list[Filter] = [bounded(condition, owner.noun_class, text) for condition in draft.filters]
+    filters += [Seen(side, True) for side in draft.sides]
+    filters += [Described(" ".join([*adjectives, head]), True)] if adjectives else []
+    filters += denied
+    return tuple(filters) or None
+
+
+def _target(text: Text, start: int, end: int, like: Target | None) -> Target | None:
+    draft = Draft()
+    others: Selection | None = None
+    at = start
+    while at < end and others is None:
+        others = _conjunct(text, at, end, draft)
+        at = at if others else _step(text, at, end, draft)
+    first = finished(text, draft, like)
+    if others is None or first is None:
+        return first if others is None else None
+    if isinstance(first, Whole):
+        return others
+    head = first.phrases[-1]
+    if not head.sides and not head.filters:  # 'holes and slots on the top': both on the top
+        head = replace(head, sides=others.phrases[-1].sides, filters=others.phrases[-1].filters)
+    return Selection((*first.phrases[:-1], head, *others.phrases))
+
+
+def _conjunct(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
+    """'… and slots': the other phrases. 'blind and through holes' lends its noun to the first."""
+    joined = text.after("conjunction", at, end)
+    if joined is None or not draft.words:
+        return None
+    rest = text.skip(joined, end, "conjunction", "article")
+    same_parts = any(rule(text, rest, end) for rule in (modifiers.bound, modifiers.sides, modifiers.rank))
+    if rest >= end or same_parts or any(text.after(category, rest, end) for category in _NO_CONJUNCT):
+        return None
+    others = target(text, rest, end)
+    if not isinstance(others, Selection):
+        return None
+    words = others.phrases[0].description.split()
+    adjective = not draft.tail and not draft.closed and not LEXICON.is_plural(draft.words[-1])
+    if adjective and others.phrases[-1].plural and len(words) > 1:
+        draft.words += words[1:]
+    return others
+
+
+def _step(text: Text, at: int, end: int, draft: Draft) -> int:
+    """Read one modifier or word; where does it end?"""
+    for rule in _RULES:
+        after = rule(text, at, end, draft)
+        if after is not None and after > at:
+            return after
+    return at + 1
+
+
+def _relation(rule: Callable[[Text, int, int, Draft, relations.Nested], int | None]) -> Rule:
+    """A rule that reads a noun phrase within this one."""
+    return lambda text, at, end, draft: rule(text, at, end, draft, target)
+
+
+def _quantifier(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    if draft.in_tail:
+        return None
+    number = text.number(at, end)
+    if number and number.power is None and not draft.words and number.value == int(number.value):
+        if modifiers.bound(text, at, end) or modifiers.rank(text, at, end):
+            return None
+        draft.plural = draft.plural or number.value > 1
+        return at + 1
+    if after := text.after("each", at, end):
+        draft.plural = True
+        return after
+    if text.word_at(at, end, "one", "ones") and not draft.words:
+        draft.plural = draft.plural or text.words[at] == "ones"
+        return at + 1
+    return text.after("quantifier", at, end)
+
+
+def _bottom(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'with a conical bottom', 'flat-bottomed'."""
+    form = text.match("bottom_form", text.skip(at, end, "lead"), end)
+    noun = text.after("bottom_noun", form[1], end) if form else None
+    if form is None or noun is None or not (draft.words or text.words[noun - 1] == "bottomed"):
+        return None
+    draft.filters.append(Bottom(form[0], not draft.negated))
+    draft.negated = False
+    return draft.close(noun)
+
+
+def _filter(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    found = modifiers.bound(text, at, end) or relations.bound_by_part(text, at, end, target)
+    if found is None:
+        return None
+    condition, after = found
+    if draft.negated and not isinstance(condition, AnyOf):
+        condition = replace(condition, relation=condition.relation.negated)
+        draft.negated = False
+    draft.filters.append(condition)
+    return draft.close(after)
+
+
+def _rank(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    found = modifiers.rank(text, at, end)
+    if found is None:
+        return None
+    chosen, after = found
+    draft.ranks.append(chosen)
+    draft.plural = draft.plural or chosen.count > 1
+    if draft.words:
+        return draft.close(after)
+    if text.word_at(after, end, "of", "among"):
+        draft.singular = chosen.count == 1
+        return after + 1
+    return after
+
+
+def _side(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    verbs = bool(draft.words) or not text.match("noun_verb", at, end)
+    found = modifiers.sides(text, at, end, verbs)
+    if found is None:
+        return None
+    named, after = found
+    if draft.negated or named.all_of_them:
+        draft.filters.extend(Seen(side, not draft.negated) for side in named.sides)
+        draft.negated = False
+    else:
+        draft.sides.extend(side for side in named.sides if side not in draft.sides)
+    if not draft.words and not named.prepositional:
+        draft.side_noun = named.noun
+    return draft.close(after)
+
+
+def _of_whole(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    if (draft.words or draft.whole) and (after := relations.of_whole(text, at, end)) is not None:
+        return draft.close(after)
+    after = relations.whole_noun(text, at, end)
+    if after is None:
+        return None
+    if draft.words and not draft.closed and text.words[at - 1] == draft.words[-1]:
+        return None  # 'circular part': the noun belongs to its adjective
+    draft.whole = draft.whole or not draft.words
+    draft.body = draft.body or text.match("body_noun", after - 1, end) is not None
+    return after + text.word_at(after, end, "'s")
+
+
+def _negation(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    after = text.after("negation", at, end)
+    draft.negated = draft.negated or after is not None
+    return after
+
+
+def _function_word(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    if text.tokens[at].kind is Kind.POSSESSIVE:
+        return at + 1
+    if text.word_at(at, end, ","):
+        return draft.close(at + 1)
+    if text.word_at(at, end, "of", "among", "amongst") and not draft.words:
+        return at + 1
+    if after := text.after("article", at, end) or text.after("noise", at, end):
+        return after
+    if after := text.after("light", at, end):
+        return after if not draft.words else draft.close(after)
+    after = text.after("verb", at, end)
+    if after is None or draft.in_tail:
+        return None
+    if text.match("noun_verb", at, end) and not draft.closed:
+        if not draft.words or not text.match("side_preposition", after, end):
+            return None
+    return draft.close(after)
+
+
+def _description(text: Text, at: int, end: int, draft: Draft) -> int:
+    """Take one word into the description, or note that it was not used."""
+    word = text.words[at]
+    joined = text.after("conjunction", at, end)
+    if joined or text.tokens[at].kind is Kind.SYMBOL:
+        draft.refused = draft.refused or word == "or"
+        return joined or at + 1
+    if text.after("relational", at, end):
+        draft.refused = True
+        return at + 1
+    if (draft.whole and not draft.words) or text.after("unnameable", at, end):
+        text.leave(at)
+        return at + 1
+    if denied := _DENIED.fullmatch(word):
+        draft.described.append(([denied[1]], False))
+        return at + 1
+    preposition = text.after("preposition", at, end)
+    if preposition and draft.words:
+        return _prepositional(text, at, preposition, end, draft)
+    if draft.in_tail:
+        draft.tail.append(word)
+    elif draft.closed:
+        draft.describe(word, _goes_on(text, at))
+    elif not preposition or text.after("adjective_preposition", at, end):
+        draft.words.append(word)
+    return at + 1
+
+
+def _goes_on(text: Text, at: int) -> bool:
+    """Is the word before part of the same predicate, as 'through' in 'are through holes'?"""
+    return not any(text.after(category, at - 1, at) for category in (*_NO_CONJUNCT, "article", "conjunction"))
+
+
+def _prepositional(text: Text, at: int, after: int, end: int, draft: Draft) -> int:
+    """'with (a) ring' stays in the description; 'with no' is 'without'."""
+    word = text.words[at]
+    if word == "with" and text.word_at(after, end, "no"):
+        word, after = "without", after + 1
+    if after < end:
+        draft.tail.append(word)
+        draft.closed = False
+    return after
+
+
+_RULES: tuple[Rule, ...] = (
+    _quantifier,
+    _bottom,
+    _filter,
+    _rank,
+    _relation(relations.nearness),
+    _relation(relations.place),
+    _side,
+    _of_whole,
+    _relation(relations.owner),
+    _relation(relations.within),
+    _negation,
+    _function_word,
+    _description,
+)
+"""In the order in which they are tried: what selects comes before what is passed over, and description last."""

@@ -1,0 +1,375 @@
+"""The frames of questions: how many, how deep, what, which, where, is there, list …; each gives a meaning or passes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from querycad_contracts import Side
+
+from . import modifiers
+from .amounts import compared_amount, compared_counts
+from .distances import Wording, between, distance, two_selections
+from .lexicon import LEXICON
+from .meaning import (
+    Angle,
+    Boundary,
+    Calculate,
+    Distance,
+    Get,
+    Measure,
+    NounClass,
+    Operation,
+    Parts,
+    Query,
+    Reduce,
+    Selection,
+    Whole,
+    Within,
+)
+from .phrases import selection, target
+from .polar import polar
+from .readings import asked, bounded
+from .relations import of_whole
+from .text import Text
+from .tokens import Token
+from .values import Asked, asked_measures, counted, extent_along, get, operand, value
+
+_PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP)
+_PREPOSITIONS = {word: Token(word, word) for word in ("of", "between")}
+_MUTUAL = {
+    "farthest": Reduce.LARGEST,
+    "furthest": Reduce.LARGEST,
+    "closest": Reduce.SMALLEST,
+    "nearest": Reduce.SMALLEST,
+}
+_WH = ("how", "what", "which", "where")
+_OPENERS = (*_WH, "is", "are", "does", "do", "give", "list", "name", "count")
+
+
+def question(text: Text) -> Query | None:
+    """What does the whole question mean?"""
+    end = len(text.tokens)
+    start = _polite(text, 0, end)
+    for frame in (_framed, _fronted, _rotated, value):
+        if start < end and (found := text.attempt(frame, start, end)):
+            return found
+    return None
+
+
+def _framed(text: Text, start: int, end: int) -> Query | None:
+    for frame in (_by_how_much, _how_many, _how, _of_which, _what, _where, polar, _imperative):
+        if found := text.attempt(frame, start, end):
+            return found
+    return None
+
+
+def _polite(text: Text, start: int, end: int) -> int:
+    """Where does the question begin behind its polite opening? 'Can you see …' stays."""
+    while True:
+        start = text.skip_commas(start, end)
+        after = text.after("polite", start, end)
+        if after is None or text.match("exists", start, end):
+            return start
+        start = after
+
+
+def _fronted(text: Text, start: int, end: int) -> Query | None:
+    """'From the front, how many holes …': the adjunct goes to the end, 'of the holes, which is …' to the noun."""
+    for wh in range(start + 1, end):
+        if not text.word_at(wh, end, *_OPENERS) or not (text.word_at(wh - 1, end, ",") or text.word_at(wh, end, *_WH)):
+            continue
+        adjunct = [i for i in range(start, wh) if text.words[i] != ","]
+        if text.after("topic", start, end) and text.word_at(wh, end, "which"):
+            rest = wh + 1 + text.word_at(wh + 1, end, "one", "ones", "of")
+            moved = text.rearranged([wh, *adjunct[1:], *range(rest, end)])
+        else:
+            moved = text.rearranged([*range(wh, end), *adjunct])
+        if adjunct and (found := moved.attempt(_moved)):
+            return found
+    return None
+
+
+def _moved(text: Text) -> Query | None:
+    return _framed(text, _polite(text, 0, len(text.tokens)), len(text.tokens))
+
+
+def _rotated(text: Text, start: int, end: int) -> Query | None:
+    """'The holes on top have what diameter': the question word comes first."""
+    wh = next((i for i in range(start + 1, end) if text.word_at(i, end, *_WH)), None)
+    if wh is None:
+        return None
+    before = [i for i in range(start, wh) if text.words[i] != ","]
+    return text.rearranged([*range(wh, end), *before]).attempt(_moved)
+
+
+def _how_many(text: Text, start: int, end: int) -> Query | None:
+    """'how many holes …', 'how many more holes … than …', 'how many times longer …', 'how much …', 'count the …'."""
+    opening = text.words[start : start + 3]
+    if opening == ("how", "many", "times"):
+        return compared_amount(text, start + 3, end, Operation.RATIO)
+    if opening[:2] == ("how", "many") and (counts := compared_counts(text, start + 2, end)):
+        first, _, second = counts
+        return Calculate(Operation.MINUS, first, second)
+    if opening[:2] == ("how", "much"):
+        at = start + 2
+        amount = compared_amount(text, at, end, Operation.MINUS)
+        return amount or text.attempt(distance, at, end) or _property_of(text, at, end)
+    after = text.after("count", start, end)
+    unit = text.match("unit", after, end) if after is not None and text.words[start] == "how" else None
+    if unit is not None and LEXICON.units[unit[0]][1] == 1:
+        return _how_adjective(text, unit[1], end) or compared_amount(text, unit[1], end, Operation.MINUS)
+    return counted(text, after, end) if after is not None else None
+
+
+def _by_how_much(text: Text, start: int, end: int) -> Query | None:
+    """'by how much is A longer than B'."""
+    if text.words[start : start + 3] != ("by", "how", "much"):
+        return None
+    return compared_amount(text, start + 3, end, Operation.MINUS)
+
+
+def _how(text: Text, start: int, end: int) -> Query | None:
+    if not text.word_at(start, end, "how"):
+        return None
+    at = text.skip(start + 1, end, "noise")
+    if text.word_at(at, end, "far", "close", "near", "distant") or text.match("gap", at, end):
+        return _how_far(text, at, end)
+    return _how_adjective(text, at, end)
+
+
+def _how_adjective(text: Text, start: int, end: int) -> Query | None:
+    """'how deep are the holes', 'how wide and how long is the slot', 'how large is the diameter of the shaft'."""
+    measures: list[Measure] = []
+    at = after = start
+    while scale := text.match("scale.positive", at, end):
+        measures.append(Measure(scale[0]))
+        after = scale[1]
+        at = text.skip(after, end, "conjunction")
+        at += text.word_at(at, end, "how")
+    if not measures:
+        return None
+    if measures == [Measure.HEIGHT] and (found := _above_ground(text, after, end)):
+        return found
+    at = text.skip(after, end, "be", "do", "noise")
+    if found := text.attempt(distance, at, end):
+        return found
+    if measures == [Measure.MAGNITUDE] and (found := text.attempt(value, at, end)):
+        return found
+    if found := text.attempt(_without, at, end, measures[0]):
+        return found
+    material = measures == [Measure.THICKNESS]
+    if material and (found := _of_material(text, at, end)):
+        return found
+    if (along := extent_along(text, tuple(measures), at, end)) is not None:
+        return along
+    reduce = Reduce.EACH
+    if together := text.find("together", at, end):
+        text, at, end = (
+            text.rearranged([*range(at, together[0]), *range(together[2], end)]),
+            0,
+            together[0] + end - together[2] - at,
+        )
+        reduce = Reduce.TOTAL
+    of = target(text, at, end)
+    sized = tuple(measures) == (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT)
+    wanted = Asked((Measure.SIZE,) if sized else tuple(measures), reduce)
+    return get(text, wanted, of) if of is not None else None
+
+
+def _of_material(text: Text, start: int, end: int) -> Query | None:
+    """The thickness of 'the material', 'the sheet metal used in the object', 'the wall of the tube'."""
+    at = text.skip(start, end, "article", "whole_adjective")
+    after = text.after("material", at, end)
+    if after is None:
+        return None
+    of = target(text, after + 1, end) if text.word_at(after, end, "of", "in") else None
+    return get(text, Asked((Measure.WALL_THICKNESS,)), of or Whole())
+
+
+def _without(text: Text, start: int, end: int, measure: Measure) -> Query | None:
+    """'(how high is) the object without the (height of the) shaft'."""
+    found = text.find("minus", start + 1, end)
+    if found is None:
+        return None
+    at, _, after = found
+    of = text.attempt(target, start, at)
+    if of is None or not (isinstance(of, Whole) or text.find("property", after, end)):
+        return None
+    left = Get((asked(measure, of, text),), of)
+    right = text.attempt(operand, after, end, left)
+    return Calculate(Operation.MINUS, left, right) if right is not None else None
+
+
+def _how_far(text: Text, start: int, end: int) -> Query | None:
+    """'how far apart are A and B', 'how far is A from B', 'how far does A stick out'."""
+    at = start + text.word_at(start, end, "far", "close", "near", "distant")
+    at = text.skip(text.after("gap", at, end) or at, end, "be", "do", "noise")
+    for stop in range(at + 1, end):
+        for category, measure in (("protrude", Measure.HEIGHT), ("sink", Measure.DEPTH)):
+            if text.match(category, stop, end):
+                of = target(text, at, stop)
+                return get(text, Asked((measure,)), of) if of is not None else None
+    mutual = text.find("reciprocal", at, end)
+    kept = [i for i in range(at, end) if mutual is None or not mutual[0] <= i < mutual[2]]
+    kept = [i for i in kept if text.words[i] not in ("apart", "away", "located", "separated", "together")]
+    if kept and text.words[kept[0]] == "from":  # 'how far from the edge is the hole'
+        verb = next((n for n, i in enumerate(kept) if text.match("be", i, end)), None)
+        kept = kept if verb is None else [*kept[verb + 1 :], *kept[:verb]]
+    preposition = "of" if any(text.words[i] == "from" for i in kept) else "between"
+    extreme = next((i for i in kept if text.words[i] in _MUTUAL), None)  # 'the two farthest holes'
+    reduce = Reduce.EACH if extreme is None or preposition == "of" else _MUTUAL[text.words[extreme]]
+    kept = kept if reduce is Reduce.EACH else [i for i in kept if i != extreme]
+    worded = Text((_PREPOSITIONS[preposition], *(text.tokens[i] for i in kept)), text.book)
+    return between(worded, 0, len(worded.tokens), Wording(reduce))
+
+
+def _property_of(text: Text, start: int, end: int) -> Query | None:
+    """'(what) diameter do the holes have', '(how much) volume does the part take up', '(what) size is the shaft'."""
+    named = asked_measures(text, start, end)
+    if named is None:
+        return None
+    wanted, at = named
+    limit = modifiers.bound(text, start, end) if text.match("property", start, end) else None
+    at = limit[1] if limit else at
+    verb = text.after("do", at, end) or text.after("be", at, end) or text.after("have", at, end)
+    if verb is None and text.match("article", at, end) and not text.match("property", at + 1, end):
+        verb = at
+    if verb is None:
+        return None
+    if wanted.measures == (Measure.THICKNESS,) and (found := _of_material(text, verb, text.trimmed(verb, end))):
+        return found
+    if wanted.plural and text.match("occur", at, end):
+        wanted = replace(wanted, reduce=Reduce.DIFFERENT)
+    of = target(text, verb, text.trimmed(verb, end))
+    if limit and isinstance(of, Selection):
+        kept = bounded(limit[0], of.noun_class, text)
+        of = Selection(tuple(replace(phrase, filters=(*phrase.filters, kept)) for phrase in of.phrases))
+    return get(text, wanted, of) if of is not None else None
+
+
+def _of_which(text: Text, start: int, end: int) -> Query | None:
+    """'in which direction …', 'on which side …', 'at what height …', 'to what depth …'."""
+    if not text.match("wh_preposition", start, end) or not text.word_at(start + 1, end, "what", "which"):
+        return None
+    place = text.match("at_which", start + 2, end) if text.word_at(start, end, "at") else None
+    if place is None:
+        return _what(text, start + 1, end)
+    if place[0] == Measure.Z and (found := _above_ground(text, place[1], end)):
+        return found
+    of = target(text, text.skip(place[1], end, "be", "do"), end)
+    return get(text, Asked((Measure(place[0]),)), of) if of is not None else None
+
+
+def _above_ground(text: Text, start: int, end: int) -> Query | None:
+    """'(at what height) above the bottom is the hole', '(how high) above the ground is the shaft'."""
+    ground = text.after("ground", text.skip(start + 1, end), end) if text.word_at(start, end, "above", "over") else None
+    if ground is None:
+        return None
+    of = target(text, text.skip(of_whole(text, ground, end) or ground, end, "be", "do"), end)
+    return Distance(of, Boundary(Side.BOTTOM), True, 2) if isinstance(of, Selection) else None
+
+
+def _what(text: Text, start: int, end: int) -> Query | None:
+    if not text.word_at(start, end, "what", "which", "whose"):
+        return None
+    at = text.skip(start + 1, end, "noise")
+    for rule in (_which_way, _which_side, _which_angle, _property_of, _what_is, _which_parts):
+        if found := text.attempt(rule, at, end):
+            return found
+    return None
+
+
+def _which_side(text: Text, start: int, end: int) -> Query | None:
+    """'(on which) side is the pocket', '(from which) sides is the flange visible'."""
+    noun = text.after("side_noun", start, end)
+    verb = noun and (text.after("be", noun, end) or text.after("do", noun, end) or text.after("light", noun, end))
+    if noun is None or not verb:
+        return None
+    if not text.word_at(start, end, "side", "sides", "face", "faces", "surface") and not text.find("verb", verb, end):
+        return None
+    of = target(text, verb, end)
+    return get(text, Asked((Measure.SIDES,)), of) if isinstance(of, Selection) else None
+
+
+def _which_way(text: Text, start: int, end: int) -> Query | None:
+    """'(in which) direction does the shaft point', '(which) way does it face'."""
+    if not text.word_at(start, end, "direction", "directions", "way"):
+        return None
+    verb = text.after("do", start + 1, end) or text.after("be", start + 1, end)
+    point = next((i for i in range(start + 2, end) if text.match("point_verb", i, end)), None)
+    of = target(text, verb, point) if verb and point else None
+    if not isinstance(of, Selection):
+        return None
+    of_hole = of.noun_class is NounClass.HOLE  # a hole faces out of its opening, whatever the sense of its axis
+    return get(text, Asked((Measure.NORMAL if of_hole else Measure.DIRECTION,)), of)
+
+
+def _which_angle(text: Text, start: int, end: int) -> Query | None:
+    """'(what) angle do the shaft and the rib enclose', '(at what) angle is the shaft to the plate'."""
+    verb = text.after("do", start + 1, end) or text.after("be", start + 1, end)
+    if not text.word_at(start, end, "angle", "angles") or verb is None:
+        return None
+    verb = text.skip(verb, end, "light")
+    verb += text.word_at(verb, end, "between")
+    pair = two_selections(text, verb, text.trimmed(verb, end), ("and", "to", "with", "against"))
+    return Angle(*pair) if pair else None
+
+
+def _what_is(text: Text, start: int, end: int) -> Query | None:
+    """'(what) is the radius of the holes', '(which) hole diameters are there'."""
+    at = text.skip(start, end, "be", "noise")
+    found = text.attempt(_material_thickness, at, end) or value(text, at, end)
+    if not isinstance(found, Get) or at > start:
+        return found
+    if not isinstance(found.target, Selection):
+        return None
+    listed = found.reduce is Reduce.EACH and not text.match("article", at, end)
+    return replace(found, reduce=Reduce.DIFFERENT) if listed else found
+
+
+def _material_thickness(text: Text, start: int, end: int) -> Query | None:
+    """'the thickness of the material'."""
+    at = text.skip(start, end, "article", "whole_adjective")
+    named = text.match("property", at, end)
+    if named is None or named[0] != Measure.THICKNESS or not text.word_at(named[1], end, "of"):
+        return None
+    return _of_material(text, named[1] + 1, end)
+
+
+def _which_parts(text: Text, start: int, end: int) -> Query | None:
+    """'(which) holes are visible from the top', '(which) slot is the widest', '(what) is the largest hole'."""
+    at = text.skip(start, end, "be")
+    parts = selection(text, at, end)
+    if parts is None:
+        return None
+    phrase = parts.phrases[0]
+    if len(parts.phrases) > 1 and any(one.ranks for one in parts.phrases):
+        return None  # 'which is wider, A or B'
+    # 'what is the gizmo of the shaft' asks for a measure that is not known, not for gizmos in the shaft
+    chosen = phrase.ranks or phrase.sides or any(not isinstance(one, Within) for one in phrase.filters)
+    return Parts(parts) if chosen or (at == start and text.words[start - 1] == "which") else None
+
+
+def _where(text: Text, start: int, end: int) -> Query | None:
+    """'where is the hole', 'where is the tip of the shaft', 'where does the shaft end'."""
+    if not text.word_at(start, end, "where"):
+        return None
+    at = text.skip(start + 1, end, "be", "do", "noise")
+    found = text.attempt(value, at, end)
+    if isinstance(found, Get) and found.measures[0] in _PLACES:
+        return found
+    last = text.match("point_verb", end - 1, end)
+    of = target(text, at, end - 1 if last else end)
+    return get(text, Asked((Measure(last[0]) if last else Measure.POSITION,)), of) if of is not None else None
+
+
+def _imperative(text: Text, start: int, end: int) -> Query | None:
+    """'list the depths of the holes', 'tell me how deep the holes are', 'show me all slots on the back'."""
+    after = text.after("imperative", start, end)
+    if after is None:
+        return None
+    for frame in (_framed, _material_thickness, value):
+        if found := text.attempt(frame, after, end):
+            return found
+    parts = None if text.match("calculation", start, end) else selection(text, after, end)
+    return Parts(parts) if parts else None

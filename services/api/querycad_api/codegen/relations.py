@@ -1,0 +1,217 @@
+"""Modifiers that relate parts to other parts or to the model: closest to, above, in, deeper than, centred."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from querycad_contracts import Side
+
+from . import modifiers
+from .draft import Draft
+from .meaning import (
+    Bound,
+    ByDistance,
+    Centered,
+    Get,
+    Measure,
+    Origin,
+    Placed,
+    Rank,
+    Relation,
+    Selection,
+    Target,
+    Whole,
+    Within,
+)
+from .text import Text
+
+Nested: TypeAlias = Callable[[Text, int, int], Target | None]
+"""Reads the noun phrase that a modifier holds."""
+
+_AXES = "xyz"
+_WITHIN = "A part counts as in another one when its centre lies in the other's box."
+
+
+def of_whole(text: Text, start: int, end: int) -> int | None:
+    """Where does 'of the (whole) object' end that stands at `start`? None when it does not stand there."""
+    at = text.after("whole_of", start, end)
+    return None if at is None else whole_noun(text, at, end)
+
+
+def whole_noun(text: Text, start: int, end: int) -> int | None:
+    """Where does 'the entire CAD model' end that stands at `start`?"""
+    at = text.skip(start, end, "article", "quantifier")
+    while True:
+        noun = text.match("whole", at, end)
+        adjective = text.after("whole_adjective", at, end)
+        if noun and not (adjective and text.match("whole", adjective, end)):
+            return noun[1]
+        if adjective is None:
+            return start if at > start and text.words[at - 1] in ("this", "it") else None
+        at = adjective
+
+
+def without_axis(text: Text) -> tuple[Text, int | None]:
+    """The text without '… along the x axis', 'in y direction', 'along the width of the object', and that axis."""
+    end = len(text.tokens)
+    for at in range(end):
+        if "centered" in text.words[max(0, at - 3) : at]:
+            continue
+        found = text.match("axis", at, end) if text.match("axis_adverb", at, end) else None
+        if found is None and (after := text.after("axis_preposition", at, end)):
+            found = text.match("axis", text.skip(after, end, "article"), end)
+        if found is None or (text.word_at(found[1], end, "of") and not of_whole(text, found[1], end)):
+            continue
+        if text.match("axis_vague", at, end) and text.words[found[1] - 1] not in ("axis", "direction"):
+            continue
+        stop = text.skip(found[1], end, "side_noun")
+        stop = of_whole(text, stop, end) or stop
+        return text.rearranged([*range(at), *range(stop, end)]), int(found[0])
+    return text, None
+
+
+def bound_by_part(text: Text, start: int, end: int, nested: Nested) -> tuple[Bound, int] | None:
+    """'deeper than the M5 hole', 'with the same diameter as the shaft', 'as deep as the pocket'."""
+    at = text.skip(start, end, "lead")
+    compared = modifiers.comparative(text, at, end)
+    if compared:
+        measure, relation, after = compared
+    else:
+        same = text.after("same", at, end)
+        found = text.match("property", same, end) if same else None
+        if found is None and text.word_at(at, end, "as"):
+            found = text.match("scale.positive", at + 1, end)
+        if found is None or not text.word_at(found[1], end, "as", "like"):
+            return None
+        measure, relation, after = Measure(found[0]), Relation.EQUAL, found[1] + 1
+    while text.word_at(after, end, "that", "those", "of", "the"):
+        after += 1
+    reference = None if text.number(after, end) else nested(text, after, end)
+    return (Bound(measure, relation, Get((measure,), reference)), end) if reference is not None else None
+
+
+def nearness(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
+    """'closest to the shaft', 'nearest the edge', 'farthest from the centre of the object'."""
+    found = text.match("near", text.skip(at, end, "lead"), end)
+    if found is None or not (draft.words or text.word_at(found[1] - 1, end, "to", "from")):
+        return None
+    rest = text.skip(found[1], end, "article")
+    point = text.after("center", rest, end)
+    reference: Target | Origin | None
+    if text.match("edge", rest, end):
+        reference = None
+    elif text.match("origin", rest, end):
+        reference = Origin()
+    elif rest == end or (point is not None and (point == end or of_whole(text, point, end) is not None)):
+        reference = Whole()
+    else:
+        reference = nested(text, rest, end)
+        if reference is None:
+            return None
+    draft.ranks.append(Rank(ByDistance(reference), found[0] == "far"))
+    return draft.close(end)
+
+
+def place(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
+    """'above the middle', 'left of the shaft', 'centred in x and y', 'in the upper half of the object'."""
+    if draft.in_tail:
+        return None
+    start = at
+    if text.word_at(start, end, "whose", "with", "its") and (center := text.after("center", start + 1, end)):
+        start = text.skip(center, end, "be", "verb", "light")
+    start = text.skip(start, end, "verb")
+    if found := text.match("place", start, end):
+        axis, relation = _AXES.index(found[0][1]), Relation.MORE if found[0][0] == "+" else Relation.LESS
+        return _beyond(text, found[1], end, draft, nested, axis, relation)
+    if half := _half(text, start, end):
+        draft.filters.append(half[0])
+        return draft.close(half[1])
+    return _centered(text, start, end, draft)
+
+
+def _beyond(
+    text: Text, start: int, end: int, draft: Draft, nested: Nested, axis: int, relation: Relation
+) -> int | None:
+    """What follows 'above', 'left of': the middle of the model, or a part."""
+    rest = text.skip(start, end)
+    if text.number(rest, end):
+        return None
+    point = text.after("center", rest, end)
+    whole = of_whole(text, point, end) if point else None
+    if point and (whole is not None or not text.word_at(point, end, "of")):
+        draft.filters.append(Placed(axis, relation, Whole()))
+        return draft.close(whole or point)
+    reference = nested(text, point + 1 if point else rest, end)
+    if not isinstance(reference, Selection) or not draft.words:
+        return None
+    draft.filters.append(Placed(axis, relation, reference))
+    return draft.close(end)
+
+
+def _half(text: Text, start: int, end: int) -> tuple[Placed, int] | None:
+    """'in the left half of the object'."""
+    at = text.skip(text.skip(start, end, "side_preposition"), end, "article")
+    side = text.match("side", at, end)
+    after = text.after("half", side[1], end) if side else None
+    if side is None or after is None:
+        return None
+    outward = Side(side[0]).outward
+    axis = next(i for i, value in enumerate(outward) if value)
+    relation = Relation.MORE if outward[axis] > 0 else Relation.LESS
+    return Placed(axis, relation, Whole()), of_whole(text, after, end) or after
+
+
+def _centered(text: Text, start: int, end: int, draft: Draft) -> int | None:
+    """'centred in x and y direction', 'in the middle of the object'."""
+    led = text.skip(start, end, "lead") if draft.words else start
+    after = text.after("centered", start, end) or text.after("centered", led, end)
+    if after is None:
+        return None
+    axes: list[int] = []
+    rest = text.skip(after, end, "axis_preposition", "article")
+    while found := text.match("axis", rest, end):
+        axes.append(int(found[0]))
+        after = found[1]
+        rest = text.skip(after, end, "conjunction", "axis_preposition", "article")
+    after = text.skip(after, end, "side_noun") if axes else after
+    draft.filters.append(Centered(tuple(axes)))
+    return draft.close(of_whole(text, after, end) or after)
+
+
+def owner(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
+    """'(how many holes) does the flange have', '(how many holes) has the top of the object'."""
+    verb = text.after("do", at, end) or (at + 1 if text.word_at(at, end, "has", "have") else None)
+    if verb is None or not draft.words or not text.match("article", verb, end):
+        return None
+    have = next((i for i in range(end - 1, verb, -1) if text.match("have", i, end)), end)
+    named = modifiers.sides(text, verb, have)
+    if named and (of_whole(text, named[1], have) or named[1]) >= have:
+        draft.sides.extend(named[0].sides)
+        return draft.close(end)
+    return _inside(text, draft, nested(text, verb, have), end)
+
+
+def within(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
+    """'in the flange', 'of the base plate': the part lies within another part.
+
+    What follows the other part's own words is said of the first one: 'holes in the flange that are 5 mm deep'.
+    """
+    inside = text.after("container", at, end)
+    if inside is None or not draft.words or draft.in_tail:
+        return None
+    stop = noun = text.skip(inside, end, "article", "each")
+    if noun == inside:
+        return None
+    stops = ("verb", "light", "conjunction", "lead")
+    while stop < end and not any(text.match(c, stop, end) for c in stops) and not modifiers.sides(text, stop, end):
+        stop += 1
+    return _inside(text, draft, nested(text, inside, stop), stop)
+
+
+def _inside(text: Text, draft: Draft, holder: Target | None, after: int) -> int | None:
+    if not isinstance(holder, Selection):
+        return None
+    text.note(_WITHIN)
+    draft.filters.append(Within(holder))
+    return draft.close(after)

@@ -1,0 +1,449 @@
+"""Value expressions: 'the radius of the holes', 'hole depth', 'the shaft's diameter', 'the difference between …'."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from .distances import angle, distance
+from .lexicon import LEXICON
+from .meaning import Calculate, Count, Get, Measure, Operation, Query, Reduce, Scalar, Selection, Target, Whole
+from .phrases import selection, target
+from .readings import asked
+from .relations import without_axis
+from .text import Text
+
+_EXTENTS = {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT, Measure.LENGTH}
+_SCALARS = frozenset(Measure) - {
+    Measure.SIZE, Measure.HALF_SIZE, Measure.POSITION, Measure.OPENING, Measure.TIP, Measure.AXIS, Measure.NORMAL,
+    Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM,
+}  # fmt: skip
+_BORES = {
+    ("inner", Measure.OUTER_DIAMETER): Measure.INNER_DIAMETER,
+    ("inner", Measure.OUTER_RADIUS): Measure.INNER_RADIUS,
+    ("outer", Measure.INNER_DIAMETER): Measure.OUTER_DIAMETER,
+    ("outer", Measure.INNER_RADIUS): Measure.OUTER_RADIUS,
+}
+_OF_BOX = {Measure.MAGNITUDE: Measure.SIZE, Measure.VOLUME: Measure.BOX_VOLUME}
+_BORE_WORDS = {
+    "inner": "inner",
+    "inside": "inner",
+    "internal": "inner",
+    "outer": "outer",
+    "outside": "outer",
+    "external": "outer",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """Measures as they are named, with what is to become of their values."""
+
+    measures: tuple[Measure, ...]
+    reduce: Reduce = Reduce.EACH
+    nth: int = 1
+    plural: bool = False
+
+
+def value(text: Text, start: int, end: int, like: Query | None = None) -> Query | None:
+    """What does the value expression `start:end` mean? `like` completes 'the inner one', 'that of the shaft'."""
+    start = text.skip(start, end)
+    for rule in (_count, _with_or_without, _difference, _ratio, _sum, distance, angle, _measures_of, _owned, _compound):
+        if found := text.attempt(rule, start, end):
+            return found
+    return _completed(text, start, end, like) if like is not None else None
+
+
+def scalar(text: Text, start: int, end: int, like: Query | None = None) -> Scalar | None:
+    """Which single number does `start:end` mean?"""
+    found = value(text, start, end, like)
+    if isinstance(found, Get) and (len(found.measures) > 1 or found.measures[0] not in _SCALARS):
+        return None
+    return found if isinstance(found, Scalar) else None
+
+
+def asked_measures(text: Text, start: int, end: int) -> tuple[Asked, int] | None:
+    """Which measures are named here: 'the maximum depth', 'different radii', 'width, depth and height'?"""
+    wanted, at = _reduction(text, start, end)
+    if coordinates := _coordinates(text, at, end):
+        return replace(wanted, measures=coordinates[0]), coordinates[1]
+    measures: list[Measure] = []
+    plural = False
+    while True:
+        both = _inner_and_outer(text, at, end) if not measures else None
+        if both:
+            measures.extend(both[0])
+            at = both[1]
+        elif named := text.match("property", at, end):
+            measures.append(Measure(named[0]))
+            plural = plural or (measures[-1] in _SCALARS and LEXICON.is_plural(text.words[named[1] - 1]))
+            at = named[1]
+        else:
+            break
+        rest = text.skip(at, end, "conjunction", "article", "noise")
+        rest = text.skip(rest, end, "whole_adjective") if rest > at else rest
+        if not (text.match("property", rest, end) and (rest > at or measures[-1] is Measure.SIZE)):
+            break
+        at = rest
+    if not measures:
+        return None
+    return replace(wanted, measures=_as_size(tuple(dict.fromkeys(measures))), plural=plural), at
+
+
+def _reduction(text: Text, start: int, end: int) -> tuple[Asked, int]:
+    """What is said before a measure's name: 'the maximum', 'different', 'second largest', 'overall'."""
+    wanted, at = Asked(()), start
+    while True:
+        at = text.skip(at, end, "article", "noise", "quantifier")
+        if text.match("property", at, end):
+            return wanted, at
+        if found := text.match("reduce", at, end) or text.match("extreme", at, end):
+            wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]
+        elif ordinal := text.match("ordinal", at, end):
+            wanted, at = replace(wanted, nth=int(ordinal[0])), ordinal[1]
+        elif (after := text.after("whole_adjective", at, end)) and not text.match("whole", at, end):
+            at = after
+        else:
+            return wanted, at
+
+
+def _coordinates(text: Text, start: int, end: int) -> tuple[tuple[Measure, ...], int] | None:
+    """'x and y coordinates', 'x, y and z coordinates'."""
+    axes: list[Measure] = []
+    at = start
+    while text.word_at(at, end, "x", "y", "z"):
+        axes.append(Measure(text.words[at]))
+        at = text.skip(at + 1, end, "conjunction", "article")
+    named = text.match("property", at, end) if len(axes) > 1 else None
+    if named is None or named[0] != Measure.POSITION:
+        last = text.match("property", at - 1, end) if len(axes) > 1 else None
+        named = last if last and last[0] in "xyz" else None
+    if named is None:
+        return None
+    return ((Measure.POSITION,) if len(set(axes)) == 3 else tuple(dict.fromkeys(axes))), named[1]
+
+
+def _inner_and_outer(text: Text, start: int, end: int) -> tuple[list[Measure], int] | None:
+    """'inner and outer diameter'."""
+    kind = _BORE_WORDS.get(text.words[start]) if start < end else None
+    joined = text.after("conjunction", start + 1, end) if kind else None
+    second = text.match("property", text.skip(joined, end), end) if joined else None
+    if kind is None or second is None or (kind, Measure(second[0])) not in _BORES:
+        return None
+    measure = Measure(second[0])
+    return [_BORES[kind, measure], measure], second[1]
+
+
+def _as_size(measures: tuple[Measure, ...]) -> tuple[Measure, ...]:
+    """The three extents together, or dimensions named one by one, are the size."""
+    named = set(measures) - {Measure.SIZE, Measure.MAGNITUDE}
+    if len(named) < len(measures) and len(named) == 3 and named <= _EXTENTS:
+        return (Measure.SIZE,)
+    if measures in ((Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT),):
+        return (Measure.SIZE,)
+    return measures
+
+
+def get(text: Text, wanted: Asked, of: Target) -> Get | None:
+    """The values of the wanted measures of parts or of the whole; None when the whole cannot have them."""
+    measures = tuple(asked(measure, of, text) for measure in wanted.measures)
+    if isinstance(of, Whole) and len(measures) == 3 and set(measures) <= _EXTENTS:
+        text.note("Length, width and height of the whole model are given as its extents along x, y and z.")
+        measures = (Measure.SIZE,)
+    reduce = wanted.reduce
+    if isinstance(of, Selection) and wanted.plural and reduce is Reduce.EACH and not of.single:
+        of = Selection(tuple(replace(phrase, plural=True) for phrase in of.phrases))
+    if measures == (Measure.SIZE,) and reduce in (Reduce.LARGEST, Reduce.SMALLEST):
+        measures = (Measure.MAGNITUDE if reduce is Reduce.LARGEST else Measure.LEAST_EXTENT,)
+        reduce = Reduce.EACH
+    if isinstance(of, Whole):
+        reduce = Reduce.EACH
+    return Get(measures, of, reduce, wanted.nth)
+
+
+def _measures_of(text: Text, start: int, end: int) -> Query | None:
+    """'radius of the holes', 'overall height', 'depth for each slot'."""
+    named = asked_measures(text, start, end)
+    if named is None:
+        return None
+    wanted, at = named
+    at = text.skip_commas(at, end)
+    rest = at
+    while text.word_at(rest, end, "of", "for", "from", "has", "have", "with", "that", "which", "measured"):
+        rest += 1
+    if text.skip(rest, end, "noise", "light", "verb", "article") >= end and rest == at:
+        return get(text, wanted, Whole())
+    if rest == at and not (
+        text.match("whole_of", at, end)
+        or text.match("do", at, end)
+        or text.match("be", at, end)
+        or text.match("article", at, end)
+        or text.match("verb", at, end)
+    ):
+        return None
+    if rest == at and text.match("side_preposition", at, end) and not text.after("article", at + 1, end):
+        return None
+    if (along := extent_along(text, wanted.measures, rest, end)) is not None:
+        return along
+    before = wanted
+    wanted, rest = _nested(text, wanted, rest, end)
+    if wanted != before and text.match("property", end - 1, end):
+        end -= 1
+    of = target(text, rest, end)
+    if of is None:
+        return None
+    if "bounding" in text.words[start:end] and wanted.measures[0] in _OF_BOX:
+        wanted = replace(wanted, measures=(_OF_BOX[wanted.measures[0]],))
+    return get(text, wanted, of)
+
+
+def extent_along(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Get | None:
+    """'(the length of) the part in y direction', '(the extent of) the rib in z': full extents along an axis."""
+    if len(measures) > 1 or measures[0] not in _EXTENTS | {Measure.SIZE, Measure.MAGNITUDE}:
+        return None
+    rest, axis = without_axis(text.rearranged(range(start, end)))
+    of = target(rest, 0, len(rest.tokens)) if axis is not None else None
+    if of is None or axis is None:
+        return None
+    return Get(((Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis],), of)
+
+
+def _nested(text: Text, wanted: Asked, start: int, end: int) -> tuple[Asked, int]:
+    """'the coordinates of the tip of …' asks for the tip; 'the x coordinate of the centre of …' for the coordinate."""
+    at = text.skip(start, end)
+    named = text.match("property", at, end)
+    if named is None or not text.word_at(named[1], end, "of"):
+        last = text.match("property", end - 1, end)
+        if (
+            wanted.measures == (Measure.POSITION,)
+            and last
+            and last[0] in ("tip", "opening", "position")
+            and end - 1 > at
+        ):
+            return replace(wanted, measures=(Measure(last[0]),)), start
+        return wanted, start
+    if wanted.measures[0] in (Measure.POSITION, Measure.DIRECTION):
+        wanted = replace(wanted, measures=(Measure(named[0]),))
+    return wanted, named[1] + 1
+
+
+def _owned(text: Text, start: int, end: int) -> Query | None:
+    """'the shaft's diameter', 'the object's height'."""
+    if "'s" not in text.words[start:end]:
+        return None
+    mark = text.words.index("'s", start, end)
+    named = asked_measures(text, mark + 1, end)
+    if named is None:
+        return None
+    wanted, after = named
+    shorter = text.rearranged([*range(start, mark), *range(after, end)])
+    of = target(shorter, 0, len(shorter.tokens))
+    return get(text, wanted, of) if of is not None else None
+
+
+def _compound(text: Text, start: int, end: int) -> Query | None:
+    """'hole depth', 'largest slot width', 'shaft diameter on the right', 'different hole diameters'."""
+    wanted = Asked(())
+    at = start
+    while True:
+        at = text.skip(at, end, "article", "noise")
+        if found := text.match("reduce", at, end):
+            wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]
+        elif (ordinal := text.match("ordinal", at, end)) and text.match("extreme", ordinal[1], end):
+            wanted, at = replace(wanted, nth=int(ordinal[0])), ordinal[1]
+        elif found := text.match("extreme", at, end):
+            wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]
+        else:
+            break
+    for middle in range(at + 1, end):
+        if any(text.match(c, middle - 1, end) for c in ("preposition", "be", "do", "have", "relative")):
+            if not text.match("adjective_preposition", middle - 1, end):
+                return None
+        named = asked_measures(text, middle, end)
+        if named is None or not text.match("property", middle, end):
+            continue
+        found_measures, after = named
+        after = after + 1 if text.word_at(after, end, "of") and of_is_place(text, after, end) else after
+        shorter = text.rearranged([*range(at, middle), *range(after, end)])
+        of = target(shorter, 0, len(shorter.tokens))
+        if of is None:
+            return None
+        return get(text, replace(found_measures, reduce=wanted.reduce, nth=wanted.nth), of)
+    return None
+
+
+def of_is_place(text: Text, start: int, end: int) -> bool:
+    """Does 'of' lead to nothing but the whole model or a side?"""
+    return isinstance(target(text, start + 1, end), Whole)
+
+
+def _count(text: Text, start: int, end: int) -> Query | None:
+    """'number of holes', 'number of different radii', 'hole count'."""
+    after = text.after("count", start, end)
+    noun = next((i for i in range(start + 1, end) if text.word_at(i, end, "count", "number", "quantity")), None)
+    if after is None and noun is not None and not any(text.match("preposition", i, end) for i in range(start, noun)):
+        rest = text.rearranged([*range(start, noun), *range(noun + 1, end)])
+        return counted(rest, 0, len(rest.tokens))
+    if after is None or text.words[start] == "how":
+        return None
+    return counted(text, after, end)
+
+
+def counted(text: Text, start: int, end: int) -> Query | None:
+    """How many of what: parts, or different values of a measure?"""
+    start = text.skip(start, end)
+    found = text.match("reduce", start, end)
+    if found and found[0] == Reduce.DIFFERENT:
+        query = value(text, found[1], end)
+        if query is None and (named := asked_measures(text, found[1], end)):
+            of = target(text, text.skip(named[1], end, "do"), end)
+            query = get(text, named[0], of) if of else None
+        if isinstance(query, Get) and isinstance(query.target, Selection):
+            return Count(query.target, query.measures[0])
+        start = found[1]
+    if query := _named_values(text, start, end):
+        return query
+    if (of_sizes := text.match("property", start, end)) and of_sizes[0] in (Measure.MAGNITUDE, Measure.KIND):
+        query = value(text, start, end)
+        if isinstance(query, Get) and isinstance(query.target, Selection):
+            return Count(query.target, query.measures[0])
+    parts = selection(text, start, end)
+    return Count(parts) if parts else None
+
+
+def _named_values(text: Text, start: int, end: int) -> Query | None:
+    """'(how many) hole diameters are there': different values."""
+    query = text.attempt(_compound, start, end)
+    if not isinstance(query, Get) or not isinstance(query.target, Selection) or not query.target.plural:
+        return None
+    return Count(query.target, query.measures[0])
+
+
+def _with_or_without(text: Text, start: int, end: int) -> Query | None:
+    """'the height of the object without the height of the shaft', '… minus …', '… plus …'."""
+    for operation, category in ((Operation.MINUS, "minus"), (Operation.PLUS, "plus")):
+        for at in range(start + 1, end):
+            after = text.after(category, at, end)
+            if after is None:
+                continue
+            left = text.attempt(scalar, start, at)
+            right = text.attempt(operand, after, end, left)
+            explicit = text.words[at] in ("minus", "plus") or (right is not None and text.find("property", after, end))
+            whole = isinstance(left, Get) and isinstance(left.target, Whole)
+            if isinstance(left, Get | Count) and right is not None and (explicit or whole):
+                return Calculate(operation, left, right)
+    return None
+
+
+def operand(text: Text, start: int, end: int, like: Query | float | None) -> Scalar | None:
+    """A scalar, or a noun phrase of which the measure of `like` is meant: 'the shaft', 'that of the shaft'."""
+    at = start
+    while text.word_at(at, end, "that", "those", "of", "for", "the", "its", "their", "a"):
+        at += 1
+    same_part = isinstance(like, Get) and isinstance(like.target, Selection) and _bare(text, at, end)
+    if same_part and isinstance(like, Get):
+        found = text.attempt(_completed, at, end, like)
+        if isinstance(found, Scalar):
+            return found
+    if number := text.attempt(scalar, at, end, None if isinstance(like, float) else like):
+        return number
+    if not isinstance(like, Get):
+        return None
+    of = target(text, at, end, like.target)
+    return Get(like.measures, of, like.reduce) if of is not None else None
+
+
+def _completed(text: Text, start: int, end: int, like: Query) -> Query | None:
+    """'(its) inner diameter', 'the inner one', 'the smallest': the rest is taken from `like`."""
+    if not isinstance(like, Get):
+        return None
+    start = text.skip(start, end, "article")
+    if named := asked_measures(text, start, end):
+        if text.skip(named[1], end, "noise", "light") >= end:
+            return get(text, named[0], like.target)
+    kind = _BORE_WORDS.get(text.words[start]) if start < end else None
+    rest = text.skip(start + 1, end, "light")
+    if kind and rest >= end and (kind, like.measures[0]) in _BORES:
+        return replace(like, measures=(_BORES[kind, like.measures[0]],))
+    extreme = text.match("extreme", start, end)
+    if extreme and text.skip(extreme[1], end, "light") >= end:
+        return replace(like, reduce=Reduce(extreme[0]))
+    return None
+
+
+def _pair(text: Text, start: int, end: int, joints: tuple[str, ...]) -> tuple[Scalar, Scalar] | None:
+    """Two scalars joined by one of `joints`; either may leave out what the other one says."""
+    for at in range(start + 1, end):
+        if not text.word_at(at, end, *joints):
+            continue
+        left = text.attempt(scalar, start, at)
+        right = text.attempt(operand, at + 1, end, left)
+        if left is None or (isinstance(left, Get) and _bare(text, start, at)):
+            left = text.attempt(_left_like, start, at, right) or left
+        if left is not None and right is not None:
+            return left, right
+    return None
+
+
+def _bare(text: Text, start: int, end: int) -> bool:
+    """Is a value expression only a measure's name, without a part?"""
+    named = asked_measures(text, start, end)
+    return named is not None and named[1] >= end
+
+
+def _left_like(text: Text, start: int, end: int, right: Scalar | None) -> Scalar | None:
+    found = _completed(text, start, end, right) if isinstance(right, Get) else None
+    return found if isinstance(found, Get) else None
+
+
+def _difference(text: Text, start: int, end: int) -> Query | None:
+    """'difference between the largest and the smallest radius of …', 'difference in height between A and B'."""
+    at = start
+    measure = text.match("property", at, end)
+    at = measure[1] if measure and text.word_at(measure[1], end, "difference") else at
+    if not text.word_at(at, end, "difference", "differences"):
+        return None
+    rest = at + 1
+    if (
+        text.word_at(rest, end, "in", "of")
+        and (named := text.match("property", rest + 1, end))
+        and text.word_at(named[1], end, "between", "of")
+    ):
+        measure, rest = named, named[1]
+    elif not (measure and text.word_at(measure[1], end, "difference")):
+        measure = None
+    if not text.word_at(rest, end, "between", "of", "from"):
+        return None
+    pair = _between(text, rest + 1, end, Measure(measure[0])) if measure else _pair(text, rest + 1, end, ("and", "to"))
+    return Calculate(Operation.APART, *pair) if pair else None
+
+
+def _between(text: Text, start: int, end: int, measure: Measure) -> tuple[Scalar, Scalar] | None:
+    """The same measure of two noun phrases joined by 'and'."""
+    for at in range(start + 1, end):
+        if text.word_at(at, end, "and", "to"):
+            first = text.attempt(target, start, at)
+            second = text.attempt(target, at + 1, end, first)
+            if first is not None and second is not None:
+                return Get((asked(measure, first, text),), first), Get((asked(measure, second, text),), second)
+    return None
+
+
+def _ratio(text: Text, start: int, end: int) -> Query | None:
+    """'ratio of the flange's diameter to the shaft's', 'ratio between length and width of the slot'."""
+    if not text.word_at(start, end, "ratio", "quotient", "proportion"):
+        return None
+    rest = start + 1
+    if not text.word_at(rest, end, "of", "between"):
+        return None
+    pair = _pair(text, rest + 1, end, ("to", "and", "over"))
+    return Calculate(Operation.RATIO, *pair) if pair else None
+
+
+def _sum(text: Text, start: int, end: int) -> Query | None:
+    """'sum of the height of A and the height of B'; a sum over parts is a reduction of one measure."""
+    if not text.word_at(start, end, "sum", "total") or not text.word_at(start + 1, end, "of"):
+        return None
+    pair = _pair(text, start + 2, end, ("and", "plus"))
+    if pair is None or any(isinstance(side, Get) and _bare(text, start + 2, end) for side in pair):
+        return None
+    return Calculate(Operation.PLUS, *pair)

@@ -1,0 +1,343 @@
+"""From meaning to Python: the short program over the guest API that an engineer would write."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from querycad_contracts import AnswerType
+
+from .errors import NotUnderstood
+from .expressions import FOUND, answer_type, compared, literal, many, of_part, of_shape
+from .meaning import (
+    Aligned,
+    Angle,
+    Boundary,
+    Calculate,
+    Compare,
+    Count,
+    Distance,
+    Every,
+    Exists,
+    Filter,
+    Get,
+    Measure,
+    Operation,
+    Parts,
+    Place,
+    Query,
+    Reduce,
+    Relation,
+    Scalar,
+    Selection,
+    Uniform,
+    Whole,
+)
+from .selecting import Chosen, Selecting
+
+_STEPPED = {Measure.RADIUS: "r", Measure.DIAMETER: "2 * r"}
+"""Among all radii and diameters of parts, those of every step count."""
+_COUNTS = {
+    Relation.LESS: "<",
+    Relation.AT_MOST: "<=",
+    Relation.MORE: ">",
+    Relation.AT_LEAST: ">=",
+    Relation.UNEQUAL: "!=",
+}
+_SIDES = '["top", "bottom", "left", "right", "front", "back"]'
+
+
+def write(query: Query) -> tuple[str, AnswerType]:
+    """Which program answers a question, and with which type? Raises NotUnderstood for what no measure gives."""
+    writer = _Writer()
+    expression, kind = writer.query(query)
+    return "\n".join([*writer.select.lines, f"solution = {expression}"]) + "\n", kind
+
+
+class _Writer:
+    """Writes the value of one query; the lines that select its parts go into `select`."""
+
+    def __init__(self) -> None:
+        self.select = Selecting()
+
+    def query(self, query: Query) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a kind of meaning
+        match query:
+            case Get():
+                return self._get(query)
+            case Distance():
+                return self._distance(query)
+            case Count():
+                return self._count(query), AnswerType.COUNT
+            case Exists(target):
+                return f"len({self.select.every(target).name}) > 0", AnswerType.BOOLEAN
+            case Parts(target):
+                return self.select.choose(target).listed, AnswerType.PARTS
+            case Calculate():
+                return self._calculate(query)
+            case Compare():
+                return self._compare(query), AnswerType.BOOLEAN
+            case Every(target, filters):
+                return self._every(target, filters), AnswerType.BOOLEAN
+            case Uniform(measure, target):
+                values = f"[{of_part(measure, 'p')} for p in {self.select.every(target).name}]"
+                return f"len(different({values})) == 1", AnswerType.BOOLEAN
+            case Angle(first, second):
+                angles = self._angles(first, second)
+                return f"{angles}[0] if len({angles}) == 1 else {angles}", AnswerType.ANGLE
+            case Aligned(first, second, angle):
+                angles = self._angles(first, second)
+                is_so = f"all(close(a, {literal(angle)}, 0.001) for a in {angles})"
+                return f"len({angles}) > 0 and {is_so}", AnswerType.BOOLEAN
+
+    # Values of parts and of the whole
+
+    def _get(self, query: Get) -> tuple[str, AnswerType]:
+        if isinstance(query.target, Whole):
+            return self._whole(query.measures)
+        if query.measures == (Measure.SIDES,):
+            parts = self.select.every(query.target).name
+            return f"[side for side in {_SIDES} if any(side in p.sides for p in {parts})]", AnswerType.TEXTS
+        if query.measures == (Measure.COLOR,):
+            names = f"[p.name for p in {self.select.every(query.target).name}]"
+            return f"[body.color for body in shape.bodies if body.name in {names}]", AnswerType.TEXTS
+        if query.reduce is not Reduce.EACH:
+            return self._reduced(query)
+        if len(query.measures) > 1:
+            return self._several(query)
+        return self._each(of_part(query.measures[0], "{0}"), query.target, answer_type(query.measures[0], False))
+
+    def _each(self, template: str, target: Selection, kind: AnswerType) -> tuple[str, AnswerType]:
+        """One value a part; of 'the hole' a single value when there is one such part. '{0}' stands for the part."""
+        chosen = self.select.choose(target)
+        if chosen.single:
+            return template.format(chosen.name), kind
+        listed = f"[{template.format('p')} for p in {chosen.name}]"
+        if chosen.plural:
+            return listed, many(kind)
+        return f"{template.format(chosen.first)} if len({chosen.name}) == 1 else {listed}", kind
+
+    def _several(self, query: Get) -> tuple[str, AnswerType]:
+        """Several measures: one after the other, part by part."""
+        assert isinstance(query.target, Selection)
+        kind = _kind(query.measures)
+        chosen = self.select.choose(query.target)
+        if chosen.single:
+            return _listed([of_part(measure, chosen.name) for measure in query.measures]), kind
+        values = ", ".join(of_part(measure, "p") for measure in query.measures)
+        return f"[value for p in {chosen.name} for value in ({values})]", kind
+
+    def _whole(self, measures: tuple[Measure, ...]) -> tuple[str, AnswerType]:
+        values = [self._of_shape(measure) for measure in measures]
+        return _listed(values), AnswerType.TEXTS if measures == (Measure.COLOR,) else _kind(measures)
+
+    def _of_shape(self, measure: Measure) -> str:
+        expression = of_shape(measure)
+        if expression is None:
+            name = measure.value.replace("_", " ")
+            raise NotUnderstood(f"The whole model has no {name}; name the part that is meant.")
+        if "{round}" not in expression:
+            return expression
+        name = self.select.name("round_extents")
+        pairs = "[(width, depth), (width, height), (depth, height)]"
+        self.select.lines.append("width, depth, height = shape.extents")
+        self.select.lines.append(f"{name} = [a for a, b in {pairs} if close(a, b)]")
+        return expression.replace("{round}", name)
+
+    def _reduced(self, query: Get) -> tuple[str, AnswerType]:
+        assert isinstance(query.target, Selection)
+        if len(query.measures) > 1:
+            raise NotUnderstood("Ask for one measure at a time to be compared or summed up.")
+        single = query.target.single
+        chosen = self.select.choose(query.target) if single else self.select.every(query.target)
+        measure = query.measures[0]
+        values = f"{of_part(measure, 'p')} for p in {chosen.listed}"
+        if measure in _STEPPED and query.reduce in (Reduce.LARGEST, Reduce.SMALLEST):
+            values = f"{_STEPPED[measure]} for p in {chosen.listed} for r in p.radii"
+        kind = answer_type(measure, False)
+        match query.reduce:
+            case Reduce.DIFFERENT:
+                return self._different(measure, chosen), many(kind)
+            case Reduce.TOTAL:
+                return f"sum({values})", kind
+            case Reduce.MEAN:
+                return f"sum({values}) / len({chosen.listed})", kind
+            case reduce if query.nth > 1:
+                index = -query.nth if reduce is Reduce.LARGEST else query.nth - 1
+                return f"different([{values}])[{index}]", kind
+            case reduce:
+                return f"{'max' if reduce is Reduce.LARGEST else 'min'}({values})", kind
+
+    def _different(self, measure: Measure, chosen: Chosen) -> str:
+        """The different values; of radii and diameters, those of every step."""
+        if measure in _STEPPED:
+            return f"different([{_STEPPED[measure]} for p in {chosen.listed} for r in p.radii])"
+        values = f"{of_part(measure, 'p')} for p in {chosen.listed}"
+        match answer_type(measure, False):
+            case AnswerType.LENGTH:
+                return f"different([{values}])"
+            case AnswerType.AREA | AnswerType.VOLUME:
+                return f"different([{values}], 1e-12)"
+            case _:
+                return f"sorted(set([{values}]))"
+
+    def _count(self, query: Count) -> str:
+        phrase = query.target.phrases[0]
+        plain = len(query.target.phrases) == 1 and not (phrase.sides or phrase.filters or phrase.ranks)
+        if plain and query.measure is None and phrase.description in ("face", "surface"):
+            return "shape.face_count"
+        chosen = self.select.every(query.target)
+        return f"len({chosen.name if query.measure is None else self._different(query.measure, chosen)})"
+
+    # Two values
+
+    def _scalar(self, value: Scalar, relation: Relation | None = None, right: bool = False) -> str:
+        """One number; of several parts the one that decides the comparison, else the largest."""
+        if isinstance(value, float):
+            return literal(value)
+        if isinstance(value, Count):
+            return self._count(value)
+        if isinstance(value, Distance):
+            each = value.reduce is Reduce.EACH
+            return self._distance(replace(value, reduce=Reduce.SMALLEST) if each else value)[0]
+        if isinstance(value.target, Whole):
+            return self._whole(value.measures)[0]
+        if value.reduce is not Reduce.EACH:
+            return self._reduced(value)[0]
+        chosen = self.select.choose(value.target)
+        if chosen.single or not chosen.plural:
+            return of_part(value.measures[0], chosen.first)
+        upwards = relation in (Relation.MORE, Relation.AT_LEAST)
+        pick = "min" if relation is not None and upwards != right else "max"
+        return f"{pick}({of_part(value.measures[0], 'p')} for p in {chosen.name})"
+
+    def _calculate(self, query: Calculate) -> tuple[str, AnswerType]:
+        left, right = self._term(query.left, query.operation), self._term(query.right, query.operation)
+        kind = AnswerType.NUMBER if isinstance(query.left, Count) else AnswerType.LENGTH
+        if isinstance(query.left, Get):
+            kind = answer_type(query.left.measures[0], False)
+        match query.operation:
+            case Operation.RATIO:
+                return f"{_grouped(left)} / {_grouped(right)}", AnswerType.NUMBER
+            case Operation.PLUS:
+                return f"{left} + {right}", kind
+            case Operation.APART:
+                return f"abs({left} - {_grouped(right)})", kind
+            case Operation.MINUS:
+                return f"{left} - {_grouped(right)}", kind
+
+    def _term(self, value: Scalar, operation: Operation) -> str:
+        """One number of a calculation; in a sum, all parts count."""
+        several = isinstance(value, Get) and isinstance(value.target, Selection) and value.target.plural
+        if isinstance(value, Get) and several and value.reduce is Reduce.EACH and operation is Operation.PLUS:
+            value = replace(value, reduce=Reduce.TOTAL)
+        return self._scalar(value)
+
+    def _compare(self, query: Compare) -> str:
+        left = self._scalar(query.left, query.relation)
+        if isinstance(query.left, Count):
+            right = self._scalar(query.right).removesuffix(".0")
+            return f"{left} {_COUNTS.get(query.relation, '==')} {right}"
+        measure = query.left.measures[0] if isinstance(query.left, Get) else Measure.LENGTH
+        if isinstance(query.right, float):
+            return self.select.bound(left, measure, query.relation, query.right, None)
+        slack = FOUND if answer_type(measure, False) is AnswerType.LENGTH else 1e-12
+        return compared(left, query.relation, self._scalar(query.right, query.relation, right=True), None, slack)
+
+    def _every(self, target: Selection, filters: tuple[Filter, ...]) -> str:
+        chosen = self.select.every(target)
+        conditions = [self.select.condition(condition, target.noun_class) for condition in filters]
+        matching = self.select.name("matching")
+        self.select.lines.append(f"{matching} = [p for p in {chosen.name} if {' and '.join(conditions)}]")
+        return f"0 < len({matching}) == len({chosen.name})"
+
+    # Pairs of parts
+
+    def _angles(self, first: Selection, second: Selection | None) -> str:
+        pairs = self._pairs(first, second)
+        name = self.select.name("angles")
+        self.select.lines.append(f"{name} = [a.angle_to(b) {pairs}]")
+        return name
+
+    def _pairs(self, first: Selection, second: Selection | None) -> str:
+        """The loop over 'a' and 'b': every two of one selection, or each of one with each of the other."""
+        if second is None:
+            parts = self.select.every(first).name
+            return f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
+        parts, others = self.select.choose(first).listed, self.select.choose(second).listed
+        return f"for a in {parts} for b in {others}"
+
+    def _distance(self, query: Distance) -> tuple[str, AnswerType]:
+        first, second = query.first, query.second
+        if not isinstance(first, Selection) and second is not None:
+            first, second = second, first
+        if not isinstance(first, Selection):
+            raise NotUnderstood("A distance needs a part; name what it is measured from.")
+        if second is not None and not isinstance(second, Selection):
+            return self._to_place(first, second, query)
+        if isinstance(second, Selection) and first.single and second.single:
+            a, b = self.select.choose(first).name, self.select.choose(second).name
+            return _apart(query.centers, query.axis, a, b), AnswerType.LENGTH
+        pairs = self._pairs(first, second)
+        name = self.select.name("distances")
+        self.select.lines.append(f"{name} = [{_apart(query.centers, query.axis)} {pairs}]")
+        if query.axis is not None and second is None and query.reduce is Reduce.SMALLEST:
+            self.select.lines.append(f"{name} = [d for d in {name} if d > {FOUND:g}]")
+        match query.reduce:
+            case Reduce.EACH if second is None:
+                return f"{name}[0] if len({name}) == 1 else {name}", AnswerType.LENGTH
+            case Reduce.DIFFERENT:
+                return f"different({name})", AnswerType.LENGTHS
+            case Reduce.TOTAL:
+                return f"sum({name})", AnswerType.LENGTH
+            case Reduce.MEAN:
+                return f"sum({name}) / len({name})", AnswerType.LENGTH
+            case Reduce.LARGEST:
+                return f"max({name})", AnswerType.LENGTH
+            case _:
+                return f"min({name})", AnswerType.LENGTH
+
+    def _to_place(self, parts: Selection, place: Place, query: Distance) -> tuple[str, AnswerType]:
+        """From parts to a point or an outer plane of the whole model."""
+        template = _from_place(place, query.axis, query.centers)
+        if query.reduce is Reduce.EACH:
+            return self._each(template, parts, AnswerType.LENGTH)
+        pick = "max" if query.reduce is Reduce.LARGEST else "min"
+        return f"{pick}({template.format('p')} for p in {self.select.every(parts).name})", AnswerType.LENGTH
+
+
+def _apart(centers: bool, axis: int | None, a: str = "a", b: str = "b") -> str:
+    """How far apart the parts `a` and `b` are."""
+    if axis is None:
+        return f"{a}.center_distance({b})" if centers else f"{a}.distance_to({b})"
+    between = f"abs({a}.center[{axis}] - {b}.center[{axis}])"
+    return between if centers else f"max(0.0, {between} - {a}.half_extents[{axis}] - {b}.half_extents[{axis}])"
+
+
+def _from_place(place: Place, axis: int | None, centers: bool) -> str:
+    """How far a part '{0}' is from a place of the whole model."""
+    if isinstance(place, Boundary):
+        outward = place.side.outward
+        i = next(i for i, value in enumerate(outward) if value)
+        surface = "" if centers else f" - {{0}}.half_extents[{i}]"
+        if outward[i] > 0:
+            return f"shape.max_corner[{i}] - {{0}}.center[{i}]{surface}"
+        return f"{{0}}.center[{i}] - shape.min_corner[{i}]{surface}"
+    point = "shape.center" if isinstance(place, Whole) else "(0.0, 0.0, 0.0)"
+    if axis is None:
+        return f"distance({{0}}.center, {point})"
+    return f"abs({{0}}.center[{axis}] - {point}[{axis}])"
+
+
+def _kind(measures: tuple[Measure, ...]) -> AnswerType:
+    """The type of the values of measures asked for together."""
+    kinds = {answer_type(measure, len(measures) > 1) for measure in measures}
+    if len(kinds) > 1:
+        raise NotUnderstood("Ask for measures of different kinds in separate questions.")
+    return kinds.pop()
+
+
+def _listed(values: list[str]) -> str:
+    return values[0] if len(values) == 1 else f"[{', '.join(values)}]"
+
+
+def _grouped(expression: str) -> str:
+    return f"({expression})" if " + " in expression or " - " in expression else expression

@@ -1,0 +1,1 @@
+"""Asked questions on their way to an answer, and the answers' pictures."""

@@ -1,0 +1,1 @@
+"""Uploaded models: their files, what is known of them, their parts."""

@@ -1,0 +1,251 @@
+"""The question worker: `python -m querycad_api.worker`
+
+It does a question's own steps, so that the web process may come and go.
+A question whose worker died is done by another; after `ATTEMPTS` it is given up. Whatever happens, a job ends with a
+record.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from datetime import UTC, datetime
+from typing import Any, cast
+
+from celery import Celery, Task
+from celery.bootsteps import StartStopStep
+from celery.exceptions import SoftTimeLimitExceeded
+from celery.signals import heartbeat_sent
+from kombu import Queue as KombuQueue
+from redis import Redis
+from redis.backoff import ExponentialBackoff
+from redis.retry import Retry
+
+from querycad_contracts import (
+    AnswerRecord,
+    Failure,
+    Job,
+    ModelResource,
+    ModelStatus,
+    ModelSummary,
+    Program,
+    QuestionTask,
+    Queue,
+    RunOutcome,
+    Status,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+    alive_key,
+)
+
+from .answering import answer_question
+from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
+from .settings import ApiSettings
+from .state import Ledger
+
+ATTEMPTS = 2
+"""A question that has taken its worker with it twice will do so again."""
+RETRIES = 5
+"""Of a sandbox that does not answer; with the pauses below some 10 s, in which it is started again."""
+PAUSE_S = 2.0
+READING_S = 0.2
+"""Between two looks at a model that is still being read, growing to five times that."""
+READING_AT_MOST_S = 3600.0
+HARD_MARGIN_S = 20
+VISIBILITY_MARGIN_S = 10
+STORE_TRIES, STORE_PAUSE_S = 100, 1.0
+"""A worker waits for a store that is away: a task that fails for want of it would be lost."""
+RESTORE_S = 5
+"""Between two looks for questions that were taken and not answered in time."""
+UNACKED_INDEX = "querycad:questions:unacked_index"
+ALIVE_S = 10
+
+log = logging.getLogger(__name__)
+
+
+def make_app(settings: ApiSettings) -> Celery:
+    """The Celery application of a question worker."""
+    app = Celery("querycad_api", broker=settings.redis_url)
+    redis = Redis.from_url(settings.redis_url)  # connects when used, in each process anew
+    hard_s = settings.question_s + HARD_MARGIN_S
+    app.conf.update(
+        task_queues=[KombuQueue(Queue.QUESTIONS.value)],
+        task_default_queue=Queue.QUESTIONS.value,
+        worker_concurrency=settings.question_processes,
+        worker_pool="prefork",
+        worker_prefetch_multiplier=1,
+        worker_hijack_root_logger=False,
+        worker_redirect_stdouts=False,
+        worker_cancel_long_running_tasks_on_connection_loss=False,
+        broker_connection_retry_on_startup=True,
+        broker_transport_options={
+            "visibility_timeout": hard_s + VISIBILITY_MARGIN_S,
+            # The segworkers' is another: whoever looks for lost tasks must not give out theirs too early.
+            "unacked_key": "querycad:questions:unacked",
+            "unacked_index_key": UNACKED_INDEX,
+            "unacked_mutex_key": "querycad:questions:unacked_mutex",
+            "unacked_restore_interval": RESTORE_S,
+            "unacked_restore_throttle": 1,
+        },
+        task_publish_retry_policy={
+            "max_retries": STORE_TRIES,
+            "interval_start": 0,
+            "interval_step": 0.1,
+            "interval_max": STORE_PAUSE_S,
+        },
+        task_acks_late=True,
+        task_reject_on_worker_lost=True,
+        task_ignore_result=True,
+        task_soft_time_limit=settings.question_s,
+        task_time_limit=hard_s,
+    )
+    process = Questions(settings)
+
+    def question(self: Task, payload: dict[str, Any]) -> None:
+        again_s = process.answer(QuestionTask.model_validate(payload), int(self.request.retries))
+        if again_s is not None:
+            raise self.retry(countdown=again_s)
+
+    def model_read(outcome: dict[str, Any], model: str) -> None:
+        process.ledger.finish_model(model, TaskOutcome[ModelSummary].model_validate(outcome))
+
+    def model_lost(_task_id: str, model: str) -> None:
+        failure = TaskFailure(
+            kind=TaskFailureKind.INTERNAL, message="the file could not be read: its worker was stopped", retryable=True
+        )
+        process.ledger.finish_model(model, TaskOutcome[ModelSummary](failure=failure))
+
+    app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
+    app.task(model_read, name=TaskName.MODEL_READ.value)
+    app.task(model_lost, name=TaskName.MODEL_LOST.value)
+
+    heartbeat_sent.connect(lambda **_: redis.set(alive_key(Queue.QUESTIONS), 1, ex=ALIVE_S), weak=False)
+    if settings.sole_worker:
+        app.steps["consumer"].add(_take_over(redis))
+    return app
+
+
+def _take_over(redis: Redis) -> type[StartStopStep]:
+    """What a sole worker does each time that it connects: questions that were taken and not answered are due at once.
+
+    Its predecessor may have died with them, or the store while it had them.
+    """
+
+    class TakeOver(StartStopStep):  # type: ignore[misc]  # Celery is untyped
+        requires = ("celery.worker.consumer.tasks:Tasks",)
+
+        def start(self, _consumer: object) -> None:
+            for tag in cast("list[bytes]", redis.zrange(UNACKED_INDEX, 0, -1)):
+                redis.zadd(UNACKED_INDEX, {tag: 0}, xx=True)
+
+    return TakeOver
+
+
+class Questions:
+    """Answers questions, in one process. Connects when it is first used, which is after the fork."""
+
+    def __init__(
+        self, settings: ApiSettings, ledger: Ledger | None = None, sandbox: SandboxClient | None = None
+    ) -> None:
+        self._settings = settings
+        self._ledger = ledger
+        self._sandbox = sandbox
+
+    @property
+    def ledger(self) -> Ledger:
+        """Where models and jobs are finished."""
+        if self._ledger is None:
+            patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
+            redis = Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
+            self._ledger = Ledger(redis, self._settings.answers_days)
+        return self._ledger
+
+    @property
+    def sandbox(self) -> SandboxClient:
+        """Where programs run."""
+        if self._sandbox is None:
+            self._sandbox = SandboxClient(self._settings.sandbox_url, self._settings.question_s)
+        return self._sandbox
+
+    def answer(self, task: QuestionTask, retries: int = 0) -> float | None:
+        """Ends the job with a record; or, where something is not ready, in how many seconds is it to be tried again?"""
+        job = self.ledger.job(task.job)
+        if job is None or job.record is not None:
+            return None
+        if self.ledger.begin_job(task.job) > ATTEMPTS:
+            message = f"given up: {ATTEMPTS} workers died while they answered this"
+            self.ledger.finish_job(task.job, failed(task.question, Failure(category="internal", message=message)))
+            return None
+        start = time.perf_counter()
+        model = self.ledger.model(task.model)
+        if model is not None and model.status is ModelStatus.READING and _age_s(job) < READING_AT_MOST_S:
+            self.ledger.wait_job(task.job)
+            return READING_S * min(5, 1 + retries)
+        model_ms = round((time.perf_counter() - start) * 1e3, 3)
+        try:
+            record = self._record(task, model, model_ms)
+        except SandboxUnavailable as error:
+            log.warning("job %s: sandbox: %s", task.job, error)
+            if retries < RETRIES:
+                self.ledger.wait_job(task.job)
+                return PAUSE_S
+            failure = Failure(category="internal", message="the sandbox does not answer; try again", retryable=True)
+            record = failed(task.question, failure)
+        self.ledger.finish_job(task.job, record)
+        return None
+
+    def _record(self, task: QuestionTask, model: ModelResource | None, model_ms: float) -> AnswerRecord:
+        if model is None or model.summary is None:
+            gone = Failure(category="internal", message="the model's file was not read in time", retryable=True)
+            return failed(task.question, (model.failure if model else None) or gone)
+
+        def run(program: Program) -> RunOutcome:
+            return self.sandbox.run(program, task.model)
+
+        try:
+            record = answer_question(task.question, run, task.unit)
+        except RunRefused as refused:
+            return failed(task.question, refused.failure)
+        except SoftTimeLimitExceeded:
+            message = f"not answered within {self._settings.question_s} s"
+            return failed(task.question, Failure(category="limit", message=message, retryable=True))
+        except SandboxUnavailable:
+            raise
+        except Exception:
+            log.exception("job %s failed", task.job)
+            return failed(task.question, Failure(category="internal", message="the question could not be answered"))
+        warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
+        return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
+
+
+def failed(question: str, failure: Failure) -> AnswerRecord:
+    """The record of a question that no program was run for."""
+    return AnswerRecord(
+        question=question,
+        status=Status.FAILED,
+        answer=None,
+        code=None,
+        codegen=None,
+        parts=(),
+        timings_ms={},
+        warnings=(),
+        failure=failure,
+    )
+
+
+def _age_s(job: Job) -> float:
+    return (datetime.now(UTC) - job.created).total_seconds()
+
+
+def main() -> None:
+    """Works until it is told to stop; SIGTERM lets running questions end."""
+    settings = ApiSettings.read()
+    make_app(settings).worker_main(
+        ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", "--hostname=questions@%h"]
+    )
+
+
+if __name__ == "__main__":
+    main()
