@@ -31,6 +31,7 @@ from .services import (
     TaskName,
     TaskOutcome,
     alive_key,
+    reply_key,
 )
 from .settings import BrokerSettings, Settings, StorageSettings, WorkerSettings
 
@@ -89,4 +90,5 @@ __all__ = [
     "Vector",
     "WorkerSettings",
     "alive_key",
+    "reply_key",
 ]

@@ -47,6 +47,11 @@ def alive_key(queue: Queue) -> str:
     return f"querycad:alive:{queue.value}"
 
 
+def reply_key(task: str) -> str:
+    """Under which Redis key does a called segworker leave its TaskOutcome? A list of one, which the caller takes."""
+    return f"querycad:reply:{task}"
+
+
 class ModelTask(Frozen):
     """What is asked of one known model."""
 

@@ -1,0 +1,175 @@
+"""`querycad ask`: one or many questions about one file, answered in this process."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, TextIO
+
+from querycad_contracts import AnswerRecord, Failure, LengthUnit, Status
+from querycad_segworker.errors import FileProblem
+
+from .runtime import EmbeddedRuntime
+
+if TYPE_CHECKING:
+    from .ask_server import ServerRuntime
+
+EXIT_ANSWERED, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+_BAD_INPUT = ("bad_input", "not_grounded", "not_understood")
+_STAGES = {
+    "read": "reading the STEP file",
+    "measure": "measuring faces and edges",
+    "tessellate": "making triangles",
+    "look": "looking from six sides",
+    "recognise": "recognising features",
+}
+
+
+def ask(options: argparse.Namespace) -> int:
+    """Answers and prints; returns the exit code: 0 all answered, 2 where input was at fault, else 1."""
+    try:
+        questions = _questions(options)
+    except ValueError as error:
+        return _complain(str(error))
+    if options.server:
+        from .ask_server import ask_server  # here: no HTTP client is loaded where nothing is sent
+
+        return ask_server(options, lambda runtime: _ask_each(runtime, options, questions))
+    return _ask_each(EmbeddedRuntime(), options, questions)
+
+
+def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, questions: list[str]) -> int:
+    unit = LengthUnit(options.unit)
+    worst = EXIT_ANSWERED
+    with runtime:
+        for number, question in enumerate(questions):
+            with _ProgressLine(sys.stderr) as progress:
+                try:
+                    record = runtime.ask(options.file, question, unit, progress.stage)
+                except FileProblem as problem:
+                    progress.clear()
+                    if options.json:
+                        print(_unreadable(question, problem).model_dump_json())
+                    return _complain(f"{options.file}: {problem}")
+            code = _exit_code(record)
+            worst = max(worst, code)
+            if options.json:
+                print(record.model_dump_json(), flush=True)
+            else:
+                _print_record(record, options)
+            if options.picture and record.status is Status.ANSWERED:
+                path = _picture_path(options.picture, number, len(questions))
+                _draw(runtime, options, record, path)
+    return worst
+
+
+def _questions(options: argparse.Namespace) -> list[str]:
+    if (options.question is None) == (options.questions is None):
+        raise ValueError("give either a QUESTION or --questions FILE.txt")
+    if options.question is not None:
+        return [options.question]
+    try:
+        lines = Path(options.questions).read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{options.questions}: {getattr(error, 'strerror', None) or 'not UTF-8 text'}") from error
+    questions = [line.strip() for line in lines if line.strip()]
+    if not questions:
+        raise ValueError(f"{options.questions}: no question in it")
+    return questions
+
+
+def _exit_code(record: AnswerRecord) -> int:
+    if record.status is Status.ANSWERED:
+        return EXIT_ANSWERED
+    category = record.failure.category if record.failure else ""
+    return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED
+
+
+def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
+    many = options.questions is not None
+    if many:
+        print(record.question)
+    if record.answer is not None:
+        print(f"{'  ' if many else ''}{record.answer.text}")
+        for part in record.parts:
+            sides = ", ".join(part.sides) or "hidden"
+            print(f"  {part.id}: {part.label} (faces {_faces(part.faces)}; visible from: {sides})")
+    elif record.failure is not None:
+        nearest = f" (known here: {', '.join(record.failure.nearest)})" if record.failure.nearest else ""
+        status = "not grounded" if record.status is Status.NOT_GROUNDED else record.failure.category.replace("_", " ")
+        print(f"querycad: {status}: {record.failure.message}{nearest}", file=sys.stderr)
+    for warning in record.warnings if record.answer is not None else ():
+        print(f"  note: {warning}")
+    if options.show_code and record.code is not None:
+        print(f"  program, written by the {record.codegen}:")
+        print("\n".join(f"    {line}" for line in record.code.splitlines()))
+    if options.show_code:
+        print("  timings: " + ", ".join(f"{step} {ms:.1f} ms" for step, ms in record.timings_ms.items()))
+
+
+def _faces(ids: tuple[int, ...]) -> str:
+    shown = ", ".join(str(i) for i in ids[:8])
+    return f"{shown} and {len(ids) - 8} more" if len(ids) > 8 else shown
+
+
+def _picture_path(given: str, number: int, count: int) -> Path:
+    path = Path(given)
+    return path if count == 1 else path.with_stem(f"{path.stem}-{number + 1}")
+
+
+def _draw(
+    runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, record: AnswerRecord, path: Path
+) -> None:
+    try:
+        runtime.draw(options.file, record, path)
+    except OSError as error:
+        _complain(f"{path}: the picture cannot be written: {error.strerror}")
+        return
+    if not options.json:
+        print(f"  picture: {path}")
+
+
+def _unreadable(question: str, problem: FileProblem) -> AnswerRecord:
+    return AnswerRecord(
+        question=question,
+        status=Status.FAILED,
+        answer=None,
+        code=None,
+        codegen=None,
+        parts=(),
+        timings_ms={},
+        warnings=(),
+        failure=Failure(category="bad_input", message=str(problem), retryable=problem.retryable),
+    )
+
+
+def _complain(message: str) -> int:
+    print(f"querycad: {message}", file=sys.stderr)
+    return EXIT_BAD_INPUT
+
+
+class _ProgressLine:
+    """One line on a terminal that says what is being done; nothing where standard error is no terminal."""
+
+    def __init__(self, stream: TextIO) -> None:
+        self._stream = stream
+        self._shown = False
+
+    def __enter__(self) -> _ProgressLine:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.clear()
+
+    def stage(self, name: str) -> None:
+        if self._stream.isatty():
+            self._stream.write(f"\r\x1b[K{_STAGES.get(name, name)} …")
+            self._stream.flush()
+            self._shown = True
+
+    def clear(self) -> None:
+        if self._shown:
+            self._stream.write("\r\x1b[K")
+            self._stream.flush()
+        self._shown = False

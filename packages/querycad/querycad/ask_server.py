@@ -1,0 +1,72 @@
+"""`querycad ask --server`: the same answers, computed by a running service."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Self
+
+import httpx
+
+from querycad_contracts import AnswerRecord, LengthUnit, ModelStatus
+
+from .client import Client, ClientError, ServerProblem
+
+READ_S = 300.0
+
+EXIT_FAILED, EXIT_BAD_INPUT = 1, 2
+
+
+def ask_server(options: argparse.Namespace, answer_each: Callable[[ServerRuntime], int]) -> int:
+    """Lets the service answer; returns the exit code."""
+    try:
+        return answer_each(ServerRuntime(options.server))
+    except ServerProblem as error:
+        print(f"querycad: {options.file}: {error}", file=sys.stderr)
+        return EXIT_BAD_INPUT if error.problem.status < httpx.codes.INTERNAL_SERVER_ERROR else EXIT_FAILED
+    except (ClientError, TimeoutError) as error:
+        print(f"querycad: {error}", file=sys.stderr)
+        return EXIT_FAILED
+    except OSError as error:
+        print(f"querycad: {options.file}: {error.strerror}", file=sys.stderr)
+        return EXIT_BAD_INPUT
+
+
+class ServerRuntime:
+    """Answers questions about files on this machine by uploading them to a service. Raises ClientError and OSError."""
+
+    def __init__(self, url: str) -> None:
+        self._client = Client(url)
+        self._models: dict[str, str] = {}
+        self._job = ""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._client.close()
+
+    def ask(
+        self,
+        file: Path | str,
+        question: str,
+        unit: LengthUnit = LengthUnit.MM,
+        progress: Callable[[str], None] | None = None,
+    ) -> AnswerRecord:
+        """What is the answer to the question about this file?"""
+        if str(file) not in self._models:
+            if progress is not None:
+                progress("read")
+            model = self._client.upload(file, READ_S)
+            if model.status is ModelStatus.READING:
+                raise TimeoutError(f"the service did not read the file within {READ_S:g} s")
+            self._models[str(file)] = model.id
+        job = self._client.submit(self._models[str(file)], question, unit)
+        self._job = job.id
+        return self._client.wait(job.id)
+
+    def draw(self, file: Path | str, _record: AnswerRecord, path: Path) -> None:
+        """Writes the picture of the last answer. Raises OSError."""
+        path.write_bytes(self._client.picture(self._models[str(file)], self._job))

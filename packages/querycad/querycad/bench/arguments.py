@@ -1,0 +1,112 @@
+"""The arguments of `querycad bench`. Imports nothing that a user of other commands would wait for."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    Commands = argparse._SubParsersAction[argparse.ArgumentParser]
+
+
+def add_bench(commands: Commands) -> None:
+    """Adds `bench` and its own commands."""
+    bench = commands.add_parser(
+        "bench",
+        help="measure accuracy and speed",
+        description="Without a command: asks all questions of ./benchmark and, where present, ../shared/cad-qa-dev, "
+        "and fails when the score is below the recorded floor.",
+    )
+    bench.add_argument(
+        "--record", action="store_true", help="keep the score: trend, summary, and the floor where higher"
+    )
+    _add_common(bench, out="build/bench")
+    bench.set_defaults(run=_run, bench="all")
+    inner = bench.add_subparsers(metavar="COMMAND")
+    _add_run(inner)
+    _add_score(inner)
+    _add_ablate(inner)
+    _add_compare(inner)
+    _add_perf(inner)
+
+
+def _add_run(commands: Commands) -> None:
+    run = commands.add_parser("run", help="ask all questions of a benchmark folder")
+    run.add_argument("folder", metavar="DIR", help="holds <set>/<id>/cad.step …, or questions/*.json")
+    _add_models(run)
+    run.add_argument("--resume", action="store_true", help="do not ask again what OUT has results of")
+    _add_common(run, out="bench-results")
+    run.set_defaults(run=_run, bench="run")
+
+
+def _add_score(commands: Commands) -> None:
+    score = commands.add_parser("score", help="score the answers of another system")
+    score.add_argument("folder", metavar="DIR", help="the benchmark folder")
+    _add_models(score)
+    score.add_argument("answers", metavar="ANSWERS", help="a JSON file, or a folder of <set>/<id>/answers.txt")
+    score.add_argument("--out", metavar="DIR", default="bench-results", help="where results go (default: %(default)s)")
+    score.add_argument("--overrides", metavar="FILE", help="classes of failure by hand (default: OUT/overrides.json)")
+    score.set_defaults(run=_run, bench="score")
+
+
+def _add_ablate(commands: Commands) -> None:
+    ablate = commands.add_parser("ablate", help="run a benchmark once for every value of an option, one table")
+    ablate.add_argument("folder", metavar="DIR", help="the benchmark folder")
+    _add_models(ablate)
+    ablate.add_argument("--option", required=True, metavar="NAME", help="the option that varies, such as codegen")
+    ablate.add_argument("--values", required=True, nargs="+", metavar="VALUE", help="its values")
+    _add_common(ablate, out="bench-ablation")
+    ablate.set_defaults(run=_run, bench="ablate")
+
+
+def _add_compare(commands: Commands) -> None:
+    compare = commands.add_parser("compare", help="which answers did a change fix, which did it break?")
+    compare.add_argument("before", metavar="A", help="results.json of a run, or its folder")
+    compare.add_argument("after", metavar="B", help="results.json of another run, or its folder")
+    compare.set_defaults(run=_run, bench="compare")
+
+
+def _add_perf(commands: Commands) -> None:
+    perf = commands.add_parser("perf", help="measure speed, each figure against a baseline in the same run")
+    perf.add_argument("models", nargs="*", metavar="FILE", help="STEP files (default: those in examples/)")
+    perf.add_argument("--questions", type=_positive, default=200, metavar="N", help="questions asked (default: 200)")
+    perf.add_argument("--repeat", type=_positive, default=3, metavar="N", help="readings of each file (default: 3)")
+    perf.add_argument("--out", metavar="FILE.json", help="write the figures there")
+    perf.set_defaults(run=_run, bench="perf")
+
+
+def _add_common(parser: argparse.ArgumentParser, out: str) -> None:
+    parser.add_argument("--out", metavar="DIR", default=out, help="where results go (default: %(default)s)")
+    parser.add_argument(
+        "--jobs", type=_positive, default=_cores(), metavar="N", help="models at a time (default: cores)"
+    )
+    parser.add_argument("--codegen", default="parser", metavar="NAME", help="who writes the code (default: parser)")
+    parser.add_argument("--system", metavar="MODULE:CLASS", help="measure another system through this adapter")
+    parser.add_argument("--timeout", type=_positive, default=60, metavar="S", help="of one question (default: 60 s)")
+    parser.add_argument("--pictures", action="store_true", help="put pictures of what was found into the report")
+    parser.add_argument(
+        "--reuse-models", action="store_true", help="use models read before; without it every file is read anew"
+    )
+    parser.add_argument("--overrides", metavar="FILE", help="classes of failure by hand (default: OUT/overrides.json)")
+
+
+def _add_models(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--models", metavar="DIR", help="where the STEP files of questions/*.json are")
+
+
+def _positive(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("must be 1 or more")
+    return value
+
+
+def _cores() -> int:
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _run(options: argparse.Namespace) -> int:
+    from .commands import bench  # here, so that `querycad --help` needs no service
+
+    return bench(options)

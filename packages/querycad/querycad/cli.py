@@ -1,0 +1,76 @@
+"""The `querycad` command."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command line and returns its exit code: 0 done, 1 failed, 2 bad input."""
+    parser = argparse.ArgumentParser(
+        prog="querycad", description="Ask a CAD model a question in plain language and get a precise, grounded answer."
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    _add_ask(commands)
+    _add_serve(commands)
+    _add_bench(commands)
+    options = parser.parse_args(arguments)
+    try:
+        return int(options.run(options))
+    except KeyboardInterrupt:
+        print("querycad: interrupted", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 1
+
+
+def _add_ask(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    ask = commands.add_parser("ask", help="answer a question about a STEP file")
+    ask.add_argument("file", metavar="FILE", help="a STEP file")
+    ask.add_argument("question", nargs="?", metavar="QUESTION", help="the question, in English")
+    ask.add_argument("--questions", metavar="FILE.txt", help="a file with one question a line, instead of QUESTION")
+    ask.add_argument("--json", action="store_true", help="print one JSON object a question and nothing else")
+    ask.add_argument("--unit", choices=["mm", "m", "in"], default="mm", help="unit of lengths in text (default: mm)")
+    ask.add_argument("--picture", metavar="OUT.png", help="draw the parts that the answer rests on")
+    ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
+    ask.add_argument("--server", metavar="URL", help="let a running service answer, such as http://127.0.0.1:8000")
+    ask.set_defaults(run=_ask)
+
+
+def _ask(options: argparse.Namespace) -> int:
+    from .ask import ask  # here, so that `querycad --help` needs no service
+
+    return ask(options)
+
+
+def _add_serve(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    serve = commands.add_parser("serve", help="run all services on this machine")
+    serve.add_argument("--port", type=int, default=8000, help="port of the HTTP interface (default: 8000; 0: any free)")
+    serve.add_argument("--workers", type=_positive, default=1, metavar="N", help="SegCAD processes (default: 1)")
+    serve.set_defaults(run=_serve)
+
+
+def _serve(options: argparse.Namespace) -> int:
+    from .serve import serve
+
+    return serve(options)
+
+
+def _positive(text: str) -> int:
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError("at least 1")
+    return number
+
+
+def _add_bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from .bench.arguments import add_bench
+
+    add_bench(commands)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
