@@ -6,14 +6,15 @@ SegCadFailed         a segworker answered that it cannot: `failure` says why
 
 from __future__ import annotations
 
+import json
 import logging
 from collections.abc import Sequence
-from typing import Any, Final, Protocol, TypeVar
+from typing import Any, Final, Protocol, TypeVar, cast
 
 from celery import Celery
-from celery import exceptions as celery_errors
 from kombu.exceptions import OperationalError
 from pydantic import TypeAdapter
+from redis import Redis
 from redis.exceptions import RedisError
 
 from querycad_contracts import (
@@ -31,13 +32,14 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    reply_key,
 )
 
 from .settings import SandboxSettings
 
 TRIES: Final = 2
 """A call is lost with the worker that died at it; asking again does no harm, as no call changes anything."""
-RESULT_S: Final = 600
+CONNECT_S: Final = 2.0
 
 T = TypeVar("T")
 log = logging.getLogger(__name__)
@@ -68,37 +70,37 @@ class Caller(Protocol):
         ...
 
 
-class CeleryCaller:
-    """Sends tasks to the segworkers. Thread safe; each thread has a connection of its own for the results."""
+class QueueCaller:
+    """Sends tasks to the segworkers and takes their replies. Thread safe."""
 
     def __init__(self, redis_url: str) -> None:
-        self._app = Celery("querycad_sandbox", broker=redis_url, backend=redis_url, set_as_current=False)
+        self._app = Celery("querycad_sandbox", broker=redis_url, set_as_current=False)
         self._app.conf.update(
-            result_expires=RESULT_S,
-            broker_transport_options={"socket_connect_timeout": 2, "max_retries": 2},
-            redis_socket_connect_timeout=2,
-            task_publish_retry_policy={"max_retries": 2, "interval_start": 0.1},
+            broker_transport_options={"socket_connect_timeout": CONNECT_S, "max_retries": 1},
+            task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
         )
+        self._redis = Redis.from_url(redis_url, socket_connect_timeout=CONNECT_S, socket_timeout=None)
 
     def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
         """The task's result as JSON data. Raises SegCadUnavailable when no worker answered, twice."""
         for attempt in range(1, TRIES + 1):
             try:
                 sent = self._app.send_task(
-                    name.value, args=[payload], queue=Queue.SEGCAD.value, expires=timeout_s, retry=True
+                    name.value, args=[payload], queue=Queue.SEGCAD.value, expires=timeout_s, ignore_result=True
                 )
-                answer = sent.get(timeout=timeout_s)
-                sent.forget()
-                return answer
-            except celery_errors.TimeoutError:
-                log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
-            except (celery_errors.CeleryError, OperationalError, RedisError) as error:
+                reply = cast("tuple[bytes, bytes] | None", self._redis.blpop([reply_key(sent.id)], timeout_s))
+            except (OperationalError, RedisError) as error:
                 log.warning("%s: %s (attempt %d)", name.value, error, attempt)
+                continue
+            if reply is not None:
+                return json.loads(reply[1])
+            log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
         raise SegCadUnavailable("no segworker answered; try again in a moment")
 
     def close(self) -> None:
         """Closes the connections."""
         self._app.close()
+        self._redis.close()
 
 
 class RemoteSegCad:

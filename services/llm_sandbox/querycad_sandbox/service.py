@@ -23,7 +23,7 @@ from starlette.routing import Route
 
 from querycad_contracts import Health, Problem, RunOutcome, RunRequest, TaskFailureKind
 
-from .remote import Caller, CeleryCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
+from .remote import Caller, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from .sandbox import Sandbox
 from .settings import SandboxSettings
 
@@ -48,7 +48,7 @@ def make_app(settings: SandboxSettings, call: Caller | None = None) -> Starlette
 class _Runs:
     def __init__(self, settings: SandboxSettings, call: Caller | None) -> None:
         self._settings = settings
-        self._call = call or CeleryCaller(settings.redis_url)
+        self._call = call or QueueCaller(settings.redis_url)
         self._sandbox = Sandbox(workers=settings.sandbox_runs)
         self._threads = ThreadPoolExecutor(settings.sandbox_runs, thread_name_prefix="run")
         self._redis = Redis.from_url(settings.redis_url, socket_timeout=REDIS_S, socket_connect_timeout=REDIS_S)
@@ -63,7 +63,7 @@ class _Runs:
         self._warm = False
         self._threads.shutdown(wait=True, cancel_futures=True)
         self._sandbox.close()
-        if isinstance(self._call, CeleryCaller):
+        if isinstance(self._call, QueueCaller):
             self._call.close()
         await self._redis.aclose()
 

@@ -1,0 +1,185 @@
+"""Uploading: what is kept, what is refused, and how a model comes to be ready."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import threading
+from typing import Any
+
+import httpx
+import pytest
+from redis import Redis
+
+from querycad_api.models.files import shown_name
+from querycad_api.settings import ApiSettings
+from querycad_api.state import Ledger
+from querycad_contracts import (
+    ModelSummary,
+    Queue,
+    Shape,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+    alive_key,
+)
+
+STEP = b"ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;\n"
+SHA256 = hashlib.sha256(STEP).hexdigest()
+BOX = Shape(name="box", center=(0, 0, 0), extents=(1, 1, 1), volume=1, area=6, bodies=(), face_count=6)
+SUMMARY = ModelSummary(shape=BOX, body_count=1, part_counts={"hole": 2}, warnings=(), timings_ms={})
+
+
+def upload(client: httpx.Client, content: bytes = STEP, name: str = "box.step", **headers: str) -> Any:
+    return client.post("/v1/models", files={"file": (name, content)}, headers=headers)
+
+
+def queued(redis: Redis, queue: Queue) -> list[str]:
+    messages: Any = redis.lrange(queue.value, 0, -1)
+    return [json.loads(message)["headers"]["task"] for message in messages]
+
+
+def problem(response: Any, status: int) -> dict[str, Any]:
+    assert response.status_code == status
+    assert response.headers["content-type"] == "application/problem+json"
+    found: dict[str, Any] = response.json()
+    assert found["status"] == status
+    return found
+
+
+def test_an_upload_is_kept_under_its_hash_and_put_on_the_queue(
+    client: httpx.Client, settings: ApiSettings, redis: Redis
+) -> None:
+    response = upload(client)
+    assert response.status_code == 202
+    assert response.headers["location"] == f"/v1/models/{SHA256}"
+    assert (response.json()["id"], response.json()["status"]) == (SHA256, "reading")
+    assert settings.upload(SHA256).read_bytes() == STEP
+    assert queued(redis, Queue.INGEST) == [TaskName.INGEST]
+
+
+def test_the_same_file_twice_is_one_model_read_once(client: httpx.Client, redis: Redis) -> None:
+    first, second = upload(client), upload(client, name="copy.step")
+    assert first.json() == second.json()
+    assert len(queued(redis, Queue.INGEST)) == 1
+
+
+def test_a_model_that_was_read_says_what_it_holds(client: httpx.Client, ledger: Ledger) -> None:
+    upload(client)
+    ledger.finish_model(SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
+    found = client.get(f"/v1/models/{SHA256}").json()
+    assert (found["status"], found["summary"]["part_counts"]) == ("ready", {"hole": 2})
+    assert upload(client).status_code == 200
+
+
+def test_an_upload_waits_until_its_file_is_read_when_that_is_preferred(client: httpx.Client, ledger: Ledger) -> None:
+    read = TaskOutcome[ModelSummary](value=SUMMARY)
+    later = threading.Timer(0.3, ledger.finish_model, (SHA256, read))
+    later.start()
+    response = upload(client, Prefer="wait=2")
+    later.join()
+    assert (response.status_code, response.json()["status"]) == (201, "ready")
+    assert response.headers["preference-applied"] == "wait=2"
+
+
+def test_a_wait_that_is_not_met_is_an_accepted_upload(client: httpx.Client) -> None:
+    response = upload(client, Prefer="respond-async, wait=1")
+    assert response.status_code == 202
+    assert "preference-applied" not in response.headers
+
+
+def test_a_file_that_cannot_be_read_is_a_failed_model_which_may_be_uploaded_again(
+    client: httpx.Client, ledger: Ledger, redis: Redis
+) -> None:
+    upload(client)
+    failure = TaskFailure(kind=TaskFailureKind.FILE, message="it has no geometry")
+    ledger.finish_model(SHA256, TaskOutcome[ModelSummary](failure=failure))
+    found = client.get(f"/v1/models/{SHA256}").json()
+    assert (found["status"], found["failure"]["message"]) == ("failed", "it has no geometry")
+    assert problem(client.get(f"/v1/models/{SHA256}/parts"), 422)["detail"] == "it has no geometry"
+    assert upload(client).json()["status"] == "reading"
+    assert len(queued(redis, Queue.INGEST)) == 2
+
+
+@pytest.mark.parametrize("content", [b"", b"<html>", b"\x1f\x8b\x08", b"solid x", b"ISO-10303-2"])
+def test_what_is_no_step_file_is_refused(client: httpx.Client, redis: Redis, content: bytes) -> None:
+    assert problem(upload(client, content), 415)["title"] == "Not a STEP file"
+    assert redis.keys("querycad:model:*") == []
+
+
+@pytest.mark.parametrize("before", [b"\xef\xbb\xbf", b"\r\n \n"])
+def test_marks_and_blanks_before_the_header_do_no_harm(client: httpx.Client, before: bytes) -> None:
+    assert upload(client, before + STEP).status_code == 202
+
+
+@pytest.mark.parametrize("declared", [True, False])
+def test_a_file_that_is_too_large_is_refused_and_leaves_nothing(
+    client: httpx.Client, settings: ApiSettings, declared: bool
+) -> None:
+    content = STEP + b" " * 2 * 2**20
+    if declared:
+        response = upload(client, content)
+    else:
+        head = b'--x\r\nContent-Disposition: form-data; name="file"; filename="a.step"\r\n\r\n'
+        chunks = iter([head, *(content[i : i + 65536] for i in range(0, len(content), 65536)), b"\r\n--x--\r\n"])
+        response = client.post(
+            "/v1/models", content=chunks, headers={"Content-Type": "multipart/form-data; boundary=x"}
+        )
+    assert "1 MiB" in problem(response, 413)["detail"]
+    assert not [path for path in settings.home.rglob("*") if path.is_file()]
+
+
+def test_a_file_just_over_the_limit_is_refused(client: httpx.Client, settings: ApiSettings) -> None:
+    assert upload(client, STEP.ljust(2**20)).status_code == 202
+    problem(upload(client, STEP.ljust(2**20 + 1)), 413)
+    assert len([path for path in settings.home.rglob("*") if path.is_file()]) == 1
+
+
+@pytest.mark.parametrize(
+    ("given", "shown"),
+    [
+        ("a.step", "a.step"),
+        ("../../a.step", "a.step"),
+        ("C:\\x\\a.step", "a.step"),
+        ("a\n\x00b.stp", "ab.stp"),
+        ("", "model.step"),
+    ],
+)
+def test_a_file_is_shown_without_folders_and_control_characters(given: str, shown: str) -> None:
+    assert shown_name(given) == shown
+
+
+def test_a_request_without_a_file_is_not_as_documented(client: httpx.Client) -> None:
+    assert problem(client.post("/v1/models", data={"other": "x"}), 422)["errors"]
+
+
+@pytest.mark.parametrize("path", ["", "/parts"])
+def test_an_unknown_model_is_not_found(client: httpx.Client, path: str) -> None:
+    problem(client.get(f"/v1/models/{SHA256}{path}"), 404)
+    problem(client.get(f"/v1/models/not-a-hash{path}"), 422)
+
+
+def test_parts_of_a_model_that_is_being_read_come_later(client: httpx.Client) -> None:
+    upload(client)
+    response = client.get(f"/v1/models/{SHA256}/parts")
+    assert problem(response, 409)["retryable"] is True
+    assert int(response.headers["retry-after"]) > 0
+
+
+def test_without_a_store_the_service_is_unavailable_but_alive(settings: ApiSettings, serving: Any) -> None:
+    from querycad_api.app import make_app
+
+    lost = settings.model_copy(update={"redis_url": "redis://127.0.0.1:1/0"})
+    with serving(make_app(lost)) as client:
+        problem(client.get(f"/v1/models/{SHA256}"), 503)
+        assert client.get("/livez").status_code == 200
+        assert client.get("/readyz").json()["checks"]["store"] is False
+
+
+def test_it_is_ready_when_every_queue_has_a_worker(client: httpx.Client, redis: Redis) -> None:
+    redis.set(alive_key(Queue.SEGCAD), 1)
+    response = client.get("/readyz")
+    assert response.status_code == 503
+    wanted = {"store": True, "ingest": False, "segcad": True, "questions": False, "sandbox": False}
+    assert response.json()["checks"] == wanted

@@ -1,0 +1,228 @@
+"""`querycad serve` as its users know it: started, asked, hurt, stopped, started again. Real processes on loopback."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from querycad.client import Client, ServerProblem
+from querycad_contracts import AnswerRecord, ModelStatus, Status
+
+ROOT = Path(__file__).parents[2]
+QUESTION = "What is the diameter of the holes visible from the top?"
+START_S = 120.0
+STEP_S = 60.0
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are looked up in /proc")
+
+
+class Service:
+    """One `querycad serve` and the folder that it keeps its data in."""
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+        self.process: subprocess.Popen[str] | None = None
+        self.url = ""
+        self.said: list[str] = []
+
+    def start(self) -> None:
+        command = [sys.executable, "-m", "querycad.cli", "serve", "--port", "0"]
+        log = self.home.parent / "serve.log"
+        with log.open("w") as stderr:
+            self.process = subprocess.Popen(command, env=self.environment, stderr=stderr, text=True)
+        marker = "ready at "
+
+        def ready() -> str | None:
+            assert self.process is not None
+            assert self.process.poll() is None, log.read_text()
+            text = log.read_text()
+            return text.partition(marker)[2].split()[0] if marker in text else None
+
+        self.url = until(ready, START_S)
+
+    def stop(self) -> int:
+        assert self.process is not None
+        self.process.send_signal(signal.SIGTERM)
+        return self.process.wait(STEP_S)
+
+    @property
+    def environment(self) -> dict[str, str]:
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith("QUERYCAD_")}
+        return {**inherited, "QUERYCAD_HOME": str(self.home)}
+
+    def pids(self, *, queue: str | None = None, module: str = "") -> dict[int, int]:
+        """The service's processes, whoever started them, and the parent of each."""
+        found = {}
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                environment = (folder / "environ").read_bytes().split(b"\0")
+                arguments = (folder / "cmdline").read_bytes().replace(b"\0", b" ").decode()
+                folder_of = (folder / "cwd").readlink()
+                state, parent = (folder / "stat").read_text().rpartition(")")[2].split()[:2]
+            except OSError:
+                continue  # it has ended
+            # the store writes its title over its environment, but it lives in the folder
+            ours = f"QUERYCAD_HOME={self.home}".encode() in environment or folder_of.is_relative_to(self.home)
+            wanted = queue is None or f"QUERYCAD_SEGWORKER_QUEUES={queue}".encode() in environment
+            if ours and wanted and state != "Z" and module in arguments:
+                found[int(folder.name)] = int(parent)
+        return found
+
+    def segcad(self) -> tuple[int, list[int]]:
+        """The segworker that answers calls, and its children that do the work."""
+        found = self.pids(queue="segcad", module="querycad_segworker.worker")
+        (worker,) = [pid for pid, parent in found.items() if parent not in found]
+        return worker, [pid for pid, parent in found.items() if parent == worker]
+
+
+def until(found: Callable[[], Any], timeout_s: float) -> Any:
+    """What `found` gives once it gives something."""
+    deadline = time.monotonic() + timeout_s
+    while not (value := found()):
+        assert time.monotonic() < deadline, f"nothing within {timeout_s} s"
+        time.sleep(0.1)
+    return value
+
+
+@pytest.fixture(scope="module")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    service = Service(tmp_path_factory.mktemp("serve") / "home")
+    service.home.mkdir()
+    service.start()
+    yield service
+    if service.process is not None and service.process.poll() is None:
+        service.stop()
+
+
+@pytest.fixture
+def client(service: Service) -> Iterator[Client]:
+    with Client(service.url) as client:
+        yield client
+
+
+@pytest.fixture(scope="module")
+def model(service: Service, flange: Path) -> str:
+    with Client(service.url) as client:
+        uploaded = client.upload(flange, STEP_S)
+    assert uploaded.status is ModelStatus.READY
+    return uploaded.id
+
+
+def without_timings(record: AnswerRecord) -> dict[str, Any]:
+    return record.model_dump(mode="json", exclude={"timings_ms"})
+
+
+def test_the_service_answers_just_what_the_command_answers(
+    service: Service, client: Client, model: str, flange: Path
+) -> None:
+    command = [sys.executable, "-m", "querycad.cli", "ask", str(flange), QUESTION, "--json"]
+    printed = subprocess.run(command, env=service.environment, capture_output=True, text=True, check=True).stdout
+    answered = client.ask(model, QUESTION)
+    assert answered.status is Status.ANSWERED
+    assert without_timings(answered) == without_timings(AnswerRecord.model_validate_json(printed))
+    assert list(answered.timings_ms) == list(json.loads(printed)["timings_ms"])
+
+
+def test_a_question_may_follow_its_upload_at_once(client: Client) -> None:
+    uploaded = client.upload(ROOT / "examples/gear_shaft.step")
+    assert client.ask(uploaded.id, "What is the volume of the part?").status is Status.ANSWERED
+
+
+def test_the_command_asks_a_running_service(service: Service, flange: Path, tmp_path: Path) -> None:
+    picture = tmp_path / "answer.png"
+    command = [sys.executable, "-m", "querycad.cli", "ask", str(flange), QUESTION, "--server", service.url]
+    done = subprocess.run(
+        [*command, "--json", "--picture", str(picture)],
+        env=service.environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert AnswerRecord.model_validate_json(done.stdout).status is Status.ANSWERED
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_is_no_step_file_is_a_problem(service: Service, client: Client, tmp_path: Path) -> None:
+    bad = tmp_path / "bad.step"
+    bad.write_bytes(b"<html>")
+    with pytest.raises(ServerProblem) as refused:
+        client.upload(bad)
+    assert refused.value.problem.status == 415
+    response = httpx.post(f"{service.url}/v1/models", files={"file": ("bad.step", b"<html>")})
+    assert response.headers["content-type"] == "application/problem+json"
+
+
+def test_a_file_that_is_cut_short_fails_and_says_why(client: Client, flange: Path, tmp_path: Path) -> None:
+    cut = tmp_path / "cut.step"
+    cut.write_bytes(flange.read_bytes()[:20_000])
+    uploaded = client.upload(cut, STEP_S)
+    assert uploaded.status is ModelStatus.FAILED
+    assert uploaded.failure is not None
+    assert "cut short" in uploaded.failure.message
+    record = client.ask(uploaded.id, QUESTION)
+    assert record.failure is not None
+    assert (record.failure.category, record.failure.message) == ("bad_input", uploaded.failure.message)
+
+
+def test_questions_are_answered_after_a_segworker_s_child_was_killed(
+    service: Service, client: Client, model: str
+) -> None:
+    _, (child,) = service.segcad()
+    os.kill(child, signal.SIGKILL)
+    assert client.ask(model, QUESTION).status is Status.ANSWERED
+    assert until(lambda: [pid for pid in service.segcad()[1] if pid != child], STEP_S)
+
+
+@pytest.mark.parametrize("module", ["querycad_segworker.worker", "querycad_api.worker", "querycad_sandbox.service"])
+def test_a_service_that_was_killed_is_started_again_and_no_question_is_lost(
+    service: Service, client: Client, model: str, module: str
+) -> None:
+    found = service.pids(module=module)
+    leaders = {pid for pid, parent in found.items() if parent not in found}
+    jobs = [client.submit(model, QUESTION) for _ in range(5)]
+    for pid in leaders:
+        os.kill(pid, signal.SIGKILL)
+    jobs += [client.submit(model, QUESTION) for _ in range(5)]
+    assert {client.wait(job.id, STEP_S).status for job in jobs} == {Status.ANSWERED}
+    assert not leaders & service.pids().keys()
+
+
+def test_what_was_accepted_outlives_the_store_s_death(service: Service, client: Client, model: str) -> None:
+    jobs = [client.submit(model, QUESTION) for _ in range(10)]
+    (store,) = service.pids(module="valkey-server")
+    os.kill(store, signal.SIGKILL)
+    assert {client.wait(job.id, STEP_S).status for job in jobs} == {Status.ANSWERED}
+    until(lambda: client.health().ready, STEP_S)
+    assert client.ask(model, QUESTION).status is Status.ANSWERED
+
+
+def test_a_second_service_on_the_same_folder_is_refused(service: Service) -> None:
+    command = [sys.executable, "-m", "querycad.cli", "serve", "--port", "0"]
+    done = subprocess.run(command, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert done.returncode == 2
+    assert "runs already" in done.stderr
+
+
+def test_it_stops_without_leaving_a_process_and_finds_its_data_again(
+    service: Service, client: Client, model: str
+) -> None:
+    job = client.submit(model, QUESTION)
+    before = client.wait(job.id)
+    assert len(service.pids()) > 6
+    assert service.stop() == 0
+    assert service.pids() == {}
+    service.start()
+    with Client(service.url) as again:
+        assert again.model(model).status is ModelStatus.READY
+        assert again.wait(job.id) == before
+        assert again.ask(model, QUESTION).answer == before.answer

@@ -1,0 +1,82 @@
+"""The port over the queue: calls become payloads, outcomes become values or the errors that the port promises."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from querycad_contracts import Side, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_sandbox.remote import QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
+from querycad_sandbox.settings import SandboxSettings
+
+MODEL = "0123456789abcdef" * 4
+SETTINGS = SandboxSettings(call_s=3.0, measure_s=70.0)
+
+
+class Recorder:
+    """Answers every call with the same, and keeps the calls."""
+
+    def __init__(self, answer: dict[str, Any]) -> None:
+        self.answer = answer
+        self.calls: list[tuple[TaskName, dict[str, Any], float]] = []
+
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
+        self.calls.append((name, payload, timeout_s))
+        return self.answer
+
+
+def value(of: Any) -> dict[str, Any]:
+    return {"value": of, "failure": None}
+
+
+def failing(kind: TaskFailureKind) -> dict[str, Any]:
+    return TaskOutcome[None](failure=TaskFailure(kind=kind, message="because")).model_dump(mode="json")
+
+
+def test_a_call_is_a_task_with_the_model_in_its_payload() -> None:
+    grounding = {"description": "hole", "sides": ["top"], "parts": [], "understood": True}
+    call = Recorder(value(grounding))
+    found = RemoteSegCad(MODEL, call, SETTINGS).find_parts("hole", [Side.TOP])
+    assert found.sides == (Side.TOP,)
+    assert call.calls == [(TaskName.FIND_PARTS, {"model": MODEL, "description": "hole", "sides": ["top"]}, 3.0)]
+
+
+def test_a_measurement_is_waited_for_longer() -> None:
+    call = Recorder(value(0.25))
+    segcad = RemoteSegCad(MODEL, call, SETTINGS)
+    assert (segcad.distance("a", "b"), segcad.edge_distance("a")) == (0.25, 0.25)
+    assert [timeout for _, _, timeout in call.calls] == [70.0, 70.0]
+
+
+def test_a_distance_of_zero_is_a_value() -> None:
+    assert RemoteSegCad(MODEL, Recorder(value(0.0)), SETTINGS).distance("a", "b") == 0.0
+
+
+def test_an_unknown_id_is_the_key_error_of_the_port() -> None:
+    with pytest.raises(KeyError, match="because"):
+        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.UNKNOWN_ID)), SETTINGS).faces([1])
+
+
+def test_any_other_failure_tells_why() -> None:
+    with pytest.raises(SegCadFailed, match="because"):
+        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.FILE)), SETTINGS).shape()
+
+
+def test_an_answer_with_neither_value_nor_reason_is_a_failure() -> None:
+    with pytest.raises(SegCadFailed, match="neither"):
+        RemoteSegCad(MODEL, Recorder(value(None)), SETTINGS).shape()
+
+
+def test_without_a_segworker_a_call_is_given_up(redis_url: str) -> None:
+    call = QueueCaller(redis_url)
+    with pytest.raises(SegCadUnavailable):
+        call(TaskName.SHAPE, {"model": MODEL}, 0.1)
+    call.close()
+
+
+def test_without_a_broker_a_call_is_given_up() -> None:
+    call = QueueCaller("redis://127.0.0.1:1/0")
+    with pytest.raises(SegCadUnavailable):
+        call(TaskName.SHAPE, {"model": MODEL}, 0.1)
+    call.close()
