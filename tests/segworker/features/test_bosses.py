@@ -1,0 +1,123 @@
+"""Bosses: what stands out round, one part a step, with the measures that a drawing would give."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import (
+    DOWN,
+    box,
+    chamfered,
+    cone,
+    cut,
+    cylinder,
+    filleted,
+    find,
+    fuse,
+    plate,
+    rims,
+)
+
+from querycad_contracts import Part, Side
+
+MM = 1e-3
+
+
+def only_boss(shape: TopoDS_Shape) -> Part:
+    (boss,) = find(shape).of("boss")
+    return boss
+
+
+def near(*values: float) -> object:
+    """Millimetres."""
+    return pytest.approx([value * MM for value in values], abs=1e-8)
+
+
+def test_a_boss_stands_from_its_base_to_its_tip() -> None:
+    boss = only_boss(fuse(plate(), cylinder(6, 9, (4, 5, 0))))
+    assert [boss.radius, boss.diameter, boss.height] == near(6, 12, 9)
+    assert list(boss.tip or ()) == near(4, 5, 9)
+    assert boss.normal == pytest.approx((0, 0, 1))
+    assert "cylindrical" in boss.tags
+    assert not {"slender", "flat", "hollow", "conical"} & set(boss.tags)
+
+
+def test_a_boss_below_points_downwards() -> None:
+    boss = only_boss(fuse(plate(), cylinder(6, 9, (0, 0, -20), DOWN)))
+    assert list(boss.tip or ()) == near(0, 0, -29)
+    assert boss.normal == pytest.approx((0, 0, -1))
+
+
+def test_longer_than_wide_is_a_shaft() -> None:
+    boss = only_boss(fuse(plate(), cylinder(4, 30)))
+    assert "slender" in boss.tags
+    assert boss.label.startswith("shaft")
+
+
+def test_a_low_wide_step_is_a_disc() -> None:
+    boss = only_boss(fuse(plate(), cylinder(10, 3)))
+    assert "flat" in boss.tags
+    assert boss.label.startswith("disc")
+    assert boss.thickness == pytest.approx(3 * MM)
+
+
+def test_a_boss_with_a_bore_is_a_standoff_and_knows_its_bore() -> None:
+    found = find(cut(fuse(plate(), cylinder(5, 12)), cylinder(2, 10, (0, 0, 12), DOWN)))
+    (boss,) = found.of("boss")
+    assert "hollow" in boss.tags
+    assert boss.label.startswith("standoff")
+    assert boss.children == (found.hole.id,)
+    assert [boss.height, boss.depth, *boss.radii] == near(12, 10, 5, 2)
+
+
+def test_a_stepped_shaft_is_one_part_a_step() -> None:
+    bosses = find(fuse(cylinder(20, 10), cylinder(12, 25, (0, 0, 10)), cylinder(8, 40, (0, 0, 35)))).of("boss")
+    assert sorted((round((b.radius or 0) / MM, 6), round((b.height or 0) / MM, 6)) for b in bosses) == [
+        (8, 40),
+        (12, 25),
+        (20, 10),
+    ]
+    assert all("stepped" in boss.tags for boss in bosses)
+
+
+def test_a_free_cylinder_is_a_boss_without_a_base() -> None:
+    boss = only_boss(cylinder(10, 50))
+    assert "free" in boss.tags
+    assert [boss.radius, boss.height] == near(10, 50)
+
+
+def test_a_cone_that_stands_out_is_conical() -> None:
+    boss = only_boss(fuse(plate(), cone(10, 5, 12)))
+    assert "conical" in boss.tags
+    assert [boss.radius, boss.height] == near(10, 12)
+
+
+def test_a_broken_edge_at_the_tip_does_not_shorten_the_boss() -> None:
+    block = fuse(plate(), cylinder(6, 9))
+    boss = only_boss(chamfered(block, 1.0, *rims(block, 6, 9)))
+    assert [boss.radius, boss.height] == near(6, 9)
+    assert list(boss.tip or ()) == near(0, 0, 9)
+
+
+def test_a_rounding_at_the_foot_leaves_one_boss() -> None:
+    block = fuse(plate(), cylinder(6, 9))
+    boss = only_boss(filleted(block, 1.0, *rims(block, 6, 0)))
+    assert boss.radius == pytest.approx(6 * MM)
+    assert list(boss.tip or ()) == near(0, 0, 9)
+
+
+def test_a_hole_is_no_boss() -> None:
+    assert find(cut(plate(), cylinder(5, 30, (0, 0, -25)))).of("boss") == []
+
+
+def test_a_rounded_corner_is_no_boss() -> None:
+    from tests.segworker.shapes import upright
+
+    block = box((40, 30, 10))
+    assert find(filleted(block, 5.0, *upright(block))).of("boss") == []
+
+
+def test_a_boss_is_visible_from_its_top_and_around_but_not_through_the_plate() -> None:
+    found = find(fuse(plate(), cylinder(6, 9)))
+    (boss,) = [part for part in found.seen_parts if part.kind == "boss"]
+    assert set(boss.sides) == {Side.TOP, Side.LEFT, Side.RIGHT, Side.FRONT, Side.BACK}

@@ -1,0 +1,118 @@
+"""Pockets, cutouts, slots, channels, notches and steps: what was cut in is found, with the measures it was cut with."""
+
+from __future__ import annotations
+
+import pytest
+from tests.segworker.shapes import box, compound, cut, cylinder, find, fuse, nurbs, plate, turned
+
+from querycad_contracts import Part
+
+MM = 1e-3
+
+
+def near(*values: float) -> object:
+    """Millimetres."""
+    return pytest.approx([value * MM for value in values], abs=1e-7)
+
+
+def only(found: list[Part]) -> Part:
+    (part,) = found
+    return part
+
+
+def test_a_rectangular_pocket_has_its_own_size_and_opens_upwards() -> None:
+    pocket = only(find(cut(plate(), box((20, 12, 5), (-10, -6, -5)))).of("pocket"))
+    assert "rectangular" in pocket.tags
+    assert [pocket.length, pocket.width, pocket.depth] == near(20, 20, 5)
+    assert list(pocket.local_size or ()) == near(20, 12, 5)
+    assert list(pocket.opening or ()) == near(0, 0, 0)
+    assert pocket.bottom == "flat"
+    assert len(pocket.faces) == 5
+
+
+def test_a_rectangular_cutout_goes_through() -> None:
+    found = find(cut(plate(), box((20, 12, 40), (-10, -6, -30))))
+    cutout = only(found.of("cutout"))
+    assert cutout.bottom == "through"
+    assert cutout.depth == pytest.approx(20 * MM)
+    assert not found.of("pocket")
+
+
+def test_an_obround_cutout_is_a_slot_by_its_outline() -> None:
+    tool = fuse(box((20, 6, 40), (-10, -3, -30)), cylinder(3, 40, (-10, 0, -30)), cylinder(3, 40, (10, 0, -30)))
+    cutout = only(find(cut(plate(), tool)).of("cutout"))
+    assert "obround" in cutout.tags
+    assert [cutout.length, cutout.width] == near(26, 6)
+
+
+def test_a_milled_slot_runs_from_side_to_side() -> None:
+    slot = only(find(cut(plate(), box((100, 8, 6), (-50, -4, -6)))).of("slot"))
+    assert [slot.length, slot.width, slot.depth] == near(60, 8, 6)
+
+
+def test_a_slot_that_a_hole_interrupts_is_one_slot() -> None:
+    shape = cut(plate(), box((100, 4, 6), (-50, -2, -6)), cylinder(6, 60, (0, 0, -40)))
+    assert len(find(shape).of("slot")) == 1
+
+
+def test_two_slots_side_by_side_are_two() -> None:
+    shape = cut(plate(), box((100, 4, 6), (-50, -12, -6)), box((100, 4, 6), (-50, 8, -6)))
+    assert len(find(shape).of("slot")) == 2
+
+
+def test_the_inside_of_a_u_section_is_a_channel_and_no_slot() -> None:
+    found = find(cut(plate(), box((100, 30, 15), (-50, -15, -15))))
+    assert len(found.of("channel")) == 1
+    assert not found.of("slot")
+
+
+def test_a_step_along_an_edge_is_a_step() -> None:
+    step = only(find(cut(plate(), box((100, 10, 5), (-50, 10, -5)))).of("step"))
+    assert step.depth == pytest.approx(5 * MM)
+
+
+def test_a_protrusion_is_no_step_in_the_plate_around_it() -> None:
+    found = find(fuse(plate(), box((20, 12, 5), (-10, -6, 0))))
+    assert not found.of("step")
+    protrusion = only(found.of("protrusion"))
+    assert "rectangular" in protrusion.tags
+    assert protrusion.height == pytest.approx(5 * MM)
+    assert list(protrusion.tip or ()) == near(0, 0, 5)
+
+
+def test_a_pocket_with_holes_in_its_floor_stays_a_pocket() -> None:
+    shape = cut(plate(), box((30, 20, 5), (-15, -10, -5)), cylinder(2, 60, (5, 0, -40)), cylinder(2, 60, (-5, 0, -40)))
+    found = find(shape)
+    assert len(found.of("pocket")) == 1
+    assert len(found.of("hole")) == 2
+
+
+@pytest.mark.parametrize("degrees", [0.0, 33.0, 90.0])
+def test_depressions_do_not_change_with_the_frame_or_the_kind_of_surface(degrees: float) -> None:
+    shape = cut(plate(), box((20, 12, 5), (-25, -6, -5)), box((8, 100, 6), (15, -50, -6)))
+    found = find(nurbs(turned(shape, (1, 1, 0.5), degrees)))
+    assert only(found.of("pocket")).local_size == near(20, 12, 5)
+    assert only(found.of("slot")).local_size == near(40, 8, 6)
+
+
+def test_a_hexagonal_block_is_a_prism_and_a_cuboid_one_prism_along_its_shortest_way() -> None:
+    block = only(find(box((30, 20, 4))).of("prism"))
+    assert {"rectangular", "plate"} <= set(block.tags)
+    assert block.height == pytest.approx(4 * MM)
+
+
+def test_fins_are_counted_by_their_number_and_not_by_their_faces() -> None:
+    fins = [box((40, 2, 15), (-20, y, -0.001)) for y in (-15, -7, 1, 9)]
+    found = find(fuse(plate(), *fins))
+    assert len([rib for rib in found.of("rib") if "fin" in rib.tags]) == 4
+    assert {round((rib.thickness or 0) / MM, 6) for rib in found.of("rib")} == {2.0}
+
+
+def test_two_bodies_that_touch_keep_their_own_features() -> None:
+    shape = compound(
+        cut(plate(), cylinder(3, 60, (10, 0, -40))), cut(box((20, 20, 5), (-25, -10, 0)), box((8, 8, 9), (-20, -4, -1)))
+    )
+    found = find(shape)
+    assert len(found.of("hole")) == 1
+    assert len(found.of("cutout")) == 1
+    assert len(found.of("body")) == 2

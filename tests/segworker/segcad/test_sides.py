@@ -1,0 +1,68 @@
+"""From which sides is a part visible?"""
+
+from __future__ import annotations
+
+import math
+
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import DOWN, box, cut, cylinder, find, fuse, plate, turned
+
+from querycad_contracts import Part, Side
+
+
+def seen(shape: TopoDS_Shape, kind: str = "hole") -> list[Part]:
+    return [part for part in find(shape).seen_parts if part.kind == kind]
+
+
+def test_a_through_hole_is_visible_from_both_of_its_ends() -> None:
+    (hole,) = seen(cut(plate(), cylinder(4, 30, (5, 5, -25))))
+    assert set(hole.sides) == {Side.TOP, Side.BOTTOM}
+
+
+def test_a_hole_in_the_floor_of_a_pocket_is_visible_through_the_pocket() -> None:
+    pocket = box((30, 20, 10), (-15, -10, -10))
+    (hole,) = seen(cut(plate(), pocket, cylinder(4, 5, (0, 0, -10), DOWN)))
+    assert hole.sides == (Side.TOP,)
+
+
+def test_a_hole_in_the_wall_of_a_deep_pocket_is_visible_only_through_its_other_end() -> None:
+    pocket = box((20, 20, 15), (-10, -10, -15))
+    holes = seen(cut(plate(), pocket, cylinder(2, 20, (10, 0, -8), (1, 0, 0))))
+    assert [hole.sides for hole in holes] == [(Side.RIGHT,)]
+
+
+def test_a_hole_under_a_roof_is_hidden_from_above() -> None:
+    roof = fuse(box((40, 40, 4), (-20, -20, 20)), box((4, 40, 20), (-20, -20, 0)))
+    (hole,) = seen(cut(fuse(plate(), roof), cylinder(4, 8, along=DOWN)))
+    assert Side.TOP not in hole.sides
+
+
+def test_a_cavity_with_a_hole_inside_is_visible_from_nowhere() -> None:
+    closed = cut(box((60, 60, 60), (-30, -30, -30)), box((40, 40, 40), (-20, -20, -20)))
+    (hole,) = seen(cut(closed, cylinder(4, 6, (0, 0, -20), DOWN)))
+    assert hole.sides == ()
+
+
+def test_an_oblique_hole_is_visible_from_the_sides_it_leans_to() -> None:
+    lean = math.radians(45)
+    along = (-math.sin(lean), 0.0, -math.cos(lean))
+    shape = cut(box((60, 40, 40), (-60, -20, -40)), cylinder(4, 20, (8 * -along[0] - 5, 0, 8 * -along[2] - 5), along))
+    (hole,) = seen(shape)
+    assert set(hole.sides) <= {Side.TOP, Side.RIGHT}
+    assert hole.sides
+
+
+def test_a_closed_body_is_visible_from_everywhere_and_a_covered_one_from_where_it_shows() -> None:
+    (body,) = seen(plate(), "body")
+    assert set(body.sides) == set(Side)
+
+
+def test_a_boss_below_is_not_visible_from_above() -> None:
+    (boss,) = seen(fuse(plate(), cylinder(5, 10, (0, 0, -20), DOWN)), "boss")
+    assert Side.TOP not in boss.sides
+    assert Side.BOTTOM in boss.sides
+
+
+def test_sides_turn_with_the_model() -> None:
+    (hole,) = seen(turned(cut(plate(), cylinder(4, 8, along=DOWN)), (1, 0, 0), 90))
+    assert hole.sides == (Side.FRONT,)

@@ -1,0 +1,157 @@
+"""What a segworker answers: values and failures as data, from the uploaded file on."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from querycad_contracts import AnswerRecord, Status, TaskName
+from querycad_segworker.settings import SegworkerSettings
+from querycad_segworker.tasks import make_tasks
+from querycad_segworker.worker import ATTEMPTS, make_app
+
+Table = dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]
+UNKNOWN = "0" * 64
+
+
+def put(settings: SegworkerSettings, content: bytes) -> str:
+    model = hashlib.sha256(content).hexdigest()
+    settings.upload(model).parent.mkdir(parents=True, exist_ok=True)
+    settings.upload(model).write_bytes(content)
+    return model
+
+
+@pytest.fixture(scope="module")
+def settings(tmp_path_factory: pytest.TempPathFactory) -> SegworkerSettings:
+    return SegworkerSettings(home=tmp_path_factory.mktemp("home"), segworker_models=1)
+
+
+@pytest.fixture(scope="module")
+def table(settings: SegworkerSettings) -> Table:
+    return make_tasks(settings).table()
+
+
+@pytest.fixture(scope="module")
+def model(settings: SegworkerSettings, table: Table, flange: Path) -> str:
+    sha256 = put(settings, flange.read_bytes())
+    outcome = table[TaskName.INGEST]({"model": sha256, "file_name": "flange.step"})
+    assert outcome["failure"] is None
+    return sha256
+
+
+def test_an_ingest_tells_what_the_file_holds(table: Table, model: str) -> None:
+    summary = table[TaskName.INGEST]({"model": model, "file_name": "flange.step"})["value"]
+    assert summary["body_count"] == 1
+    assert summary["shape"]["extents"][:2] == pytest.approx([0.17, 0.17])
+    assert summary["part_counts"]["hole"] == 11
+
+
+def test_the_user_s_name_of_the_file_is_kept_not_its_hash(
+    settings: SegworkerSettings, table: Table, model: str
+) -> None:
+    kept = make_tasks(settings).cache.artefacts(model).load_model()
+    assert kept.file_name == "flange.step"
+
+
+def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, table: Table, model: str) -> None:
+    local = make_tasks(settings).cache.segcad(model)
+    found = table[TaskName.FIND_PARTS]({"model": model, "description": "hole", "sides": ["top"]})["value"]
+    assert found == local.find_parts("hole", ["top"]).model_dump(mode="json")  # type: ignore[list-item]
+    assert table[TaskName.SHAPE]({"model": model})["value"] == local.shape().model_dump(mode="json")
+    faces = table[TaskName.FACES]({"model": model, "ids": [3, 1]})["value"]
+    assert [face["id"] for face in faces] == [3, 1]
+
+
+def test_a_distance_is_measured(table: Table, model: str) -> None:
+    found = table[TaskName.FIND_PARTS]({"model": model, "description": "hole"})["value"]["parts"]
+    one, other = [part for part in found if part["radius"] == pytest.approx(0.008)][:2]
+    gap = table[TaskName.DISTANCE]({"model": model, "part_a": one["id"], "part_b": other["id"]})["value"]
+    assert gap == pytest.approx(math.dist(one["center"], other["center"]) - 2 * max(one["radii"]), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("name", "asked"),
+    [
+        (TaskName.FACES, {"ids": [10**6]}),
+        (TaskName.DISTANCE, {"part_a": "hole-1", "part_b": "hole-999"}),
+        (TaskName.EDGE_DISTANCE, {"part": "hole-999"}),
+    ],
+)
+def test_an_id_that_the_model_lacks_is_a_failure_not_an_error(
+    table: Table, model: str, name: TaskName, asked: dict[str, Any]
+) -> None:
+    outcome = table[name]({"model": model, **asked})
+    assert outcome["value"] is None
+    assert outcome["failure"]["kind"] == "unknown_id"
+
+
+def test_parts_come_in_pages(table: Table, model: str) -> None:
+    pages = [
+        table[TaskName.PARTS]({"model": model, "kind": "hole", "offset": i, "limit": 4})["value"] for i in (0, 4, 8)
+    ]
+    assert {page["total"] for page in pages} == {11}
+    assert [len(page["items"]) for page in pages] == [4, 4, 3]
+    assert len({part["id"] for page in pages for part in page["items"]}) == 11
+
+
+def test_a_model_that_was_never_uploaded_is_a_failure(table: Table) -> None:
+    assert "upload" in table[TaskName.SHAPE]({"model": UNKNOWN})["failure"]["message"]
+
+
+def test_a_bad_file_is_a_failure_that_says_why(settings: SegworkerSettings, table: Table) -> None:
+    bad = put(settings, b"ISO-10303-21;\nHEADER;\nENDSEC;\n")
+    failure = table[TaskName.INGEST]({"model": bad, "file_name": "bad.step"})["failure"]
+    assert failure["kind"] == "file"
+    assert "DATA" in failure["message"]
+
+
+def test_artefacts_that_are_gone_are_made_anew(settings: SegworkerSettings, model: str) -> None:
+    shutil.rmtree(settings.models)
+    shape = make_tasks(settings).table()[TaskName.SHAPE]({"model": model})
+    assert shape["failure"] is None
+    assert shape["value"]["extents"][0] == pytest.approx(0.17)
+
+
+def test_no_more_models_are_kept_in_memory_than_allowed(settings: SegworkerSettings, model: str, flange: Path) -> None:
+    cache = make_tasks(settings).cache
+    other = put(settings, flange.read_bytes() + b"\n")
+    first = cache.segcad(model)
+    assert cache.segcad(model) is first
+    cache.segcad(other)
+    assert cache.segcad(model) is not first
+
+
+def test_a_picture_is_drawn_under_its_name(settings: SegworkerSettings, table: Table, model: str) -> None:
+    record = AnswerRecord(
+        question="?", status=Status.ANSWERED, answer=None, code=None, codegen=None, parts=(), timings_ms={}, warnings=()
+    )
+    name = "1" * 32 + ".png"
+    outcome = table[TaskName.PICTURE]({"model": model, "record": record.model_dump(mode="json"), "name": name})
+    assert outcome == {"value": name, "failure": None}
+    assert (settings.pictures / name).read_bytes().startswith(b"\x89PNG")
+    assert [path.name for path in settings.pictures.iterdir()] == [name]
+
+
+def test_a_file_whose_workers_die_is_given_up(redis_url: str, settings: SegworkerSettings, model: str) -> None:
+    app = make_app(settings.model_copy(update={"redis_url": redis_url}))
+    task = app.tasks[TaskName.SHAPE.value]
+
+    def deliver(task_id: str, redelivered: bool) -> dict[str, Any]:
+        task.push_request(id=task_id, delivery_info={"redelivered": redelivered})
+        try:
+            outcome: dict[str, Any] = task.run({"model": model})
+            return outcome
+        finally:
+            task.pop_request()
+
+    outcomes = [deliver("deadly", redelivered) for redelivered in (False, *[True] * ATTEMPTS)]
+    assert [outcome["failure"] is None for outcome in outcomes] == [True] * ATTEMPTS + [False]
+    assert "given up" in outcomes[-1]["failure"]["message"]
+    assert deliver("another", True)["failure"] is None
+    app.close()
