@@ -37,12 +37,12 @@ def face_box(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, surface: Surface, 
     """
     if edges is None:
         return exact_box(face)
-    if surface.kind in _RULED:
+    kind = adaptor.GetType()
+    if surface.kind in _RULED or kind == GeomAbs_SurfaceType.GeomAbs_SurfaceOfExtrusion:
         return edges
     if max(map(abs, _bounds(adaptor))) > 1e50:
         return exact_box(face)
     inside = _Inside(face, adaptor)
-    kind = adaptor.GetType()
     if kind == GeomAbs_SurfaceType.GeomAbs_Torus:
         torus = adaptor.Torus()
         found = [p for p in _torus_extremes(surface, adaptor) if inside(*ElSLib.Parameters_s(torus, gp_Pnt(*p)))]

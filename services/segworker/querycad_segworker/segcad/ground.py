@@ -26,7 +26,7 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
     asked = tuple(Side(side) for side in sides) if sides is not None else None
     reading = read(description, words, vocabulary(parts))
     visible = [part for part in parts if asked is None or set(asked) & set(part.sides)]
-    named = _narrowed(bodies_named(parts, reading.words, asked), parts, reading, words)
+    named = _narrowed(bodies_named(parts, reading.words, asked), (), reading, words)
     if named:
         reading.unknown.clear()
         return _grounding(description, asked, named, reading)
@@ -85,7 +85,9 @@ def _less_sure(part: Part, confidence: float, notes: str) -> Part:
 def _choose(parts: Sequence[Part], reading: Reading, words: Lexicon) -> list[Part]:
     """The parts of the first reading of the term that finds any."""
     assert reading.term is not None
-    for choice in reading.term.choices:
+    alone = sum(part.kind == "body" for part in parts) == 1
+    # The name of a single body says what the whole is, not which of its features is meant: looked at last.
+    for choice in sorted(reading.term.choices, key=lambda choice: alone and bool(choice.name)):
         found = _narrowed([part for part in parts if _fits(part, choice, words)], parts, reading, words)
         found = _pick(found, choice.pick)
         if found:
@@ -97,12 +99,12 @@ def _choose(parts: Sequence[Part], reading: Reading, words: Lexicon) -> list[Par
 
 
 def _narrowed(found: list[Part], parts: Sequence[Part], reading: Reading, words: Lexicon) -> list[Part]:
-    """Those that all adjectives, names of threads and colours, and nouns of place hold for."""
+    """Those that adjectives, threads and colours hold for, and that lie in the places named, looked for in `parts`."""
     found = [part for part in found if all(_has(part, adjective, words) for adjective in reading.adjectives)]
     found = [part for part in found if not any(set(a.tags) & set(part.tags) for a in reading.without)]
     found = [part for part in found if all(_is_metric(part, words.metric_m[name]) for name in reading.metric)]
     found = [part for part in found if all(_has_color(part.color, name, words) for name in reading.colors)]
-    for term in reading.inside if found else ():
+    for term in reading.inside if found and parts else ():
         places = bodies_named(parts, [term.name], None) or _choose(parts, Reading(term=term, phrase=term.name), words)
         found = [part for part in found if any(_is_inside(part, place) for place in places if place.id != part.id)]
     return found

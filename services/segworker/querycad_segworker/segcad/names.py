@@ -8,6 +8,15 @@ from querycad_contracts import Part, Side
 
 from .lexicon import singular, words_of
 
+SIDE_WORDS = {
+    Side.TOP: ("top", "upper"),
+    Side.BOTTOM: ("bottom", "lower"),
+    Side.LEFT: ("left",),
+    Side.RIGHT: ("right",),
+    Side.FRONT: ("front",),
+    Side.BACK: ("back", "rear"),
+}
+"""How a product's name says a side."""
 GENERIC = frozenset(("body", "part", "component", "solid", "object", "piece", "element", "item"))
 """Nouns that may follow a name without being part of it: 'the piston rod body'."""
 
@@ -35,7 +44,7 @@ def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Si
         wanted.pop()
     if len(bodies) < 2 or not wanted:
         return []
-    asked = [side.value for side in sides or ()]
+    asked = [word for side in sides or () for word in SIDE_WORDS[side]]
     scores: dict[str, int] = {}
     for body in bodies:
         have = name_words(body.name)
@@ -43,7 +52,7 @@ def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Si
             scores[body.id] = sum(any(_same(h, w) for h in have) for w in [*wanted, *asked])
     best = max(scores.values(), default=0)
     found = [body for body in bodies if scores.get(body.id) == best]
-    if sides is None or any(side in name_words(found[0].name if found else None) for side in asked):
+    if sides is None or (found and any(word in name_words(found[0].name) for word in asked)):
         return found
     return [body for body in found if set(sides) & set(body.sides)]
 

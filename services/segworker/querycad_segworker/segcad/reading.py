@@ -116,7 +116,7 @@ def _read_noun_phrase(tokens: list[str], words: Lexicon, reading: Reading) -> No
             if adjective.unchecked:
                 reading.notes.append(f"'{phrase}' was not checked against the geometry")
         elif phrase in words.terms:
-            if reading.term is not None:
+            if reading.term is not None and reading.term.name != words.terms[phrase].name:
                 reading.inside.append(reading.term)
             reading.term, reading.phrase, reading.head_unknown = words.terms[phrase], phrase, False
         elif not _read_word(tokens[position], words, reading):
