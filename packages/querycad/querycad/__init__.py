@@ -4,18 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .runtime import EmbeddedRuntime
-
 if TYPE_CHECKING:
     from .client import Client
+    from .runtime import EmbeddedRuntime
 
 __all__ = ["Client", "EmbeddedRuntime"]
 
 
 def __getattr__(name: str) -> Any:
-    """The client is loaded when it is asked for: who answers in this process needs no HTTP."""
+    """Each public name is loaded when it is asked for: the client needs no runtime, the runtime no HTTP."""
     if name == "Client":
         from .client import Client
 
         return Client
+    if name == "EmbeddedRuntime":
+        from .runtime import EmbeddedRuntime
+
+        return EmbeddedRuntime
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
