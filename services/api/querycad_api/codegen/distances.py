@@ -137,7 +137,8 @@ def _spacing(text: Text, wording: Wording) -> Query | None:
     wording = wording if axis is None else replace(wording, axis=axis)
     at = text.skip(0, len(text.words), "conjunction")
     at = at + 1 if text.word_at(at, len(text.words), "of", "between", "for", "among") else at
-    parts = selection(text, at, len(text.words))
+    at = text.skip(at, len(text.words))
+    parts = selection(text, text.after("adjacent", at, len(text.words)) or at, len(text.words))
     if parts is None:
         return None
     text.note("The spacing is taken as the smallest distance between the centres of any two of the parts.")
@@ -202,7 +203,10 @@ def _end(text: Text, start: int, end: int, like: Selection | None) -> End | None
             return End(Boundary(Side(side[0])))
     centers = None
     if found := text.match("point_of", at, end):
-        centers, at = found[0] == "centers", found[1]
+        centers, at = found[0] == "centers", text.skip(found[1], end)
+        at = text.after("adjacent", at, end) or at
+    elif text.word_at(end - 2, end, "'s") and text.word_at(end - 1, end, "center", "centers"):
+        centers, end = True, end - 2
     elif (lead := text.match("center", at, end)) and text.word_at(lead[1], end, "of"):
         centers, at = True, lead[1] + 1
     parts = selection(text, at, end, like)

@@ -221,6 +221,8 @@ def sides(text: Text, start: int, end: int, verbs: bool = True) -> tuple[Sides, 
 
 def _side(text: Text, start: int, end: int) -> tuple[Side, str, bool, int] | None:
     """One side: which, the noun it qualifies, whether a preposition leads to it, and where it ends."""
+    if start and text.match("side_of_name", start - 1, start):
+        return None  # 'table top'
     if whole := text.match("side_word", start, end):
         return Side(whole[0]), "", True, whole[1]
     at = start

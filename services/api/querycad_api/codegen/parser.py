@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import difflib
-import re
 
 from querycad_contracts import Program
 
+from .asides import hinted, resolved, sentences, without_asides
 from .errors import EmptyQuestion, NotUnderstood
 from .lexicon import LEXICON
 from .meaning import Query, descriptions
 from .questions import question
-from .text import Text
+from .text import LEFT_OUT, Text
 from .tokens import Kind, Token, tokenize
 from .writer import write
 
@@ -47,29 +47,32 @@ def understand(asked: str) -> tuple[Query, Text]:
     """What does a question mean? With the text that keeps its notes. Raises EmptyQuestion or NotUnderstood."""
     if not asked.strip():
         raise EmptyQuestion
-    if len([part for part in asked.split("?") if re.search(r"\w", part)]) > 1:
+    said = sentences(asked)
+    if said is None:
         raise NotUnderstood("Ask one question at a time.")
-    tokens = tokenize(asked)
-    if len(tokens) > MAX_TOKENS:
+    tokens = tokenize(said.question)
+    if len(tokens) > MAX_TOKENS or len(tokenize(said.before)) > MAX_TOKENS:
         raise NotUnderstood(f"The question is too long: ask it in at most {MAX_TOKENS} words.")
     _refuse_foreign(tokens)
-    text = Text(tokens)
-    meaning = question(text)
+    text = resolved(Text(tokens), said.before)
+    meaning = question(without_asides(text))
     if meaning is None:
         raise _declined(text)
-    return meaning, text
+    return hinted(meaning, said.question, said.hints, text), text
 
 
 def _confidence(meaning: Query, text: Text, unused: int) -> float:
     """How sure is the reading, 0 to 1: the used share of the words that carry meaning, less for what is unusual.
 
-    Each corrected typing error costs 0.03, each word too many in a description 0.1.
+    Each corrected typing error costs 0.03, each stretch left out 0.05, each word too many in a description 0.1.
     """
     end = len(text.tokens)
     carrying = sum(not any(text.after(category, at, end) for category in _WITHOUT_MEANING) for at in range(end))
     excess = sum(max(0, len(description.split()) - LONG_DESCRIPTION) for description in descriptions(meaning))
     corrected = sum(token.corrected for token in text.tokens)
-    return round(max(0.0, 1 - unused / max(1, carrying) - 0.03 * corrected - 0.1 * excess), 2)
+    left_out = sum(note.startswith(LEFT_OUT) for note in dict.fromkeys(text.book.notes))
+    lost = unused / max(1, carrying) + 0.03 * corrected + 0.05 * left_out + 0.1 * excess
+    return round(max(0.0, 1 - lost), 2)
 
 
 def _refuse_foreign(tokens: tuple[Token, ...]) -> None:

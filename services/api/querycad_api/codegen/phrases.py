@@ -148,6 +148,31 @@ def _filter(text: Text, at: int, end: int, draft: Draft) -> int | None:
     return draft.close(after)
 
 
+def _called(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'(the part) called cover plate': the name is the description."""
+    after = text.after("called", at, end)
+    if after is None or after >= end or not (draft.words or draft.whole):
+        return None
+    draft.words.clear()
+    draft.whole = draft.closed = False
+    return after
+
+
+def _related(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'(the screws) hold the cover': what parts do to others is not in the model, and is left out."""
+    after = text.after("relating_verb", at, end)
+    if after is None or not draft.words or not text.match("article", after, end):
+        return None
+    noun = stop = text.skip(after, end)
+    stops = ("container", "verb", "light", "conjunction", "lead")
+    while stop < end and (stop == noun or not any(text.match(category, stop, end) for category in stops)):
+        stop += 1
+        if text.word_at(stop, end, "to", "with", "against"):  # 'fix the cover to the housing'
+            stop = noun = text.skip(stop + 1, end)
+    text.leave_out(at, stop)
+    return draft.close(stop)
+
+
 def _rank(text: Text, at: int, end: int, draft: Draft) -> int | None:
     found = modifiers.rank(text, at, end)
     if found is None:
@@ -193,6 +218,10 @@ def _of_whole(text: Text, at: int, end: int, draft: Draft) -> int | None:
 
 
 def _negation(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    left_out = text.after("excluded", at, end)
+    if left_out is not None and (left_out >= end or text.words[left_out] == ","):
+        draft.refused = True  # 'the threaded ones not counted'
+        return left_out
     after = text.after("negation", at, end)
     draft.negated = draft.negated or after is not None
     return after
@@ -213,7 +242,8 @@ def _function_word(text: Text, at: int, end: int, draft: Draft) -> int | None:
     if after is None or draft.in_tail:
         return None
     if text.match("noun_verb", at, end) and not draft.closed:
-        if not draft.words or not text.match("side_preposition", after, end):
+        leads = text.match("side_preposition", after, end) or text.match("axis_adverb", after, end)
+        if not draft.words or not leads:
             return None
     return draft.close(after)
 
@@ -233,6 +263,9 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
         return at + 1
     if denied := _DENIED.fullmatch(word):
         draft.described.append(([denied[1]], False))
+        return at + 1
+    if draft.closed and (adjective := text.match("axis_adjective", at, end)):
+        draft.describe(adjective[0], False)
         return at + 1
     preposition = text.after("preposition", at, end)
     if preposition and draft.words:
@@ -263,6 +296,8 @@ def _prepositional(text: Text, at: int, after: int, end: int, draft: Draft) -> i
 
 
 _RULES: tuple[Rule, ...] = (
+    _called,
+    _related,
     _quantifier,
     _bottom,
     _filter,

@@ -32,7 +32,7 @@ from .readings import asked, bounded
 from .relations import of_whole
 from .text import Text
 from .tokens import Token
-from .values import Asked, asked_measures, counted, extent_along, get, operand, value
+from .values import Asked, asked_measures, counted, extent_along, get, measured_part, operand, value
 
 _PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP)
 _PREPOSITIONS = {word: Token(word, word) for word in ("of", "between")}
@@ -170,7 +170,7 @@ def _how_adjective(text: Text, start: int, end: int) -> Query | None:
             together[0] + end - together[2] - at,
         )
         reduce = Reduce.TOTAL
-    of = target(text, at, end)
+    of = target(text, at, end) or measured_part(text, tuple(measures), at, end)
     sized = tuple(measures) == (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT)
     wanted = Asked((Measure.SIZE,) if sized else tuple(measures), reduce)
     return get(text, wanted, of) if of is not None else None

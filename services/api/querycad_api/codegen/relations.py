@@ -9,6 +9,7 @@ from querycad_contracts import Side
 
 from . import modifiers
 from .draft import Draft
+from .lexicon import LEXICON
 from .meaning import (
     Bound,
     ByDistance,
@@ -25,6 +26,7 @@ from .meaning import (
     Within,
 )
 from .text import Text
+from .tokens import Kind
 
 Nested: TypeAlias = Callable[[Text, int, int], Target | None]
 """Reads the noun phrase that a modifier holds."""
@@ -46,10 +48,20 @@ def whole_noun(text: Text, start: int, end: int) -> int | None:
         noun = text.match("whole", at, end)
         adjective = text.after("whole_adjective", at, end)
         if noun and not (adjective and text.match("whole", adjective, end)):
-            return noun[1]
+            return None if text.word_at(at, end, "solid") and _is_name(text, noun[1], end) else noun[1]
         if adjective is None:
             return start if at > start and text.words[at - 1] in ("this", "it") else None
         at = adjective
+
+
+def _is_name(text: Text, at: int, end: int) -> bool:
+    """Is the word at `at` one that parts are named with: 'solid standoffs'?"""
+    if at >= end or text.tokens[at].kind is not Kind.WORD:
+        return False
+    return (
+        text.words[at] not in LEXICON.words
+        or LEXICON.match("noun", (LEXICON.singular(text.words[at]),), 0, 1) is not None
+    )
 
 
 def without_axis(text: Text) -> tuple[Text, int | None]:
@@ -61,7 +73,10 @@ def without_axis(text: Text) -> tuple[Text, int | None]:
         found = text.match("axis", at, end) if text.match("axis_adverb", at, end) else None
         if found is None and (after := text.after("axis_preposition", at, end)):
             found = text.match("axis", text.skip(after, end, "article"), end)
-        if found is None or (text.word_at(found[1], end, "of") and not of_whole(text, found[1], end)):
+        if found is None:
+            continue
+        lettered = text.words[found[1] - 1] in _AXES  # 'the width in x of the pin', but not 'the width of the pin'
+        if text.word_at(found[1], end, "of") and not lettered and not of_whole(text, found[1], end):
             continue
         if text.match("axis_vague", at, end) and text.words[found[1] - 1] not in ("axis", "direction"):
             continue
@@ -135,7 +150,7 @@ def _beyond(
 ) -> int | None:
     """What follows 'above', 'left of': the middle of the model, or a part."""
     rest = text.skip(start, end)
-    if text.number(rest, end):
+    if text.number(rest, end) or text.word_at(rest, end, "ground"):
         return None
     point = text.after("center", rest, end)
     whole = of_whole(text, point, end) if point else None
@@ -184,7 +199,8 @@ def owner(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | 
     verb = text.after("do", at, end) or (at + 1 if text.word_at(at, end, "has", "have") else None)
     if verb is None or not draft.words or not text.match("article", verb, end):
         return None
-    have = next((i for i in range(end - 1, verb, -1) if text.match("have", i, end)), end)
+    noun = text.skip(verb, end)  # 'the stand' is no verb
+    have = next((i for i in range(end - 1, noun, -1) if text.match("have", i, end)), end)
     named = modifiers.sides(text, verb, have)
     if named and (of_whole(text, named[1], have) or named[1]) >= have:
         draft.sides.extend(named[0].sides)
@@ -203,10 +219,16 @@ def within(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int |
     stop = noun = text.skip(inside, end, "article", "each")
     if noun == inside:
         return None
+    if (place := text.after("border", noun, end)) and text.word_at(place, end, "of"):
+        text.leave_out(at, place)
+        inside = noun = stop = text.skip(place + 1, end, "article", "each")
     stops = ("verb", "light", "conjunction", "lead")
     while stop < end and not any(text.match(c, stop, end) for c in stops) and not modifiers.sides(text, stop, end):
         stop += 1
-    return _inside(text, draft, nested(text, inside, stop), stop)
+    holder = nested(text, inside, stop)
+    if place and holder is None:
+        return place  # 'in the corners of the rear panel': the rest is read as without corners
+    return draft.close(stop) if place and isinstance(holder, Whole) else _inside(text, draft, holder, stop)
 
 
 def _inside(text: Text, draft: Draft, holder: Target | None, after: int) -> int | None:

@@ -12,6 +12,8 @@ from .tokens import Kind, Token
 Result = TypeVar("Result")
 Arguments = ParamSpec("Arguments")
 
+LEFT_OUT = "Left out:"
+"""Opens the note of each stretch of the question that the meaning does not reflect."""
 _SMALL = ("article", "noise")
 
 
@@ -70,7 +72,7 @@ class Text:
     def trimmed(self, start: int, end: int) -> int:
         """Where does the span end without the verb that closes it: '… do the holes have', '… does the part take up'?"""
         for at in range(max(start + 1, end - 2), end):
-            if self.after("have", at, end) == end or self.after("be", at, end) == end:
+            if self.skip(start, at) < at and (self.after("have", at, end) == end or self.after("be", at, end) == end):
                 return self.trimmed(start, at)
         return end
 
@@ -85,6 +87,11 @@ class Text:
     def note(self, reading: str) -> None:
         """Keep a reading that was chosen where the question was ambiguous."""
         self.book.notes.append(reading)
+
+    def leave_out(self, start: int, end: int) -> None:
+        """Note a stretch that the meaning does not reflect; it lowers the confidence once, however long it is."""
+        words = " ".join(token.raw for token in self.tokens[start:end] if token.word != ",")
+        self.note(f"{LEFT_OUT} {words}.")
 
     def leave(self, at: int) -> None:
         """Keep a word that the meaning does not reflect."""

@@ -24,6 +24,9 @@ _TOKEN = re.compile(
 )
 
 
+_FRACTIONS = {"half": "1/2", "three[ -]quarters?": "3/4", "quarter": "1/4", "eighth": "1/8"}
+
+
 class Kind(StrEnum):
     """What a token is."""
 
@@ -56,6 +59,8 @@ def tokenize(text: str) -> tuple[Token, ...]:
     text = re.sub(r"\b(is|are|do|does|has|have|was|were|ca|wo)n't\b", r"\1 not", text, flags=re.IGNORECASE)
     text = re.sub(r"[Øø⌀]\s*(?=\d)", " diameter ", text)
     text = re.sub(r"\bR\s?(?=\d)", "radius ", text)
+    for words, value in _FRACTIONS.items():
+        text = re.sub(rf"\b{words}(?: of)?(?: an?)?[ -](?=inch\b)", f"{value} ", text, flags=re.IGNORECASE)
     tokens: list[Token] = []
     position = 0
     while match := _TOKEN.search(text, position):

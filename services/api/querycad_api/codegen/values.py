@@ -6,13 +6,28 @@ from dataclasses import dataclass, replace
 
 from .distances import angle, distance
 from .lexicon import LEXICON
-from .meaning import Calculate, Count, Get, Measure, Operation, Query, Reduce, Scalar, Selection, Target, Whole
+from .meaning import (
+    Calculate,
+    Count,
+    Get,
+    Measure,
+    NounClass,
+    Operation,
+    Query,
+    Reduce,
+    Scalar,
+    Selection,
+    Target,
+    Whole,
+)
 from .phrases import selection, target
 from .readings import asked
 from .relations import without_axis
 from .text import Text
 
 _EXTENTS = {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT, Measure.LENGTH}
+_ALONG = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
+_MEASURED_THERE = {*_EXTENTS, Measure.DIAMETER, Measure.RADIUS, Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER}
 _SCALARS = frozenset(Measure) - {
     Measure.SIZE, Measure.HALF_SIZE, Measure.POSITION, Measure.OPENING, Measure.TIP, Measure.AXIS, Measure.NORMAL,
     Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM,
@@ -180,15 +195,16 @@ def _measures_of(text: Text, start: int, end: int) -> Query | None:
         or text.match("verb", at, end)
     ):
         return None
-    if rest == at and text.match("side_preposition", at, end) and not text.after("article", at + 1, end):
-        return None
     if (along := extent_along(text, wanted.measures, rest, end)) is not None:
         return along
+    if rest == at and text.match("side_preposition", at, end) and not text.after("article", at + 1, end):
+        return None
     before = wanted
     wanted, rest = _nested(text, wanted, rest, end)
-    if wanted != before and text.match("property", end - 1, end):
+    owned = wanted.measures == (Measure.POSITION,) and text.word_at(end - 2, end, "'s")
+    if (wanted != before or owned) and text.match("property", end - 1, end):
         end -= 1
-    of = target(text, rest, end)
+    of = target(text, rest, end) or measured_part(text, wanted.measures, rest, end)
     if of is None:
         return None
     if "bounding" in text.words[start:end] and wanted.measures[0] in _OF_BOX:
@@ -196,15 +212,36 @@ def _measures_of(text: Text, start: int, end: int) -> Query | None:
     return get(text, wanted, of)
 
 
+def measured_part(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Selection | None:
+    """'the tube between the flanges', 'the posts above the floor': where a part is measured is left out."""
+    if not set(measures) <= _MEASURED_THERE:
+        return None
+    for at in range(start + 1, end - 1):
+        ground = text.word_at(at, end, "above", "over") and text.after("ground", text.skip(at + 1, end), end) == end
+        if not ground and not text.word_at(at, end, "between"):
+            continue
+        of = target(text, start, at)
+        if not isinstance(of, Selection) or of.noun_class is NounClass.HOLE:
+            return None
+        text.leave_out(at, end)
+        return of
+    return None
+
+
 def extent_along(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Get | None:
     """'(the length of) the part in y direction', '(the extent of) the rib in z': full extents along an axis."""
     if len(measures) > 1 or measures[0] not in _EXTENTS | {Measure.SIZE, Measure.MAGNITUDE}:
         return None
+    if across := text.find("across_axis", start, end):
+        of = target(
+            text.rearranged([*range(start, across[0]), *range(across[2], end)]), 0, end - start - across[2] + across[0]
+        )
+        return Get((_ALONG[int(across[1])],), of) if of is not None else None
     rest, axis = without_axis(text.rearranged(range(start, end)))
     of = target(rest, 0, len(rest.tokens)) if axis is not None else None
     if of is None or axis is None:
         return None
-    return Get(((Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis],), of)
+    return Get((_ALONG[axis],), of)
 
 
 def _nested(text: Text, wanted: Asked, start: int, end: int) -> tuple[Asked, int]:

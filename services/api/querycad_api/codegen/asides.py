@@ -1,0 +1,285 @@
+"""What a question says beside itself: further sentences, appositions, and how a measure is to be taken.
+
+Such words would otherwise be read as parts. They are left out before the grammar reads the question, each with a note;
+what they tell of a distance (`between centres`, `the free space`) is kept.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TypeAlias
+
+from .lexicon import LEXICON
+from .meaning import Distance, Query, Selection
+from .phrases import target
+from .text import LEFT_OUT, Text
+from .tokens import Kind, Token, tokenize
+
+_SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z](?:[a-z]|\s))|;\s+(?=(?:how|what|which|where)\b)")
+_PRONOUNS = ("it", "they", "them")
+_POSSESSIVES = ("its", "their")
+_WH = ("how", "what", "which", "where", "whose")
+_SPAN = 8
+"""An aside of one sentence has fewer words than this."""
+
+Rule: TypeAlias = Callable[[Text, int, int], int | None]
+"""Where does the aside end that stands at a token? None when none does."""
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """The sentence that asks, what was stated before it, and the sentences that explain it."""
+
+    question: str
+    before: str
+    hints: tuple[str, ...]
+
+
+def sentences(text: str) -> Asked | None:
+    """Which sentence asks, and what do the others say? None when more than one asks."""
+    found = [part.strip() for part in _SENTENCE.split(text) if re.search(r"\w", part)] or [text]
+    asking = [i for i, part in enumerate(found) if _asks(part)] if len(found) > 1 else [0]
+    if len(asking) != 1 or len([part for part in found[asking[0]].split("?") if re.search(r"\w", part)]) > 1:
+        return None
+    at = asking[0]
+    return Asked(found[at], " ".join(found[:at]), tuple(found[at + 1 :]))
+
+
+def _asks(sentence: str) -> bool:
+    """Is a sentence a question or a request of its own? 'List it for all of them' and 'Count … too' explain one."""
+    if sentence.endswith("?"):
+        return True
+    text = Text(tokenize(sentence))
+    end = len(text.tokens)
+    start = text.skip(0, end, "polite", "light", "noise")
+    if text.word_at(start, end, *_WH):
+        return True
+    after = text.after("imperative", start, end) or text.after("count", start, end)
+    if after is None or after >= end or text.words[-1] in ("too", "also", "well"):
+        return False
+    if text.word_at(text.skip(after, end, "each"), end, *_PRONOUNS, "one"):
+        return False
+    return _axes(text, text.skip(after, end, "article"), end) != end
+
+
+def resolved(text: Text, before: str) -> Text:
+    """The question with 'it', 'they', 'its', 'their' replaced by what the sentence before speaks of."""
+    at = next((i for i, word in enumerate(text.words) if word in (*_PRONOUNS, *_POSSESSIVES)), None)
+    stated = _subject(before) if before and at is not None else ()
+    if at is None or not stated:
+        words = Text(tokenize(before))
+        if words.skip(0, len(words.tokens), "polite", "noise", "light") < len(words.tokens):
+            text.note(f"{LEFT_OUT} {before}")
+        return text
+    mark = (Token("'s", "'s"),) if text.words[at] in _POSSESSIVES else ()
+    text.note(f"'{text.tokens[at].raw}' is read as '{' '.join(token.raw for token in stated)}'.")
+    return Text((*text.tokens[:at], *stated, *mark, *text.tokens[at + 1 :]), text.book)
+
+
+def _subject(sentence: str) -> tuple[Token, ...]:
+    """The parts that a statement is about: its subject, or its object where the subject is the whole model."""
+    text = Text(tokenize(sentence))
+    end = len(text.tokens)
+    start = 0
+    for at in range(end + 1):
+        if at < end and not any(text.after(category, at, end) for category in ("be", "do", "have", "verb", "light")):
+            continue
+        if at > start and isinstance(target(text, start, at), Selection):
+            return text.tokens[start:at]
+        start = at + 1
+    return ()
+
+
+def without_asides(text: Text) -> Text:
+    """The question without its asides, each of which is noted."""
+    text = _bracketed_adjectives(text)
+    kept: list[int] = []
+    at, end = 0, len(text.tokens)
+    while at < end:
+        after = next((stop for rule in _RULES if (stop := rule(text, at, end))), None) if at else None
+        if after is None:
+            kept.append(at)
+            at += 1
+        else:
+            text.leave_out(at, after)
+            at = after
+    return text if len(kept) == end else text.rearranged(kept)
+
+
+def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text) -> Query:
+    """The meaning with what the asides tell of a distance: between centres, or the free space."""
+    for hint in hints:
+        text.note(f"{LEFT_OUT} {hint.strip()}")
+    if not isinstance(meaning, Distance):
+        return meaning
+    for said in (*hints, asked):
+        words = Text(tokenize(said))
+        end = len(words.tokens)
+        for at in range(end):
+            point = words.match("point_to_point", at, end)
+            if point or (said is not asked and (point := words.match("distance", at, end)) and point[0] == "surfaces"):
+                return replace(meaning, centers=point[0] == "centers")
+    return meaning
+
+
+def _ends(text: Text, at: int, end: int) -> bool:
+    """Is nothing said at `at` any more, or something after a comma?"""
+    return at >= end or text.words[at] == ","
+
+
+def _led(text: Text, at: int, end: int) -> int:
+    """Behind a comma or a bracket and 'measured'."""
+    at = text.skip_commas(at, end)
+    return at + text.word_at(at, end, "measured", "taken")
+
+
+def _parenthesis(text: Text, at: int, end: int) -> int | None:
+    """'(flat rings)', '(long)', '(width, depth, height)': another name for what stands before the bracket."""
+    close = next((i for i in range(at + 1, end) if text.tokens[i].raw == ")"), end)
+    if text.tokens[at].raw != "(" or close == at + 1 or close - at > _SPAN:
+        return None
+    if text.after("scale.positive", at + 1, close) == close and text.match("scale.positive", at - 1, at):
+        return close + 1
+    if _axes(text, at + 1, close) is not None:
+        return close + 1 if _is_sized(text, end) else None
+    for i in range(at + 1, close):
+        if text.number(i, close) or any(text.match(category, i, close) for category in _SELECTING):
+            return None
+    named = LEXICON.is_plural(text.words[close - 1]) or text.match("article", at + 1, close)
+    return close + 1 if named and isinstance(target(text, at + 1, close), Selection) else None
+
+
+def _bracketed_adjectives(text: Text) -> Text:
+    """'holes (threaded)' is 'holes that are threaded'."""
+    tokens = list(text.tokens)
+    for at in range(len(tokens) - 3, 0, -1):
+        one = tokens[at].raw == "(" and tokens[at + 2].raw == ")" and tokens[at + 1].kind is Kind.WORD
+        word = tokens[at + 1].word
+        if one and not LEXICON.is_plural(word) and not any(text.match(c, at + 1, at + 2) for c in _NO_ADJECTIVE):
+            tokens[at : at + 3] = [Token("that", "that"), Token("are", "are"), tokens[at + 1]]
+    return text if tuple(tokens) == text.tokens else Text(tuple(tokens), text.book)
+
+
+def _axes(text: Text, start: int, end: int) -> int | None:
+    """Where does a list of three axes or extents end: 'x, y and z', 'width, depth, height'?"""
+    found: set[str] = set()
+    at = after = start
+    while named := text.match("axis", at, end) or text.match("property", at, end):
+        found.add(named[0])
+        after = named[1]
+        at = text.skip(after, end, "conjunction", "article", "axis_preposition")
+    return after if len(found) >= 3 else None
+
+
+def _is_sized(text: Text, end: int) -> bool:
+    """Does the question ask for a value with three components?"""
+    return any(
+        ((named := text.match("property", at, end)) and named[0] in ("size", "magnitude", "half_size", "position"))
+        or ((scale := text.match("scale.positive", at, end)) and scale[0] == "magnitude")
+        or text.words[at] == "where"
+        for at in range(end)
+    )  # fmt: skip
+
+
+def _axis_list(text: Text, at: int, end: int) -> int | None:
+    """'along x, y and z'."""
+    led = text.after("axis_preposition", _led(text, at, end), end)
+    after = _axes(text, text.skip(led, end, "article"), end) if led is not None else None
+    if after is None or not _is_sized(text, end):
+        return None
+    after = text.skip(after, end, "side_noun", "axis_noun")
+    return after if _ends(text, after, end) else None
+
+
+def _own_axis(text: Text, at: int, end: int) -> int | None:
+    """'measured along the axis', 'along their axis'."""
+    led = _led(text, at, end)
+    if not text.word_at(led, end, "along", "parallel"):
+        return None
+    noun = text.skip(led + 1 + text.word_at(led + 1, end, "to"), end, "article")
+    noun += text.word_at(noun, end, "own", "rotation", "center")
+    return noun + 1 if text.word_at(noun, end, "axis", "axes", "centerline") and _ends(text, noun + 1, end) else None
+
+
+def _drill_tip(text: Text, at: int, end: int) -> int | None:
+    """'not counting the drill tip', 'drill point excluded': the depth of a hole ends where its cone begins."""
+    start = text.skip_commas(at, end)
+    led = text.after("minus", start, end)
+    noun = text.after("drill_tip", text.skip(led or start, end, "article"), end)
+    if noun is None:
+        return None
+    after = noun if led else text.after("excluded", text.skip(noun, end, "be"), end)
+    return after + (after < end and text.tokens[after].raw == ")") if after is not None else None
+
+
+def _included(text: Text, at: int, end: int) -> int | None:
+    """', rod included', 'including the round ends', ', with the pins': the measure of what is found takes it in."""
+    if text.word_at(at, end, ","):
+        verb = next((i for i in range(at + 1, min(end, at + _SPAN)) if text.words[i] in (",", "included")), end)
+        if text.word_at(verb, end, "included") and verb > at + 1:
+            return verb + 1
+        led = at + 1 if text.word_at(at + 1, end, "with", "including") else None
+        noun = text.skip(led + 1, end, "quantifier") if led else None
+        if noun is None or not text.match("article", noun, end):
+            return None
+    elif text.word_at(at, end, "including") and not text.match("whole", at - 1, end):
+        noun = text.skip(at + 1, end)
+    else:
+        return None
+    said = any(
+        text.number(i, end) or text.match("property", i, end) or text.word_at(i, end, ",") for i in range(noun, end)
+    )
+    return None if said or noun >= end else end
+
+
+def _from_to(text: Text, at: int, end: int) -> int | None:
+    """'(how long is the tube) from face to face': where an extent begins and ends."""
+    led = _led(text, at, end)
+    if text.match("axis", led + 1, end):
+        return None  # 'from left to right' is an axis
+    if not text.word_at(led, end, "from") or (led == at and text.match("verb", at - 1, end)) or _is_distance(text, end):
+        return None
+    to = next((i for i in range(led + 2, end - 1) if text.words[i] == "to"), None)
+    if to is None or any(text.number(i, end) for i in range(led, end)):
+        return None
+    return end
+
+
+def _is_distance(text: Text, end: int) -> bool:
+    """Is something else asked for than an extent?"""
+    extents = ("height", "length", "width", "depth", "size", "magnitude")
+    asked = any(
+        (found := text.match(category, at, end)) and found[0] in extents
+        for at in range(end)
+        for category in ("scale.positive", "property")
+    )
+    return not asked or text.match("count", 0, end) is not None or any(
+        text.word_at(at, end, "far") or text.match("distance", at, end) or text.match("spacing", at, end)
+        for at in range(end)
+    )  # fmt: skip
+
+
+def _point_to_point(text: Text, at: int, end: int) -> int | None:
+    """'center to center', behind what is measured."""
+    after = text.after("point_to_point", _led(text, at, end), end)
+    return after if after is not None and _ends(text, after, end) else None
+
+
+_SELECTING = ("negation", "preposition", "side", "side_word", "light", "extreme", "scale.more", "scale.most")
+_NO_ADJECTIVE = (
+    "side",
+    "side_word",
+    "scale.positive",
+    "axis",
+    "property",
+    "noun",
+    "noise",
+    "light",
+    "quantifier",
+    "unit",
+)
+_RULES: tuple[Rule, ...] = (
+    _parenthesis, _drill_tip, _point_to_point, _axis_list, _own_axis, _from_to, _included,
+)  # fmt: skip
