@@ -257,3 +257,15 @@ def test_touching_bodies_stay_two() -> None:
     found = find(compound(box((10, 10, 10)), box((10, 10, 10), (10, 0, 0))))
     assert [body.volume for body in found.brep.bodies] == [pytest.approx(1e-6)] * 2
     assert {face.body for face in found.brep.faces} == {0, 1}
+
+
+def test_the_volume_of_a_bolt_is_exact_to_a_millionth() -> None:
+    """Many small faces with arcs: where integration with a loose tolerance goes wrong first."""
+    bolt = fuse(cylinder(5, 30), cylinder(9, 6, (0, 0, 30)))
+    bolt = cut(bolt, box((4, 40, 3), (-2, -20, 33)), cylinder(1, 40, (0, -20, 5), (0, 1, 0)))
+    exact = find(bolt).shape.volume
+    assert find(shuffled(turned(bolt, OBLIQUE, 40))).shape.volume == pytest.approx(exact, rel=1e-6)
+    slot = 3 * (4 * math.sqrt(81 - 4) + 2 * 81 * math.asin(2 / 9))
+    whole = math.pi * (25 * 30 + 81 * 6) - slot
+    bore = find(cut(cylinder(5, 30), cylinder(1, 40, (0, -20, 5), (0, 1, 0)))).shape.volume
+    assert exact * 1e9 == pytest.approx(whole - (math.pi * 25 * 30 - bore * 1e9), rel=1e-5)

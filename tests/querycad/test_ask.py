@@ -1,0 +1,115 @@
+"""`querycad ask` as a user runs it: answers, JSON lines, units, pictures, and one clear line for bad input."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from querycad.cli import main
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+FLANGE = str(EXAMPLES / "flange.step")
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _home(tmp_path_factory: pytest.TempPathFactory) -> object:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("QUERYCAD_HOME", str(tmp_path_factory.mktemp("home")))
+        yield
+
+
+def run(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(["ask", *arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def test_an_answer_comes_with_its_parts_and_program(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, FLANGE, "How many counterbored holes are there?", "--show-code")
+    assert (code, err) == (0, "")
+    assert out.startswith("8\n")
+    assert out.count("counterbored through hole") == 8
+    assert "parts = find_parts(" in out
+
+
+@pytest.mark.parametrize(("unit", "text"), [("mm", "54 mm"), ("m", "0.054 m"), ("in", "2.12598 in")])
+def test_the_unit_is_the_one_asked_for(capsys: pytest.CaptureFixture[str], unit: str, text: str) -> None:
+    code, out, _ = run(capsys, FLANGE, "What is the diameter of the largest hole?", "--unit", unit)
+    assert code == 0
+    assert out.splitlines()[0] == text
+
+
+def test_json_is_one_object_a_line_in_si_whatever_the_unit(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    questions = tmp_path / "questions.txt"
+    questions.write_text("What is the diameter of the largest hole?\n\nHow many holes are there?\n", encoding="utf-8")
+    code, out, _ = run(capsys, FLANGE, "--questions", str(questions), "--json", "--unit", "in")
+    records = [json.loads(line) for line in out.splitlines()]
+    assert code == 0
+    assert [record["answer"]["value"] for record in records] == [pytest.approx(0.054), 11]
+    assert records[0]["answer"]["unit"] == "m"
+    assert records[0]["parts"][0]["faces"]
+
+
+def test_a_picture_is_written_where_it_was_asked_for(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    picture = tmp_path / "new folder" / "holes.png"
+    code, out, _ = run(capsys, FLANGE, "How many holes are there?", "--picture", str(picture))
+    assert code == 0
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    assert str(picture) in out
+
+
+@pytest.mark.parametrize(
+    ("content", "says"),
+    [
+        (b"", "empty"),
+        (b"<html></html>", "HTML"),
+        (b"\x1f\x8b\x08rubbish", "gzip"),
+        (b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=PLANE('',#2);\n", "cut short"),
+        (b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n", "no geometry"),
+        (b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=ADVANCED_FACE('',#2);\nENDSEC;\nEND-ISO-10303-21;\n", "unit"),
+    ],
+)
+def test_a_bad_file_is_one_clear_line_and_exit_code_2(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path, content: bytes, says: str
+) -> None:
+    file = tmp_path / "bad.step"
+    file.write_bytes(content)
+    code, out, err = run(capsys, str(file), "How many holes are there?")
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 1
+    assert says in err
+
+
+@pytest.mark.parametrize(
+    ("question", "says"),
+    [
+        ("", "empty"),
+        ("How many bananas are there?", "banana"),
+        ("What is the radius of the keyway?", "no 'keyway'"),
+        ("qwertz uiop", "not understood"),
+    ],
+)
+def test_a_question_that_cannot_be_answered_is_one_line_with_what_is_known(
+    capsys: pytest.CaptureFixture[str], question: str, says: str
+) -> None:
+    code, out, err = run(capsys, FLANGE, question)
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 1
+    assert says in err
+
+
+def test_a_missing_file_and_a_missing_list_of_questions_are_said(capsys: pytest.CaptureFixture[str]) -> None:
+    assert "no such file" in run(capsys, "nowhere.step", "How many holes?")[2]
+    assert "nowhere.txt" in run(capsys, FLANGE, "--questions", "nowhere.txt")[2]
+    assert run(capsys, FLANGE)[0] == 2
+
+
+def test_a_file_that_crashes_the_kernel_is_an_error_message(capsys: pytest.CaptureFixture[str]) -> None:
+    file = EXAMPLES.parents[1] / "shared" / "robustness" / "dodgy" / "Twi044.stp"
+    if not file.exists():
+        pytest.skip("../shared/robustness is not beside the repository")
+    code, out, err = run(capsys, str(file), "How many holes are there?")
+    assert (code, out) == (2, "")
+    assert "crashed" in err
