@@ -44,9 +44,11 @@ METRES_PER_MM = 1e-3
 """The one conversion between the kernel's millimetres and the metres of everything else."""
 
 INTEGRATION_ERROR = 1e-4
-"""Relative error asked of the kernel's adaptive integration of areas and volumes; bolts and rods come out right to 1e-6.
+"""Relative error asked of the kernel's adaptive integration of areas and volumes; bolts come out right to 1e-6.
+
 Its plain integration is up to 1 % wrong on B-spline cylinders, 1e-3 is up to 0.5 % wrong on bolts, and at 1e-6 it does
-not finish on some freeform faces."""
+not finish on some freeform faces.
+"""
 
 _REVERSED = TopAbs_Orientation.TopAbs_REVERSED
 
