@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -369,18 +368,3 @@ def _tags(
         elif narrow > wide and through:
             tags.extend(("chamfered", "beveled"))
     return tuple(dict.fromkeys(tags))
-
-
-def axis_aligned(hole: Hole) -> int | None:
-    """Along which file axis (0 x, 1 y, 2 z) does the hole run? None when oblique."""
-    for i in range(3):
-        if abs(hole.normal[i]) > math.cos(math.radians(1.0)):
-            return i
-    return None
-
-
-def opening_faces(hole: Hole, direction: Vector) -> bool:
-    """Does an opening of the hole face this way, by less than 75 degrees?"""
-    cosine = dot(hole.normal, direction)
-    limit = math.cos(math.radians(75.0))
-    return cosine > limit or (hole.far_opening is not None and cosine < -limit)

@@ -11,7 +11,7 @@ from enum import StrEnum
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, scale
+from querycad_segworker.vectors import cross, dot, norm, parallel
 
 from .walls import Axis, Wall
 
@@ -201,8 +201,3 @@ def winding(axis: Axis, edge: EdgeRecord) -> float:
 
 def _wrapped(angle: float) -> float:
     return (angle + math.pi) % (2 * math.pi) - math.pi
-
-
-def flipped(axis: Axis) -> Axis:
-    """The same line, pointing the other way."""
-    return Axis(axis.origin, scale(axis.direction, -1.0))

@@ -79,11 +79,6 @@ class Wall:
         return self.high - self.low
 
     @property
-    def is_full(self) -> bool:
-        """Does it go all around? A small gap (a seam, a sliver) is forgiven: 10 degrees of 360."""
-        return self.sweep >= math.radians(350)
-
-    @property
     def encloses(self) -> bool:
         """Does it hold a cylinder put into it, that is cover clearly more than half of the circle?"""
         return self.sweep > math.radians(200)
