@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Form, Item, Model, count, length, lengths, points, size
 from benchmark.shapes import block, grid, rod
 
-MODEL = Model("Air duct with flange", "held_out", Form.SURFACES)
+MODEL = Model("Air duct with flange", "dev", Form.SURFACES)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from build123d import Part, Pos, Rot
 from benchmark.kit import Item, Model, Triple, count, length, lengths, points, volume
 from benchmark.shapes import DOWN, block, prism, rod
 
-MODEL = Model("Clamp block in an oblique position", "held_out")
+MODEL = Model("Clamp block in an oblique position", "dev")
 
 
 @dataclass(frozen=True, slots=True)

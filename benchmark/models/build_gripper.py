@@ -9,7 +9,7 @@ from build123d import Compound, Pos, Rot
 from benchmark.kit import Item, Model, Triple, count, length, lengths, point, points, size
 from benchmark.shapes import assembly, block, circle, named, rod
 
-MODEL = Model("Parallel gripper, turned about its axis", "held_out", bodies=4)
+MODEL = Model("Parallel gripper, turned about its axis", "dev", bodies=4)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Part, fillet
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import block, grid, rod, slot
 
-MODEL = Model("Cylinder head gasket", "held_out")
+MODEL = Model("Cylinder head gasket", "dev")
 
 
 @dataclass(frozen=True, slots=True)

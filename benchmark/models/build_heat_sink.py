@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import UP, block, grid, rod
 
-MODEL = Model("Heat sink with twelve fins", "held_out")
+MODEL = Model("Heat sink with twelve fins", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Form, Item, Model, count, length, point, size
 from benchmark.shapes import LEFT, RIGHT, cone, prism, rod
 
-MODEL = Model("Hexagonal head screw", "held_out", Form.BSPLINE)
+MODEL = Model("Hexagonal head screw", "dev", Form.BSPLINE)
 
 
 @dataclass(frozen=True, slots=True)

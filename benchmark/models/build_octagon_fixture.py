@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Item, Model, count, length, lengths, size
 from benchmark.shapes import DOWN, UP, block, circle, cone, prism, rod
 
-MODEL = Model("Tool fixture on an octagonal base plate", "held_out")
+MODEL = Model("Tool fixture on an octagonal base plate", "dev")
 
 
 @dataclass(frozen=True, slots=True)

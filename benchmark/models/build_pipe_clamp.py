@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import BACK, DOWN, block, rod
 
-MODEL = Model("Half of a double pipe clamp", "held_out")
+MODEL = Model("Half of a double pipe clamp", "dev")
 
 
 @dataclass(frozen=True, slots=True)

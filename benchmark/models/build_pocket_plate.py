@@ -10,7 +10,7 @@ from build123d import Axis, Part, chamfer, fillet
 from benchmark.kit import Item, Model, area, count, length, lengths, points
 from benchmark.shapes import DOWN, block, grid, rod, slot
 
-MODEL = Model("Milled workpiece carrier", "held_out")
+MODEL = Model("Milled workpiece carrier", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import INCH, Item, Model, count, length, lengths, point, size
 from benchmark.shapes import DOWN, LEFT, circle, rod
 
-MODEL = Model("Pump cover", "held_out", unit="in")
+MODEL = Model("Pump cover", "dev", unit="in")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Part, chamfer, fillet
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import FRONT, block, grid, rod
 
-MODEL = Model("Sheet-metal sensor bracket", "held_out")
+MODEL = Model("Sheet-metal sensor bracket", "dev")
 
 
 @dataclass(frozen=True, slots=True)

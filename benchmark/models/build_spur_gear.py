@@ -10,7 +10,7 @@ from benchmark.kit import Item, Model, count, length, lengths, points
 from benchmark.shapes import block, circle, rod
 from build_gear_shaft import GearShaft, tooth_edges
 
-MODEL = Model("Spur gear with hub", "held_out")
+MODEL = Model("Spur gear with hub", "dev")
 
 
 @dataclass(frozen=True, slots=True)

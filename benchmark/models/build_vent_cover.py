@@ -9,7 +9,7 @@ from build123d import Axis, Compound, Part, fillet
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import assembly, block, grid, named, rod
 
-MODEL = Model("Ventilation cover with logo", "held_out", bodies=2)
+MODEL = Model("Ventilation cover with logo", "dev", bodies=2)
 
 
 @dataclass(frozen=True, slots=True)
