@@ -76,7 +76,7 @@ def questions(p: P) -> list[Item]:
         count("mounting hole", "How many bolt holes does the flange have?", p.bolts[0] * p.bolts[1]),
         length("mounting hole", "diameter", "What is the diameter of one of the bolt holes in the rim?", p.bolt),
         length("hole", "diameter", "What diameter does the hole on the left side have?", p.input_bore),
-        length("hole", "radius", "What is the radius of the hole visible from the right?", p.output_bore / 2),
+        length("hole", "radius", "What is the radius of the largest hole visible from the right?", p.output_bore / 2),
         length("hole", "depth", "How deep is the hole which is visible from the back?", p.wall),
         point(
             "hole",
