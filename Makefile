@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test check format serve bench openapi examples lock clean
+.PHONY: help setup demo test parity check format serve bench openapi examples lock clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -20,6 +20,9 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 
 test: setup ## run all tests; arguments for pytest in ARGS
 	$(BIN)/python -m pytest $(ARGS)
+
+parity: setup ## compare the vision networks with the public references: installs PyTorch, takes minutes
+	@scripts/parity.sh $(ARGS)
 
 check: setup ## lint, format, types, import layers, scripts; changes nothing
 	$(BIN)/ruff check

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -80,11 +82,25 @@ def test_it_has_the_processes_of_querycad_serve() -> None:
     }
 
 
+def test_the_file_is_as_the_compose_specification_has_it() -> None:
+    checker = Path(sys.executable).with_name("check-jsonschema")
+    command = [str(checker), "--builtin-schema", "vendor.compose-spec", str(ROOT / "docker-compose.yml")]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("path", DOCKERFILES, ids=lambda path: path.parent.name)
+def test_a_dockerfile_has_no_fault_that_the_linter_knows(path: Path) -> None:
+    command = [str(Path(sys.executable).with_name("hadolint")), "--no-color", str(path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
 def test_it_sets_what_querycad_serve_sets_but_that_a_worker_is_the_only_one() -> None:
     served = commands(Path("/data"), Ports(8000, 8101, 6379), 1, "password", {})
     set_there = {name for command in served for name in command.environment if name.startswith("QUERYCAD_")}
     set_here = {name for service in OWN.values() for name in service["environment"]}
-    assert set_here == set_there - {"QUERYCAD_SOLE_WORKER"}
+    assert set_here == set_there - {"QUERYCAD_SOLE_WORKER"} | {"QUERYCAD_LOG_FORMAT"}
 
 
 @pytest.mark.parametrize("name", OWN)

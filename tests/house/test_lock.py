@@ -31,8 +31,9 @@ def declared() -> list[tuple[str, Requirement]]:
     found = [
         (path.parent.name, Requirement(line)) for path in PROJECTS for line in read(path)["project"]["dependencies"]
     ]
-    groups = read(ROOT / "pyproject.toml")["dependency-groups"].values()
-    found += [("development", Requirement(line)) for group in groups for line in group if isinstance(line, str)]
+    groups = read(ROOT / "pyproject.toml")["dependency-groups"]
+    locked = [groups[entry["include-group"]] for entry in groups["dev"]]  # `parity` is installed by itself
+    found += [("development", Requirement(line)) for group in locked for line in group]
     return [(where, requirement) for where, requirement in found if requirement.name not in own]
 
 

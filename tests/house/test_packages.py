@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tomllib
 from importlib import metadata
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,9 @@ def test_there_are_five_packages() -> None:
 
 @pytest.mark.parametrize("project", PROJECTS, ids=lambda project: project.parent.name)
 def test_a_package_declares_what_it_imports(project: Path) -> None:
-    declared = {canonicalize_name(Requirement(line).name) for line in read(project)["project"]["dependencies"]}
+    said = read(project)["project"]
+    lines = [*said["dependencies"], *chain.from_iterable(said.get("optional-dependencies", {}).values())]
+    declared = {canonicalize_name(Requirement(line).name) for line in lines}
     for name in imported(module_of(project)):
         # a distribution of the import's own name may be a shell about the one that holds the files
         provided_by = {canonicalize_name(distribution) for distribution in [*DISTRIBUTIONS.get(name, []), name]}

@@ -34,7 +34,11 @@ def test_the_defaults_told_are_the_defaults() -> None:
     told.pop("QUERYCAD_HOME")  # depends on the user
     for kind in SERVICES:
         read = kind.read(
-            {name: value for name, value in told.items() if name in {*map(kind.variable, kind.model_fields)}}
+            {
+                name: value
+                for name, value in told.items()
+                if value != "unset" and name in {*map(kind.variable, kind.model_fields)}
+            }
         )
         assert read == kind.read({})
 
