@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import Field
 
-from .geometry import Frozen, Part
+from .geometry import Frozen, GroundedBy, Part
 
 
 class AnswerType(StrEnum):
@@ -59,6 +59,48 @@ class LengthUnit(StrEnum):
         return {"mm": 1e-3, "m": 1.0, "in": 0.0254}[self.value]
 
 
+class Frame(StrEnum):
+    """Whose coordinates are the numbers of a point, direction or size in?"""
+
+    MODEL = "model"
+    PART = "part"
+
+
+class Expectation(Frozen):
+    """What the caller expects of an answer. An answer that is something else is a failure, never a wrong type."""
+
+    type: AnswerType | None = Field(None, description="The type; a plural takes one value as a list of one.")
+    unit: Unit | None = Field(None, description="SI unit of the value: 'm', 'm2', 'm3', 'rad', or '' for none.")
+    frame: Frame | None = Field(None, description="Of points, directions and sizes: the file's axes or the part's own.")
+
+
+class Codegen(StrEnum):
+    """Who writes the program?"""
+
+    PARSER = "parser"
+    LLM = "llm"
+    BOTH = "both"
+
+
+class LlmOptions(Frozen):
+    """What a caller may choose of a language model. Its address and key are the service's own, always."""
+
+    model: str | None = Field(None, max_length=200, description="One of the models that the service allows.")
+    samples: int | None = Field(None, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
+    repairs: int | None = Field(None, ge=0, le=5, description="Times that a program that fails is sent back.")
+
+
+class AnswerOptions(Frozen):
+    """How a question is to be answered, as far as the caller has a say."""
+
+    codegen: Codegen | None = Field(
+        None, description="Who writes the program; null: both where a language model is set up, else the parser."
+    )
+    expect: Expectation | None = None
+    llm: LlmOptions | None = None
+    grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
+
+
 class Answer(Frozen):
     """A typed value."""
 
@@ -66,6 +108,7 @@ class Answer(Frozen):
     type: AnswerType
     unit: Unit
     text: str = Field(description="The value as a person reads it, in the unit the caller asked for.")
+    frame: Frame | None = Field(None, description="Of points, directions and sizes: whose axes; null for the rest.")
 
 
 class Program(Frozen):
@@ -95,11 +138,49 @@ class Failure(Frozen):
     """Why there is no answer."""
 
     category: str = Field(
-        description="'not_grounded', 'not_understood', 'bad_input', 'program', 'limit' or 'internal'."
+        description="'not_grounded', 'not_understood', 'bad_input', 'program', 'limit', 'cancelled', 'internal' or "
+        "'unexpected' (the answer is not what the caller expects)."
     )
     message: str = Field(description="One sentence for the user.")
     nearest: tuple[str, ...] = Field((), description="The nearest terms that would be understood.")
     retryable: bool = False
+
+
+class TokenUse(Frozen):
+    """What a language model read and wrote."""
+
+    input: int = 0
+    output: int = 0
+
+    def __add__(self, other: TokenUse) -> TokenUse:
+        return TokenUse(input=self.input + other.input, output=self.output + other.output)
+
+
+class Attempt(Frozen):
+    """One program that a language model wrote for a question, and what came of it."""
+
+    codegen: str = Field(description="'llm:<model>'.")
+    sample: int = Field(1, description="Which of several independent tries it belongs to, from 1.")
+    code: str | None = Field(description="Null when the reply held no program, or none came.")
+    answer: str | None = Field(None, description="The answer's text, when it was one.")
+    problem: str = Field("", description="Why it was no answer: what the model was told to repair.")
+    tokens: TokenUse = TokenUse()
+    seconds: float = 0.0
+
+
+class Agreement(Frozen):
+    """How many of the programs written independently for a question give the answer?"""
+
+    agreeing: int
+    programs: int
+
+
+class Alternative(Frozen):
+    """Another program for the same question, which gives another answer."""
+
+    codegen: str
+    code: str
+    answer: Answer
 
 
 class AnswerRecord(Frozen):
@@ -114,3 +195,7 @@ class AnswerRecord(Frozen):
     timings_ms: dict[str, float]
     warnings: tuple[str, ...]
     failure: Failure | None = None
+    attempts: tuple[Attempt, ...] = Field((), description="Every program that a language model wrote, in order.")
+    agreement: Agreement | None = Field(None, description="Null where only one program was written.")
+    alternatives: tuple[Alternative, ...] = Field((), description="Programs with another answer.")
+    tokens: TokenUse | None = Field(None, description="Of all attempts; null where no language model was asked.")

@@ -121,12 +121,24 @@ class Shape(Frozen):
     face_count: int
 
 
+class GroundedBy(StrEnum):
+    """By which evidence are words turned into parts?"""
+
+    GEOMETRY = "geometry"
+    """What is recognised on the exact surfaces: milliseconds."""
+    VISION = "vision"
+    """What networks see in pictures of the model: seconds, and weights that must be there."""
+    FUSED = "fused"
+    """Both; geometry alone, with a warning, where vision has no weights."""
+
+
 class Evidence(Frozen):
     """What a part rests on."""
 
-    source: str = Field(description="'geometry', 'vision', 'name' or 'color'.")
+    source: str = Field(description="'geometry', 'vision', 'fused' (both agree), 'name' or 'color'.")
     confidence: float = Field(ge=0.0, le=1.0)
     reason: str = Field(description="One sentence: why these faces are this part.")
+    picture: str | None = Field(None, description="Name of the sheet that shows how it was seen; of vision only.")
 
 
 class Part(Frozen):
@@ -158,13 +170,21 @@ class Part(Frozen):
     thickness: float | None = None
     opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
     tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes.")
-    bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical' or 'open'.")
+    bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
     local_size: Vector | None = Field(
         None, description="Length, width, height in the part's own frame, longest of the plane first."
     )
     volume: float | None = None
     area: float | None = None
     radii: tuple[float, ...] = Field((), description="Radii of the coaxial steps from the opening inwards.")
+    pitch: float | None = Field(
+        None, description="Distance of neighbours in a pattern, centre to centre; of a modelled thread, along its axis."
+    )
+    count: int | None = Field(None, description="How many members a pattern has, or teeth a gear.")
+    angle: float | None = Field(
+        None,
+        description="Radians. Between the flanks of a V groove, a dovetail's flank and floor, a chamfer and its face.",
+    )
     edge_distance: float | None = Field(
         None, description="From the opening's rim to the outer edge of its face, where recognition measured it."
     )

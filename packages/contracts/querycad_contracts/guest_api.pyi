@@ -103,8 +103,16 @@ class Part:
     """In the part's own frame; of the whole body, its extent along x."""
     length: float
     thickness: float
+    """Of sheets, plates and fins; of what has no thickness of its own and no opening, its smallest dimension."""
     local_size: Vector
-    bottom: Literal["through", "flat", "conical", "spherical", "open"]
+    bottom: Literal["through", "flat", "conical", "spherical", "open", "bore"]
+    """'bore': it ends in another hole, inside the material."""
+    pitch: float
+    """Distance of neighbours in a pattern (bolt circle, row, grid), centre to centre; a modelled thread's own."""
+    count: int
+    """How many members a pattern has, or teeth a gear."""
+    angle: float
+    """Radians. Between the flanks of a V groove; of a dovetail's flanks to its floor; of a chamfer to its face."""
     volume: float
     area: float
 
@@ -118,6 +126,10 @@ class Part:
 
     def angle_to(self, other: "Part") -> float:
         """Which angle, 0 to pi/2, do the two parts' axes (or normals) enclose?"""
+        ...
+
+    def is_in(self, other: "Part") -> bool:
+        """Does the part lie in or on the other one: a hole in a flange, a boss on a plate, a member of a pattern?"""
         ...
 
     def edge_distance(self) -> float:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import StrEnum
-from typing import Any, Protocol
+from typing import Annotated, Any, Protocol
 
 from pydantic import Field
 
 from .geometry import Face, Frozen, Part, Shape, Side
+
+RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
 
 class Grounding(Frozen):
@@ -59,18 +61,23 @@ class RunStatus(StrEnum):
     TIMED_OUT = "timed_out"
     OUT_OF_MEMORY = "out_of_memory"
     REFUSED = "refused"
+    CANCELLED = "cancelled"
     CRASHED = "crashed"
 
 
 class RunLimits(Frozen):
     """What one program may use."""
 
-    duration_s: float = Field(5.0, gt=0, description="Interpreter time; a program of a few lines needs about 1 ms.")
-    memory_bytes: int = Field(64 * 2**20, gt=0, description="Interpreter heap; a thousand parts take a few MB.")
-    recursion: int = Field(200, gt=0, description="Stack depth; generated code does not recurse.")
-    host_calls: int = Field(2000, gt=0, description="Calls to the guest API, lazy attributes included.")
-    output_bytes: int = Field(64 * 2**10, gt=0, description="Printed text kept.")
-    code_bytes: int = Field(64 * 2**10, gt=0, description="Length of the program itself.")
+    duration_s: float = Field(5.0, gt=0, le=60, description="Interpreter time; a program of a few lines needs 1 ms.")
+    segcad_s: float = Field(180.0, gt=0, le=3600, description="Time in SegCAD, all calls together.")
+    wall_s: float = Field(240.0, gt=0, le=3600, description="From start to end, whatever it waits for.")
+    memory_bytes: int = Field(
+        64 * 2**20, gt=0, le=512 * 2**20, description="Interpreter heap; a thousand parts take a few MB."
+    )
+    recursion: int = Field(200, gt=0, le=1000, description="Stack depth; generated code does not recurse.")
+    host_calls: int = Field(2000, gt=0, le=100_000, description="Calls to the guest API, lazy attributes included.")
+    output_bytes: int = Field(64 * 2**10, gt=0, le=2**20, description="Printed text kept.")
+    code_bytes: int = Field(64 * 2**10, gt=0, le=2**20, description="Length of the program itself.")
 
 
 class RunOutcome(Frozen):

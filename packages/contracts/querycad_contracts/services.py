@@ -5,17 +5,22 @@ from __future__ import annotations
 from datetime import datetime
 from enum import StrEnum
 from typing import Annotated, Generic, TypeVar
+from uuid import uuid4
 
 from pydantic import Field
 
-from .answers import AnswerRecord, AnswerType, Failure, LengthUnit
-from .geometry import Frozen, Part, Shape, Side
-from .runs import RunLimits
+from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
+from .geometry import Frozen, GroundedBy, Part, Shape, Side
+from .logs import current_request
+from .runs import RunId, RunLimits, RunStatus
 
 T = TypeVar("T")
 
 ModelId = Annotated[str, Field(pattern=r"^[0-9a-f]{64}$", description="SHA-256 of the file's bytes, hexadecimal.")]
 JobId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one asked question, and of its answer.")]
+Tenant = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9-]{0,39}$", description="Whose models and answers these are.")]
+NO_ACCOUNTS = "local"
+"""The one tenant of a service without API keys."""
 
 
 class Queue(StrEnum):
@@ -36,10 +41,12 @@ class TaskName(StrEnum):
     DISTANCE = "querycad.distance"  # DistanceTask -> TaskOutcome[float]
     EDGE_DISTANCE = "querycad.edge_distance"  # EdgeDistanceTask -> TaskOutcome[float]
     PARTS = "querycad.parts"  # PartsTask -> TaskOutcome[PartsPage]
-    PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: file name in the folder for pictures
+    PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: name of the file in the store
+    VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
+    GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
-    MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model -> nothing: follows a finished ingest
-    MODEL_LOST = "querycad.model_lost"  # task id, model -> nothing: follows an ingest that was stopped
+    MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant -> nothing: follows a finished ingest
+    MODEL_LOST = "querycad.model_lost"  # task id, model, tenant -> nothing: follows an ingest that was stopped
 
 
 def alive_key(queue: Queue) -> str:
@@ -56,6 +63,7 @@ class ModelTask(Frozen):
     """What is asked of one known model."""
 
     model: ModelId
+    request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")
 
 
 class IngestTask(ModelTask):
@@ -69,6 +77,7 @@ class FindPartsTask(ModelTask):
 
     description: str
     sides: tuple[Side, ...] | None = None
+    grounding: GroundedBy = GroundedBy.GEOMETRY
 
 
 class FacesTask(ModelTask):
@@ -102,15 +111,42 @@ class PictureTask(ModelTask):
     """Draw the parts that an answer rests on."""
 
     record: AnswerRecord
-    name: str = Field(pattern=r"^[0-9a-f]{32}\.png$", description="Name of the file to write.")
+    name: str = Field(pattern=r"^pictures/[0-9a-f]{32}\.png$", description="Name of the file in the store.")
 
 
-class QuestionTask(ModelTask):
+class ViewName(StrEnum):
+    """Where a model may be looked at from."""
+
+    ISOMETRIC = "isometric"
+    TOP = "top"
+    BOTTOM = "bottom"
+    LEFT = "left"
+    RIGHT = "right"
+    FRONT = "front"
+    BACK = "back"
+
+
+class ViewTask(ModelTask):
+    """Draw the model as it is seen from there, without marks."""
+
+    view: ViewName
+    width: int = Field(ge=64, le=2048)
+    height: int = Field(ge=64, le=2048)
+
+
+class QuestionRequest(AnswerOptions):
+    """A question about a model."""
+
+    question: str = Field(min_length=1, max_length=2000, description="In English; one question.")
+    unit: LengthUnit = Field(LengthUnit.MM, description="Unit of lengths in the answer's text; values stay SI.")
+
+
+class QuestionTask(ModelTask, QuestionRequest):
     """Answer a question; the job says which."""
 
     job: JobId
-    question: str
-    unit: LengthUnit = LengthUnit.MM
+    tenant: Tenant = NO_ACCOUNTS
+    key: str = Field("", description="Id of the API key that asked; its open questions are counted.")
 
 
 class TaskFailureKind(StrEnum):
@@ -142,6 +178,10 @@ class ModelSummary(Frozen):
     shape: Shape = Field(description="The whole model; of many bodies only the first hundred are listed.")
     body_count: int
     part_counts: dict[str, int] = Field(description="How many parts of each kind were recognised.")
+    terms: dict[str, int] = Field(
+        default_factory=dict,
+        description="How many parts go by each name, such as 'blind hole'; the most frequent first.",
+    )
     warnings: tuple[str, ...]
     timings_ms: dict[str, float] = Field(description="What each stage of reading the file took.")
 
@@ -153,6 +193,9 @@ class RunRequest(Frozen):
     model: ModelId
     limits: RunLimits = RunLimits()
     expects: AnswerType | None = None
+    grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence its words are turned into parts.")
+    run: RunId = Field(default_factory=lambda: uuid4().hex)
+    request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")
 
 
 class Problem(Frozen):
@@ -193,11 +236,20 @@ class PartsPage(Frozen):
     total: int = Field(description="How many there are on all pages.")
 
 
-class QuestionRequest(Frozen):
-    """A question about a model."""
+class QuestionsRequest(Frozen):
+    """Several questions about a model; each becomes a job of its own."""
 
-    question: str = Field(min_length=1, max_length=2000, description="In English; one question.")
-    unit: LengthUnit = Field(LengthUnit.MM, description="Unit of lengths in the answer's text; values stay SI.")
+    questions: tuple[QuestionRequest, ...] = Field(min_length=1, max_length=100)
+
+
+class SegmentRequest(Frozen):
+    """Which parts of a model does a phrase mean?"""
+
+    description: str = Field(min_length=1, max_length=500, description="Such as 'counterbored hole'.")
+    sides: tuple[Side, ...] | None = Field(
+        None, min_length=1, max_length=6, description="Only parts that are visible from one of these; null: all."
+    )
+    grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
 
 
 class JobStatus(StrEnum):
@@ -219,6 +271,43 @@ class Job(Frozen):
     created: datetime
     finished: datetime | None = None
     record: AnswerRecord | None = Field(None, description="The outcome, once the job is done.")
+
+
+class JobsPage(Frozen):
+    """Some of the questions that were asked about a model, the newest first."""
+
+    items: tuple[Job, ...]
+    total: int = Field(description="How many there are on all pages.")
+
+
+class ModelsPage(Frozen):
+    """Some of the uploaded models, the newest first."""
+
+    items: tuple[ModelResource, ...]
+    total: int = Field(description="How many there are on all pages.")
+
+
+class JobEventKind(StrEnum):
+    """The steps of a question. The last event of every job is `done`; those between may come more than once."""
+
+    QUEUED = "queued"
+    STARTED = "started"
+    PROGRAM = "program"
+    RAN = "ran"
+    WAITING = "waiting"
+    DONE = "done"
+
+
+class JobEvent(Frozen):
+    """One step of a question: the `data` of a server-sent event, whose name is `kind`."""
+
+    kind: JobEventKind
+    at: datetime
+    code: str | None = Field(None, description="Of `program`: what was written.")
+    codegen: str | None = Field(None, description="Of `program`: who wrote it.")
+    outcome: RunStatus | None = Field(None, description="Of `ran`: how the program ended.")
+    message: str = Field("", description="Of `ran` and `waiting`: what there is to say.")
+    record: AnswerRecord | None = Field(None, description="Of `done`: what came of the question.")
 
 
 class Health(Frozen):

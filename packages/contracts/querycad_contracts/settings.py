@@ -10,8 +10,24 @@ from typing import Self
 from pydantic import Field
 
 from .geometry import Frozen
+from .logs import LogFormat
 
 PREFIX = "QUERYCAD_"
+
+
+def upload_name(model: str) -> str:
+    """Under which name is the uploaded file with this SHA-256 in the store?"""
+    return f"files/{model[:2]}/{model}"
+
+
+def models_name(model: str) -> str:
+    """Under which name is all that was made of the file with this SHA-256, in whatever version?"""
+    return f"models/{model[:2]}/{model}"
+
+
+def picture_name(job: str) -> str:
+    """Under which name is the picture of an answer?"""
+    return f"pictures/{job}.png"
 
 
 def default_home() -> Path:
@@ -39,6 +55,11 @@ class Settings(Frozen):
 class BrokerSettings(Settings):
     """What every service of the distributed runtime knows."""
 
+    log_format: LogFormat = Field(LogFormat.TEXT, description="`text` for people, or `json`: one object a line.")
+    traces: bool = Field(
+        False, description="Whether OpenTelemetry traces are sent, where its own variables say; needs an extra."
+    )
+
     redis_url: str = Field(
         "redis://127.0.0.1:6379/0", description="Redis-protocol server: queues, state of models and jobs, answers."
     )
@@ -61,16 +82,22 @@ class StorageSettings(Settings):
         description="Folder for uploaded files, artefacts and pictures, shared by api and segworker.",
     )
 
+    files_url: str = Field(
+        "",
+        pattern=r"^(s3://[^/]+(/.*)?)?$",
+        description="S3-compatible store, `s3://bucket/prefix`, for what is shared; `home` is then a cache.",
+    )
+
     @property
     def models(self) -> Path:
         """The folder of artefacts, as in `querycad_segworker.model.ModelStore`."""
         return self.home / "models"
 
     @property
-    def pictures(self) -> Path:
-        """The folder of drawn pictures."""
-        return self.home / "pictures"
+    def weights(self) -> Path:
+        """The folder of the vision path's weights, one inside it for each network."""
+        return self.home / "weights"
 
     def upload(self, model: str) -> Path:
         """Where is the uploaded file with this SHA-256?"""
-        return self.home / "files" / model[:2] / model
+        return self.home / upload_name(model)

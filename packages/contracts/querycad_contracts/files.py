@@ -1,0 +1,194 @@
+"""Where is what the services share on disk: uploaded files, artefacts, pictures?
+
+A `FileStore` knows files by names such as `files/ab/abcd…`. `FolderStore` keeps them in a folder that all services see,
+`BucketStore` in an S3-compatible bucket, with the folder as this machine's cache. What has a name does not change:
+names hold the SHA-256 of the content, or the id of an answer.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Any, Protocol
+
+from .settings import StorageSettings
+
+
+class FileStore(Protocol):
+    """Files by name. Raises OSError when the store cannot be reached or written."""
+
+    home: Path
+
+    def keep(self, name: str, unfinished: Path) -> None:
+        """Gives a finished file, which is in `home` under another name, its own: all at once, or not at all."""
+        ...
+
+    def fetch(self, name: str) -> Path | None:
+        """Where can the file be read now? None when there is none."""
+        ...
+
+    def keep_folder(self, name: str) -> None:
+        """Shares a folder that is complete under its name in `home`."""
+        ...
+
+    def fetch_folder(self, name: str) -> bool:
+        """Is the folder under its name in `home`, now at the latest?"""
+        ...
+
+    def remove(self, name: str) -> None:
+        """Removes a file or folder, if it is there."""
+        ...
+
+
+class FolderStore:
+    """Files in a folder that all services see."""
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+
+    def keep(self, name: str, unfinished: Path) -> None:
+        """Gives a finished file its name."""
+        target = self.home / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        unfinished.replace(target)
+
+    def fetch(self, name: str) -> Path | None:
+        """Where can the file be read now? None when there is none."""
+        path = self.home / name
+        return path if path.is_file() else None
+
+    def keep_folder(self, name: str) -> None:
+        """Everybody sees it already."""
+
+    def fetch_folder(self, name: str) -> bool:
+        """Is the folder there?"""
+        return (self.home / name).is_dir()
+
+    def remove(self, name: str) -> None:
+        """Removes a file or folder, if it is there."""
+        path = self.home / name
+        if path.is_dir():
+            shutil.rmtree(path, ignore_errors=True)
+        else:
+            path.unlink(missing_ok=True)
+
+
+class BucketStore:
+    """Files in an S3-compatible bucket; the folder is this machine's cache of it.
+
+    Address and credentials of the bucket are those of the usual variables: AWS_ENDPOINT, AWS_REGION, AWS_ACCESS_KEY_ID,
+    AWS_SECRET_ACCESS_KEY; AWS_ALLOW_HTTP=true for one without TLS.
+    """
+
+    def __init__(self, home: Path, url: str) -> None:
+        from obstore.store import from_url  # an optional dependency
+
+        self.home = home
+        self._cache = FolderStore(home)
+        self._bucket: Any = from_url(url)
+
+    def keep(self, name: str, unfinished: Path) -> None:
+        """Uploads a finished file, and keeps it in the cache."""
+        self._upload(name, unfinished)
+        self._cache.keep(name, unfinished)
+
+    def fetch(self, name: str) -> Path | None:
+        """Where can the file be read now? Downloads it unless it is in the cache; None when the bucket has none."""
+        cached = self._cache.fetch(name)
+        if cached is not None:
+            return cached
+        if not self._download(name, self.home / name):
+            return None
+        return self._cache.fetch(name)
+
+    def keep_folder(self, name: str) -> None:
+        """Uploads all files directly in the folder; the one that says that it is complete is the last."""
+        paths = sorted((path for path in (self.home / name).iterdir() if path.is_file()), key=_complete_last)
+        for path in paths:
+            self._upload(f"{name}/{path.name}", path)
+
+    def fetch_folder(self, name: str) -> bool:
+        """Downloads a complete folder unless it is in the cache; is it there now?"""
+        target = self.home / name
+        if target.is_dir():
+            return True
+        names = self._names(name)
+        if f"{name}/{COMPLETE}" not in names:
+            return False
+        self.home.mkdir(parents=True, exist_ok=True)
+        scratch = Path(tempfile.mkdtemp(prefix="fetch-", dir=self.home))
+        try:
+            for each in names:
+                if Path(each).parent == Path(name):  # what is in its folders is fetched when it is asked for
+                    self._download(each, scratch / Path(each).name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            scratch.rename(target)
+        except OSError:
+            if not target.is_dir():  # else another process was faster
+                raise
+        finally:
+            shutil.rmtree(scratch, ignore_errors=True)
+        return True
+
+    def remove(self, name: str) -> None:
+        """Removes a file or folder from bucket and cache, if it is there."""
+        import obstore
+
+        try:
+            obstore.delete(self._bucket, [*self._names(name), name])
+        except FileNotFoundError:
+            pass
+        except obstore.exceptions.BaseError as error:
+            raise OSError(str(error)) from error
+        self._cache.remove(name)
+
+    def _names(self, folder: str) -> list[str]:
+        import obstore
+
+        try:
+            return [str(each["path"]) for page in obstore.list(self._bucket, prefix=folder) for each in page]
+        except obstore.exceptions.BaseError as error:
+            raise OSError(str(error)) from error
+
+    def _upload(self, name: str, path: Path) -> None:
+        import obstore
+
+        try:
+            obstore.put(self._bucket, name, path)
+        except obstore.exceptions.BaseError as error:
+            raise OSError(str(error)) from error
+
+    def _download(self, name: str, target: Path) -> bool:
+        import obstore
+
+        target.parent.mkdir(parents=True, exist_ok=True)
+        handle, unfinished = tempfile.mkstemp(prefix="unfinished-", dir=target.parent)
+        try:
+            with os.fdopen(handle, "wb") as file:
+                for chunk in obstore.get(self._bucket, name).stream():
+                    file.write(chunk)
+            Path(unfinished).replace(target)
+        except FileNotFoundError:
+            return False
+        except obstore.exceptions.BaseError as error:
+            raise OSError(str(error)) from error
+        finally:
+            Path(unfinished).unlink(missing_ok=True)
+        return True
+
+
+COMPLETE = "model.json"
+"""A folder of artefacts is complete when it has this file."""
+
+
+def _complete_last(path: Path) -> tuple[bool, str]:
+    return path.name == COMPLETE, path.name
+
+
+def file_store(settings: StorageSettings) -> FileStore:
+    """Where do these settings say that files are?"""
+    if settings.files_url:
+        return BucketStore(settings.home, settings.files_url)
+    return FolderStore(settings.home)

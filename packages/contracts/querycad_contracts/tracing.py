@@ -1,0 +1,47 @@
+"""OpenTelemetry traces, an option: one trace a request, through api, queues, sandbox and segworkers.
+
+Off, nothing of OpenTelemetry is imported. On (`QUERYCAD_TRACES=1`), the extra `traces` has to be installed; where spans
+go is told by OpenTelemetry's own variables, such as OTEL_EXPORTER_OTLP_ENDPOINT.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def start_tracing(service: str, wanted: bool, app: Any) -> None:
+    """Traces a web service: its requests, the tasks that it sends, the requests that it makes."""
+    if not wanted:
+        return
+    from opentelemetry.instrumentation.asgi import OpenTelemetryMiddleware
+    from opentelemetry.instrumentation.threading import ThreadingInstrumentor
+
+    _export(service)
+    ThreadingInstrumentor().instrument()  # tasks are sent, and programs run, in threads
+    app.add_middleware(OpenTelemetryMiddleware, excluded_urls="livez,readyz,metrics")
+
+
+def start_worker_tracing(service: str, wanted: bool) -> None:
+    """Traces a Celery worker: its tasks, and the requests and tasks that they lead to."""
+    if not wanted:
+        return
+    from celery.signals import worker_process_init
+
+    # after the fork: what exports spans is a thread
+    worker_process_init.connect(lambda **_: _export(service), weak=False)
+
+
+def _export(service: str) -> None:
+    from opentelemetry import trace
+    from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
+    from opentelemetry.instrumentation.celery import CeleryInstrumentor
+    from opentelemetry.instrumentation.httpx import HTTPXClientInstrumentor
+    from opentelemetry.sdk.resources import Resource
+    from opentelemetry.sdk.trace import TracerProvider
+    from opentelemetry.sdk.trace.export import BatchSpanProcessor
+
+    provider = TracerProvider(resource=Resource.create({"service.name": service}))
+    provider.add_span_processor(BatchSpanProcessor(OTLPSpanExporter()))
+    trace.set_tracer_provider(provider)
+    CeleryInstrumentor().instrument()  # type: ignore[no-untyped-call]
+    HTTPXClientInstrumentor().instrument()
