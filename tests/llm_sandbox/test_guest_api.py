@@ -56,6 +56,9 @@ def full_part() -> Part:
         thickness=1.0,
         local_size=UP,
         bottom="through",
+        pitch=1.0,
+        count=1,
+        angle=1.0,
         volume=1.0,
         area=1.0,
     )

@@ -6,7 +6,8 @@ from typing import Any
 
 import pytest
 
-from querycad_contracts import Side, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_contracts import GroundedBy, Side, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_sandbox.control import RunControl
 from querycad_sandbox.remote import QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from querycad_sandbox.settings import SandboxSettings
 
@@ -21,7 +22,7 @@ class Recorder:
         self.answer = answer
         self.calls: list[tuple[TaskName, dict[str, Any], float]] = []
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
         self.calls.append((name, payload, timeout_s))
         return self.answer
 
@@ -39,7 +40,18 @@ def test_a_call_is_a_task_with_the_model_in_its_payload() -> None:
     call = Recorder(value(grounding))
     found = RemoteSegCad(MODEL, call, SETTINGS).find_parts("hole", [Side.TOP])
     assert found.sides == (Side.TOP,)
-    assert call.calls == [(TaskName.FIND_PARTS, {"model": MODEL, "description": "hole", "sides": ["top"]}, 3.0)]
+    ((name, payload, timeout_s),) = call.calls
+    assert (name, timeout_s) == (TaskName.FIND_PARTS, 3.0)
+    assert payload.items() >= {"model": MODEL, "description": "hole"}.items()
+    assert payload["sides"] == ["top"]
+
+
+def test_words_are_grounded_by_the_evidence_that_was_asked_for_and_looking_is_waited_for() -> None:
+    call = Recorder(value({"description": "logo", "sides": None, "parts": [], "understood": True}))
+    RemoteSegCad(MODEL, call, SETTINGS, grounding=GroundedBy.FUSED).find_parts("logo")
+    ((_, payload, timeout_s),) = call.calls
+    assert payload["grounding"] == "fused"
+    assert timeout_s == SETTINGS.measure_s
 
 
 def test_a_measurement_is_waited_for_longer() -> None:
@@ -71,12 +83,12 @@ def test_an_answer_with_neither_value_nor_reason_is_a_failure() -> None:
 def test_without_a_segworker_a_call_is_given_up(redis_url: str) -> None:
     call = QueueCaller(redis_url)
     with pytest.raises(SegCadUnavailable):
-        call(TaskName.SHAPE, {"model": MODEL}, 0.1)
+        call(TaskName.SHAPE, {"model": MODEL}, 0.1, RunControl())
     call.close()
 
 
 def test_without_a_broker_a_call_is_given_up() -> None:
     call = QueueCaller("redis://127.0.0.1:1/0")
     with pytest.raises(SegCadUnavailable):
-        call(TaskName.SHAPE, {"model": MODEL}, 0.1)
+        call(TaskName.SHAPE, {"model": MODEL}, 0.1, RunControl())
     call.close()

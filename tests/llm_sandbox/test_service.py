@@ -9,8 +9,9 @@ import httpx
 import pytest
 
 from querycad_contracts import RunOutcome, RunStatus, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_sandbox.app import BODY_BYTES, make_app
+from querycad_sandbox.control import RunControl
 from querycad_sandbox.remote import SegCadUnavailable
-from querycad_sandbox.service import BODY_BYTES, make_app
 from querycad_sandbox.settings import SandboxSettings
 
 MODEL = "0123456789abcdef" * 4
@@ -29,7 +30,7 @@ class Queue:
     def __init__(self) -> None:
         self.answer: dict[str, Any] | None = {"value": NO_HOLES, "failure": None}
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
         if self.answer is None:
             raise SegCadUnavailable("no segworker answered")
         return self.answer
@@ -42,7 +43,7 @@ def queue() -> Queue:
 
 @pytest.fixture
 def client(queue: Queue, redis_url: str, serving: Any) -> Iterator[httpx.Client]:
-    settings = SandboxSettings(redis_url=redis_url, sandbox_runs=1)
+    settings = SandboxSettings(redis_url=redis_url, sandbox_runs=2, sandbox_processes=1)
     with serving(make_app(settings, queue)) as client:
         yield client
 
@@ -102,11 +103,18 @@ def test_a_file_that_cannot_be_measured_is_not_the_service_s_fault(client: httpx
 
 def test_it_is_ready_with_its_broker(client: httpx.Client) -> None:
     assert client.get("/livez").status_code == 200
-    assert client.get("/readyz").json() == {"ready": True, "checks": {"broker": True, "interpreter": True}}
+    health = client.get("/readyz").json()
+    assert (health["ready"], health["checks"]) == (True, {"broker": True, "interpreter": True})
+
+
+def test_it_says_which_layers_hold(client: httpx.Client) -> None:
+    layers = client.get("/readyz").json()["layers"]
+    assert layers["own_process"] is True
+    assert layers.keys() >= {"landlock", "seccomp", "resource_limits", "unprivileged_user", "no_new_privileges"}
 
 
 def test_it_is_alive_but_not_ready_without_its_broker(serving: Any) -> None:
-    settings = SandboxSettings(redis_url="redis://127.0.0.1:1/0", sandbox_runs=1)
+    settings = SandboxSettings(redis_url="redis://127.0.0.1:1/0", sandbox_runs=2, sandbox_processes=1)
     with serving(make_app(settings, Queue())) as client:
         assert client.get("/livez").status_code == 200
         response = client.get("/readyz")

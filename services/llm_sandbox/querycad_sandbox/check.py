@@ -12,6 +12,8 @@ from typing import Final
 
 from pydantic_monty import Monty, MontyCrashedError, MontyError, MontySession, MontySyntaxError, MontyTypingError
 
+from querycad_contracts.guest_reference import guest_api_text
+
 SCRIPT: Final = "program.py"
 CHECK_TIMEOUT_S: Final = 3.0
 """A check takes about 1 ms, the first of a process 50 ms; what takes this long was written to."""
@@ -48,8 +50,7 @@ _UNCERTAIN: Final = re.compile(r"`None`| \| | in union |Literal\[[^]]*,")
 
 def checker_stubs() -> str:
     """What a program may refer to: the guest API, and the builtins that the checker does not know of."""
-    guest_api = files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8")
-    return guest_api + "\n" + files(__package__).joinpath("extra_builtins.pyi").read_text(encoding="utf-8")
+    return guest_api_text() + "\n" + files(__package__).joinpath("extra_builtins.pyi").read_text(encoding="utf-8")
 
 
 @dataclass(slots=True)
@@ -66,8 +67,8 @@ class TypeChecker:
     A program is good when that line is all that is wrong.
     """
 
-    def __init__(self, workers: int) -> None:
-        self._pool = Monty(min_processes=1, max_processes=workers, request_timeout=CHECK_TIMEOUT_S)
+    def __init__(self, workers: int, binary: str | None = None) -> None:
+        self._pool = Monty(binary_path=binary, min_processes=1, max_processes=workers, request_timeout=CHECK_TIMEOUT_S)
         self._stubs = checker_stubs()
         self._gate = f"_{secrets.token_hex(8)}"
         self._idle: LifoQueue[_Session] = LifoQueue()

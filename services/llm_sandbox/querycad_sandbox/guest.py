@@ -9,18 +9,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from time import perf_counter
 from typing import Any, Final, NoReturn, TypeVar
+from uuid import UUID
 
-from pydantic_monty import ClassInstance, ClassType
+from pydantic_monty import ClassInstance, ClassType, MontyClassProxy
 
 from querycad_contracts import Body, Face, Grounding, Part, RunStatus, SegCad, Shape, Side, Vector
 
+from .control import RunControl, RunEndedError
 from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
 
 T = TypeVar("T")
 
-PART_METHODS: Final = frozenset({"distance_to", "center_distance", "angle_to", "edge_distance"})
+PART_METHODS: Final = frozenset({"distance_to", "center_distance", "angle_to", "edge_distance", "is_in"})
+BOX_SLACK_M: Final = 1e-6
+"""A centre on the border of a box counts as in it: above kernel noise, below drawing accuracy."""
 DESCRIPTION_CHARS: Final = 300
 """Longest description of a part; a phrase of a question has a few dozen characters."""
 DESCRIPTIONS: Final = 100
@@ -31,15 +34,6 @@ _CLASSES: Final = {kind: ClassType(kind) for kind in (Part, Face, Body, Shape)}
 """How a program sees the classes of the guest API: it can ask isinstance(), and make no objects of them."""
 
 
-class RunEndedError(Exception):
-    """The run is over, whatever the program would do next."""
-
-    def __init__(self, status: RunStatus, message: str) -> None:
-        super().__init__(message)
-        self.status = status
-        self.message = message
-
-
 class View(ClassInstance):
     """An object of the model as a program sees it: its measures, and an AttributeError for any other name."""
 
@@ -47,6 +41,7 @@ class View(ClassInstance):
         super().__init__(value, class_type=_CLASSES[type(value)])
         self.guest = guest
         self.measures = measures
+        guest.views[self.id] = self
 
     def get_eager_attrs(self) -> dict[str, Any]:
         """The measures that go into the sandbox with the object."""
@@ -87,20 +82,30 @@ class PartView(View):
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(self, segcad: SegCad) -> None:
+    def __init__(self, segcad: SegCad, control: RunControl) -> None:
         self._segcad = segcad
+        self._control = control
+        self.views: dict[UUID, View] = {}
+        """Every object that the program was given, by the id that the interpreter knows it by."""
         self._found: dict[tuple[str, tuple[Side, ...] | None], list[PartView]] = {}
         self._faces: dict[str, list[View]] = {}
         self.groundings: list[Grounding] = []
         self.ended: BaseException | None = None
         self.absence = ""
         """What was said of the last measure asked for in vain."""
-        self.segcad_s = 0.0
-        """Time spent waiting for SegCAD, which is not the program's."""
 
     def names(self) -> dict[str, Any]:
         """What a program's undefined names stand for, but for `shape`, which is asked for when it is read."""
         return {"find_parts": self.find_parts} | {kind.__name__: wrapper for kind, wrapper in _CLASSES.items()}
+
+    def original(self, value: Any) -> Any:
+        """The model's own object, where `value` is what a restored session says in place of it; else `value`."""
+        view = self.views.get(value.id) if isinstance(value, MontyClassProxy) else None
+        return value if view is None else view.value
+
+    def originals(self, values: tuple[Any, ...]) -> tuple[Any, ...]:
+        """The same of each of `values`."""
+        return tuple(map(self.original, values))
 
     def shape(self) -> View:
         """The variable `shape`."""
@@ -143,6 +148,14 @@ class Guest:
         cross = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
         return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
 
+    def is_in(self, part: Part, other: Part) -> bool:
+        """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?"""
+        points = [part.center] if part.opening is None else [part.center, part.opening]
+        return part.id in other.children or any(
+            all(abs(c - m) <= e / 2 + BOX_SLACK_M for c, m, e in zip(point, other.center, other.extents, strict=True))
+            for point in points
+        )
+
     def explain(self, type_name: str, attribute: str) -> str:
         """What to say when an object of the guest API had no such attribute; empty when none is known to lack it.
 
@@ -166,13 +179,13 @@ class Guest:
         return grounding
 
     def _ask(self, call: Callable[[], T]) -> T:
-        started = perf_counter()
         try:
-            return call()
+            with self._control.in_segcad():
+                found = call()
+            self._control.check()
         except BaseException as error:  # SegCAD's own failure is no exception of the program's
             self._end(error)
-        finally:
-            self.segcad_s += perf_counter() - started
+        return found
 
     def _end(self, reason: BaseException) -> NoReturn:
         self.ended = reason

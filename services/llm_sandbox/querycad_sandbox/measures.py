@@ -18,7 +18,8 @@ def part_measures(part: Part) -> Measures:
     """What does a program see of a part? Its `faces` come on demand.
 
     A hole, pocket or slot (what has an opening) has no depth but its own; what protrudes (what has a tip) no height
-    but its own; for anything else depth and height are the extents along y and z, as the guest API says.
+    but its own; for anything else depth and height are the extents along y and z, as the guest API says. What has no
+    thickness of its own, and no opening, is as thick as its smallest dimension.
     """
     x, y, z = part.extents
     length, width, _ = part.local_size or (None, None, None)
@@ -45,9 +46,12 @@ def part_measures(part: Part) -> Measures:
             "height": _first(part.height, z if part.tip is None else None),
             "width": _first(part.width, x if part.kind == "body" else width),
             "length": _first(part.length, length),
-            "thickness": part.thickness,
+            "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
             "local_size": part.local_size,
             "bottom": part.bottom,
+            "pitch": part.pitch,
+            "count": part.count,
+            "angle": part.angle,
             "volume": part.volume,
             "area": part.area,
         }

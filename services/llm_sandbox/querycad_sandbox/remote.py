@@ -23,6 +23,7 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
+    GroundedBy,
     Grounding,
     ModelTask,
     Queue,
@@ -35,8 +36,13 @@ from querycad_contracts import (
     reply_key,
 )
 
+from .control import RunControl
 from .settings import SandboxSettings
 
+PATIENCE_S: Final = 0.05
+"""Most answers come sooner. A run that waits longer gives its interpreter to another, which costs it some 2 ms."""
+KEPT_S: Final = 60
+"""How long what is left of an abandoned call stays in the store."""
 TRIES: Final = 2
 """A call is lost with the worker that died at it; asking again does no harm, as no call changes anything."""
 CONNECT_S: Final = 2.0
@@ -65,8 +71,8 @@ class SegCadFailed(Exception):
 class Caller(Protocol):
     """Sends a task and waits for what comes of it."""
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
-        """The task's result as JSON data. Raises SegCadUnavailable."""
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
+        """The task's result as JSON data. Raises SegCadUnavailable, and RunEndedError when `control` ends the run."""
         ...
 
 
@@ -81,21 +87,47 @@ class QueueCaller:
         )
         self._redis = Redis.from_url(redis_url, socket_connect_timeout=CONNECT_S, socket_timeout=None)
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float) -> Any:
-        """The task's result as JSON data. Raises SegCadUnavailable when no worker answered, twice."""
+    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
+        """The task's result as JSON data.
+
+        Raises SegCadUnavailable when no worker answered, twice, and RunEndedError when `control` ends the run.
+        """
         for attempt in range(1, TRIES + 1):
+            control.check()
             try:
                 sent = self._app.send_task(
                     name.value, args=[payload], queue=Queue.SEGCAD.value, expires=timeout_s, ignore_result=True
                 )
-                reply = cast("tuple[bytes, bytes] | None", self._redis.blpop([reply_key(sent.id)], timeout_s))
+                with control.stopped_by(lambda task=sent.id: self._abandon(task)):  # type: ignore[misc]
+                    reply = self._reply(sent.id, min(timeout_s, control.left_s()), control)
             except (OperationalError, RedisError) as error:
                 log.warning("%s: %s (attempt %d)", name.value, error, attempt)
                 continue
+            control.check()
             if reply is not None:
                 return json.loads(reply[1])
             log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
         raise SegCadUnavailable("no segworker answered; try again in a moment")
+
+    def _reply(self, task: str, timeout_s: float, control: RunControl) -> tuple[bytes, bytes] | None:
+        """What came back within the time. Zero seconds would mean for ever to the store."""
+        keys = [reply_key(task)]
+        soon = max(min(PATIENCE_S, timeout_s), 0.01)
+        reply = cast("tuple[bytes, bytes] | None", self._redis.blpop(keys, soon))
+        if reply is not None or timeout_s <= soon:
+            return reply
+        control.release()
+        return cast("tuple[bytes, bytes] | None", self._redis.blpop(keys, timeout_s - soon))
+
+    def _abandon(self, task: str) -> None:
+        """Wakes whoever waits for the task's reply, and tells the segworkers not to begin it."""
+        key = reply_key(task)
+        try:
+            self._redis.rpush(key, b"null")
+            self._redis.expire(key, KEPT_S)
+            self._app.control.revoke(task)
+        except (OperationalError, RedisError) as error:
+            log.warning("task %s could not be revoked: %s", task, error)
 
     def close(self) -> None:
         """Closes the connections."""
@@ -106,10 +138,19 @@ class QueueCaller:
 class RemoteSegCad:
     """Finds and measures the parts of one model, by asking a segworker. Raises SegCadUnavailable and SegCadFailed."""
 
-    def __init__(self, model: str, call: Caller, settings: SandboxSettings) -> None:
+    def __init__(
+        self,
+        model: str,
+        call: Caller,
+        settings: SandboxSettings,
+        control: RunControl | None = None,
+        grounding: GroundedBy = GroundedBy.GEOMETRY,
+    ) -> None:
         self._model = model
+        self._grounding = grounding
         self._call = call
         self._settings = settings
+        self._control = control or RunControl()
 
     def shape(self) -> Shape:
         """What is the whole model?"""
@@ -118,8 +159,9 @@ class RemoteSegCad:
     def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""
         asked = None if sides is None else tuple(sides)
-        task = FindPartsTask(model=self._model, description=description, sides=asked)
-        return self._ask(TaskName.FIND_PARTS, task, _GROUNDING)
+        task = FindPartsTask(model=self._model, description=description, sides=asked, grounding=self._grounding)
+        long_s = None if self._grounding is GroundedBy.GEOMETRY else self._settings.measure_s
+        return self._ask(TaskName.FIND_PARTS, task, _GROUNDING, long_s)
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""
@@ -139,7 +181,7 @@ class RemoteSegCad:
     def _ask(
         self, name: TaskName, task: ModelTask, outcome: TypeAdapter[TaskOutcome[T]], timeout_s: float | None = None
     ) -> T:
-        answer = self._call(name, task.model_dump(mode="json"), timeout_s or self._settings.call_s)
+        answer = self._call(name, task.model_dump(mode="json"), timeout_s or self._settings.call_s, self._control)
         done = outcome.validate_python(answer)
         if done.failure is not None and done.failure.kind is TaskFailureKind.UNKNOWN_ID:
             raise KeyError(done.failure.message)

@@ -12,6 +12,11 @@ class SandboxSettings(BrokerSettings):
 
     sandbox_host: str = Field("127.0.0.1", description="Address that the sandbox listens on.")
     sandbox_port: int = Field(8101, ge=1, le=65535, description="Port that the sandbox listens on.")
-    sandbox_runs: int = Field(4, ge=1, le=256, description="Programs that a sandbox runs at the same time.")
+    sandbox_runs: int = Field(
+        32, ge=1, le=256, description="Programs under way at the same time, those that wait for SegCAD included."
+    )
+    sandbox_processes: int = Field(2, ge=1, le=64, description="Interpreters: programs that compute at the same time.")
     call_s: float = Field(20.0, gt=0, description="Seconds that the sandbox waits for a segworker, then asks again.")
-    measure_s: float = Field(100.0, gt=0, description="The same for a distance, which may need the CAD kernel.")
+    measure_s: float = Field(
+        100.0, gt=0, description="The same for a distance, which may need the CAD kernel, and for looking at pictures."
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from typing import Any, Final
 
 from pydantic_monty import MontyClassProxy, MontyStdTypeProxy
@@ -30,20 +31,27 @@ class UnfitError(Exception):
     """A value cannot be an answer; the message completes 'the result ...'."""
 
 
-def plain(value: object) -> Any:
+def _itself(value: Any) -> Any:
+    return value
+
+
+def plain(value: object, original: Callable[[Any], Any] = _itself) -> Any:
     """What is `value` as plain data: None, bool, int, float, str, or lists of these?
+
+    `original` gives the model's own object for what stands for it.
 
     A tuple becomes a list, a set a sorted list, a part {'part': id}, a face {'face': id}. Raises UnfitError for
     anything else: dictionaries, objects of the program's own classes, functions, NaN and infinities, integers over
     64 bit, cycles, and whatever is too large.
     """
-    return _Converter().convert(value, 0)
+    return _Converter(original).convert(value, 0)
 
 
 class _Converter:
     """Counts what it converts, so that a list that holds one list a thousand times is as large as it reads."""
 
-    def __init__(self) -> None:
+    def __init__(self, original: Callable[[Any], Any]) -> None:
+        self.original = original
         self.items = 0
         self.chars = 0
 
@@ -51,7 +59,7 @@ class _Converter:
         self.items += 1
         if self.items > MAX_ITEMS:
             raise UnfitError(f"has more than {MAX_ITEMS:,} values")
-        match value:
+        match value := self.original(value):
             case None | bool():
                 return value
             case int():

@@ -1,0 +1,205 @@
+"""The walls around the interpreter's processes: what is left to a program that finds a flaw in the interpreter.
+
+A process of the interpreter needs memory, its standard input and output, and nothing else. Before it starts, in
+`launcher.py`: another user (where this one is root), resource limits, no new privileges, Landlock (it may open the
+files that it consists of, and no other; no TCP; no signals to others), seccomp (it may make the calls of `CALLS`), and
+an empty environment. Which of these the kernel has is found out by trying, and told by `layers`.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import subprocess
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from errno import ENOSYS, EPERM
+from importlib.resources import files
+from pathlib import Path
+from typing import Final, Self
+
+from pydantic_monty._binary import find_monty_binary
+
+PROBE_S: Final = 10.0
+NOBODY: Final = 65534
+MEMORY_BYTES: Final = 1536 * 2**20
+"""Address space of a process: three times the largest heap that a run may have, for what the heap does not count."""
+LIMITS: Final = {"RLIMIT_AS": MEMORY_BYTES, "RLIMIT_CORE": 0, "RLIMIT_FSIZE": 0, "RLIMIT_NOFILE": 64}
+"""No limit on CPU time: a process does many runs, each of which is timed, and is killed by the pool."""
+CALLS: Final = (
+    # memory
+    "brk", "mmap", "munmap", "mprotect", "mremap", "madvise",
+    # its pipes, and its own libraries, which Landlock limits
+    "read", "write", "readv", "writev", "close", "poll", "ppoll", "dup", "dup2", "fcntl", "lseek", "fstat",
+    "newfstatat", "statx", "openat", "pread64", "access", "faccessat2", "readlink", "getcwd", "ioctl",
+    # threads and their waiting
+    "futex", "set_robust_list", "set_tid_address", "rseq", "gettid", "getpid", "sched_yield", "sched_getaffinity",
+    "clock_nanosleep", "nanosleep", "restart_syscall", "sigaltstack", "rt_sigaction", "rt_sigprocmask", "rt_sigreturn",
+    "tgkill", "arch_prctl", "prlimit64", "prctl", "exit", "exit_group",
+    # time and chance
+    "clock_gettime", "clock_getres", "gettimeofday", "getrandom",
+    # its own start: what a process becomes stays as shut in as it is
+    "execve", "execveat",
+)  # fmt: skip
+"""What the interpreter was seen to call, and what the C library does in their stead on other machines. There is no
+list to take over: those of container engines keep general programs running, sockets and processes included."""
+OF_OTHER_MACHINES: Final = frozenset({"arch_prctl", "access", "dup2", "poll", "readlink"})
+"""Calls that not every processor's Linux has."""
+CLONE_THREAD: Final = 0x10000
+MFD_EXEC: Final = 0x10
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(slots=True)
+class Confinement:
+    """How processes are shut in. `binary` is what the pool starts: a file in memory that shuts itself in first."""
+
+    layers: dict[str, bool]
+    binary: str | None
+    _files: tuple[int, ...]
+
+    @classmethod
+    def strongest(cls) -> Self:
+        """All walls that this machine has: of Landlock and seccomp, those under which the interpreter still starts."""
+        if sys.platform != "linux":
+            return cls(_layers(), None, ())
+        for landlock, seccomp in ((True, True), (True, False), (False, True), (False, False)):
+            try:
+                made = cls._made(landlock=landlock, seccomp=seccomp)
+            except (OSError, ImportError, ValueError) as error:
+                log.warning("the interpreter cannot be shut in (landlock %s, seccomp %s): %s", landlock, seccomp, error)
+                continue
+            if made._starts():
+                return made
+            made.close()
+            log.warning("the interpreter does not start with landlock %s, seccomp %s", landlock, seccomp)
+        return cls(_layers(), None, ())
+
+    @classmethod
+    def _made(cls, *, landlock: bool, seccomp: bool) -> Self:
+        monty = interpreter()
+        user = NOBODY if os.geteuid() == 0 else None
+        ruleset = landlock_ruleset(monty) if landlock else None
+        try:
+            program = seccomp_program() if seccomp else None
+            call = f"launch({monty!r}, {LIMITS!r}, {user!r}, {ruleset!r}, {program!r})"
+            source = files(__package__).joinpath("launcher.py").read_text(encoding="utf-8")
+            script = _executable(f"#!{sys.executable} -IS\n{source}\n{call}\n")
+        except BaseException:
+            _close(ruleset)
+            raise
+        walls = {"landlock": landlock, "seccomp": seccomp, "unprivileged_user": user is not None or os.getuid() != 0}
+        opened = tuple(each for each in (script, ruleset) if each is not None)
+        return cls(_layers(resource_limits=True, **walls), f"/proc/{os.getpid()}/fd/{script}", opened)
+
+    def close(self) -> None:
+        """Closes what the processes were started from; no more can be started."""
+        for each in self._files:
+            _close(each)
+        self._files = ()
+
+    def _starts(self) -> bool:
+        """Does the interpreter start, and run a program?"""
+        assert self.binary is not None
+        try:
+            done = subprocess.run(
+                [self.binary, "-c", "print(sum(range(10)))"],
+                capture_output=True,
+                timeout=PROBE_S,
+                check=False,
+                close_fds=False,
+            )
+        except (OSError, subprocess.TimeoutExpired):
+            return False
+        return done.returncode == 0 and done.stdout.strip() == b"45"
+
+
+def interpreter() -> str:
+    """Where is the interpreter's executable file?"""
+    return str(Path(find_monty_binary()).resolve())
+
+
+def _layers(
+    *, resource_limits: bool = False, landlock: bool = False, seccomp: bool = False, unprivileged_user: bool = False
+) -> dict[str, bool]:
+    """Which walls hold, by name."""
+    return {
+        "own_process": True,
+        "empty_environment": True,
+        "resource_limits": resource_limits,
+        "no_new_privileges": resource_limits,
+        "unprivileged_user": unprivileged_user,
+        "landlock": landlock,
+        "seccomp": seccomp,
+    }
+
+
+def landlock_ruleset(monty: str) -> int:
+    """A Landlock ruleset, as a file descriptor that processes inherit. Raises OSError where there is none."""
+    from landlockpy import AccessFS, Ruleset, Scope
+
+    ruleset = Ruleset(scoped=Scope.ABSTRACT_UNIX_SOCKET | Scope.SIGNAL)
+    with ruleset:
+        ruleset.allow_path(monty, AccessFS.READ_FILE | AccessFS.EXECUTE)
+        for library in _libraries(monty):
+            ruleset.allow_path(library, AccessFS.READ_FILE | AccessFS.EXECUTE)
+        inherited = os.dup(ruleset.fileno())
+    os.set_inheritable(inherited, True)
+    return inherited
+
+
+def _libraries(monty: str) -> Iterable[str]:
+    """The files that the interpreter consists of, as its loader tells them, and the loader's own index."""
+    listed = subprocess.run(
+        [monty],
+        env={"LD_TRACE_LOADED_OBJECTS": "1"},
+        capture_output=True,
+        text=True,
+        timeout=PROBE_S,
+        check=True,
+        stdin=subprocess.DEVNULL,
+    )
+    words = (word for line in listed.stdout.splitlines() for word in line.split())
+    found = [word for word in words if word.startswith("/") and Path(word).is_file()]
+    if not found:
+        raise OSError("the interpreter's libraries are not known")
+    index = Path("/etc/ld.so.cache")
+    return [*found, str(index)] if index.exists() else found
+
+
+def seccomp_program() -> bytes:
+    """A seccomp program that lets through `CALLS`. Raises OSError where there is no seccomp."""
+    from seccompy import Action, ArgCmp, CmpOp, Filter, supported
+
+    if not supported():
+        raise OSError("the kernel has no seccomp")
+    calls = Filter(default=int(Action.ERRNO) | EPERM)
+    for name in CALLS:
+        try:
+            calls.allow(name)
+        except (KeyError, ValueError):
+            if name not in OF_OTHER_MACHINES:
+                raise
+    # A thread is let through and a process is not; clone3 hides which, so the C library is told to use clone.
+    calls.allow("clone", args=[ArgCmp(0, CmpOp.MASKED_EQ, CLONE_THREAD, CLONE_THREAD)])
+    calls.errno("clone3", ENOSYS)
+    return calls.program
+
+
+def _executable(text: str) -> int:
+    """A file in memory that can be started, as a file descriptor."""
+    try:
+        made = os.memfd_create("querycad-launcher", os.MFD_CLOEXEC | MFD_EXEC)
+    except OSError:  # a kernel that does not know MFD_EXEC
+        made = os.memfd_create("querycad-launcher", os.MFD_CLOEXEC)
+    with os.fdopen(os.dup(made), "w", encoding="utf-8") as file:
+        file.write(text)
+    os.fchmod(made, 0o500)
+    return made
+
+
+def _close(descriptor: int | None) -> None:
+    if descriptor is not None:
+        os.close(descriptor)
