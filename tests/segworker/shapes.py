@@ -11,13 +11,20 @@ from pathlib import Path
 from OCP.BRep import BRep_Builder
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
-from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert, BRepBuilderAPI_Transform
+from OCP.BRepBuilderAPI import (
+    BRepBuilderAPI_MakeFace,
+    BRepBuilderAPI_MakePolygon,
+    BRepBuilderAPI_NurbsConvert,
+    BRepBuilderAPI_Transform,
+)
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import (
     BRepPrimAPI_MakeBox,
     BRepPrimAPI_MakeCone,
     BRepPrimAPI_MakeCylinder,
+    BRepPrimAPI_MakePrism,
     BRepPrimAPI_MakeSphere,
+    BRepPrimAPI_MakeTorus,
 )
 from OCP.collections import List_TopoDS_Shape
 from OCP.GeomAbs import GeomAbs_CurveType
@@ -65,8 +72,31 @@ def cone(first: float, second: float, height: float, at: Vec = (0.0, 0.0, 0.0), 
     return BRepPrimAPI_MakeCone(gp_Ax2(gp_Pnt(*at), gp_Dir(*along)), first, second, height).Shape()
 
 
+def extruded(outline: Sequence[tuple[float, float]], z: float, height: float) -> TopoDS_Shape:
+    """The prism over a closed polygon in the plane at `z`."""
+    polygon = BRepBuilderAPI_MakePolygon()
+    for x, y in outline:
+        polygon.Add(gp_Pnt(x, y, z))
+    polygon.Close()
+    face = BRepBuilderAPI_MakeFace(polygon.Wire()).Face()
+    return BRepPrimAPI_MakePrism(face, gp_Vec(0, 0, height)).Shape()
+
+
 def ball(radius: float, at: Vec = (0.0, 0.0, 0.0)) -> TopoDS_Shape:
     return BRepPrimAPI_MakeSphere(gp_Pnt(*at), radius).Shape()
+
+
+def torus(radius: float, tube: float, at: Vec = (0.0, 0.0, 0.0), along: Vec = UP) -> TopoDS_Shape:
+    return BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(*at), gp_Dir(*along)), radius, tube).Shape()
+
+
+def prism(corners: Sequence[Vec], by: Vec) -> TopoDS_Shape:
+    """A polygon, moved along `by`."""
+    outline = BRepBuilderAPI_MakePolygon()
+    for corner in corners:
+        outline.Add(gp_Pnt(*corner))
+    outline.Close()
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(*by)).Shape()
 
 
 def cut(shape: TopoDS_Shape, *tools: TopoDS_Shape) -> TopoDS_Shape:
@@ -217,7 +247,8 @@ class Found:
 
     @cached_property
     def _recognised(self) -> tuple[Shape, tuple[Part, ...]]:
-        found = recognise(self.brep, self._scene.is_clear, material_thickness(self.brep, self.mesh, self._scene))
+        thickness = material_thickness(self.brep, self.mesh, self._scene)
+        found = recognise(self.brep, self._scene.is_clear, thickness, self.mesh)
         return found.shape, found.parts
 
     @property

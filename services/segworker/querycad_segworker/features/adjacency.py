@@ -6,8 +6,16 @@ import math
 from collections import defaultdict
 from collections.abc import Collection, Iterable
 
-from querycad_contracts import SurfaceKind
-from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
+from querycad_segworker.vectors import dot, line_distance, parallel
+
+from .frames import edge_points
+
+BEVEL_RAD = (math.radians(20.0), math.radians(70.0))
+"""A chamfer turns by this much into the face it breaks the edge of, and again into the wall behind."""
+HALF_CYLINDER_RAD = math.radians(179.0)
+"""A rounding turns by less than half a circle: it joins two faces that meet at an angle."""
 
 
 class ConcaveGraph:
@@ -17,15 +25,43 @@ class ConcaveGraph:
         self.brep = brep
         self.taken = frozenset(taken)
         self.concave: dict[int, set[int]] = defaultdict(set)
+        self._flush: dict[int, set[int]] = defaultdict(set)
+        self.bevels: set[int] = set()
+        """Faces found to be chamfers of a mouth."""
+        self._extents: dict[tuple[float, ...], float] = {}
         self.blends = {face.id for face in brep.faces if is_blend(brep, face)}
         for edge in brep.edges:
             if len(edge.faces) != 2:
                 continue
             a, b = edge.faces
             inner_blend = any(i in self.blends and brep.faces[i].outward < 0 for i in (a, b))
+            if edge.convexity is EdgeConvexity.SMOOTH and not inner_blend:
+                inner_blend = edge.kind is EdgeKind.LINE and _is_round_end(brep.faces[a], brep.faces[b])
+                if _are_flush(brep.faces[a], brep.faces[b]):
+                    inner_blend = True
+                    self._flush[a].add(b)
+                    self._flush[b].add(a)
             if edge.convexity is EdgeConvexity.CONCAVE or (edge.convexity is EdgeConvexity.SMOOTH and inner_blend):
                 self.concave[a].add(b)
                 self.concave[b].add(a)
+
+    def extent(self, body: int, direction: Vector) -> float:
+        """How far does a body reach along a direction? Slots share few directions: each is measured once."""
+        key = (body, *(round(abs(c), 4) for c in direction))
+        if key not in self._extents:
+            edges = {e for f in self.brep.bodies[body].faces for e in self.brep.face_edges[f]}
+            reach = [dot(p, direction) for e in edges for p in edge_points(self.brep, e)]
+            self._extents[key] = max(reach) - min(reach)
+        return self._extents[key]
+
+    def flush(self, face: int) -> set[int]:
+        """The pieces of one plane that a face is stored in, itself among them."""
+        found, todo = {face}, [face]
+        while todo:
+            new = self._flush[todo.pop()] - found
+            found |= new
+            todo.extend(new)
+        return found
 
     def is_sharp(self, a: int, b: int) -> bool:
         """Do two faces meet in a concave edge, rather than tangentially?"""
@@ -47,8 +83,29 @@ class ConcaveGraph:
             if rounding:
                 first.update(n for link, n in self.brep.neighbours(other.id) if link.convexity is EdgeConvexity.SMOOTH)
         first.discard(host.id)
+        first |= self._below_bevel(host, first)
         group = self._spread(first, stop={host.id})
         return set() if first & self.taken and len(first) == len(first & self.taken) else group - self.taken
+
+    def _below_bevel(self, host: FaceRecord, first: Collection[int]) -> set[int]:
+        """The walls below a mouth that is chamfered all around: behind the lower, convex edges of the chamfer."""
+        below: set[int] = set()
+        for face in first:
+            low, high = BEVEL_RAD
+            record = self.brep.faces[face]
+            turns = [edge.angle for edge, other in self.brep.neighbours(face) if other == host.id]
+            if record.kind not in (SurfaceKind.PLANE, SurfaceKind.CONE) or not all(low <= t <= high for t in turns):
+                return set()
+            walls = {
+                other
+                for edge, other in self.brep.neighbours(face)
+                if other != host.id and edge.convexity is EdgeConvexity.CONVEX and edge.angle <= high
+            }
+            if not walls:
+                return set()
+            below |= walls
+        self.bevels |= set(first)
+        return below
 
     def _spread(self, start: Iterable[int], stop: set[int]) -> set[int]:
         group, todo = set(start), list(start)
@@ -70,17 +127,41 @@ class ConcaveGraph:
         """Walls that run into each other tangentially, as the flats and round ends of an obround do."""
         return all(self.brep.faces[i].outward <= 0 for i in (a, b))
 
+    def pieces(self, faces: Collection[int]) -> list[set[int]]:
+        """Parts of `faces` that hang together by concave corners or smoothly.
+
+        Where two cuts run into each other, the material between them keeps a convex edge: each piece is of one cut.
+        """
+        result, seen = [], set[int]()
+        for start in sorted(faces):
+            if start in seen:
+                continue
+            piece, todo = {start}, [start]
+            while todo:
+                face = todo.pop()
+                beside = {
+                    other
+                    for edge, other in self.brep.neighbours(face)
+                    if edge.convexity is EdgeConvexity.SMOOTH or face in self.bevels or other in self.bevels
+                }
+                new = ((self.concave[face] | beside) & set(faces)) - piece
+                piece |= new
+                todo.extend(new)
+            seen |= piece
+            result.append(piece)
+        return result
+
     def concave_groups(self, used: Collection[int]) -> list[set[int]]:
         """Groups of free faces that meet in concave edges, but not in those around a protrusion's foot."""
         rising = self._rising_links()
-        groups, seen = [], set(used)
+        groups, seen, taken = [], set(used), set(used)
         for start in sorted(self.concave):
             if start in seen or start in self.blends:
                 continue
             group, todo = {start}, [start]
             while todo:
                 face = todo.pop()
-                for other in self.concave[face] - group - set(used):
+                for other in self.concave[face] - group - taken:
                     if (face, other) not in rising:
                         group.add(other)
                         todo.append(other)
@@ -103,11 +184,42 @@ class ConcaveGraph:
         return links
 
 
+def _are_flush(a: FaceRecord, b: FaceRecord) -> bool:
+    """Are these two planes that run on in each other?"""
+    return a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE and a.id != b.id
+
+
+def _is_round_end(a: FaceRecord, b: FaceRecord) -> bool:
+    """Is one a flat and the other a concave half cylinder that it runs into, as in an obround or a U?"""
+    kinds = {a.kind, b.kind}
+    return kinds == {SurfaceKind.PLANE, SurfaceKind.CYLINDER} and all(f.outward <= 0 for f in (a, b))
+
+
 def is_blend(brep: Brep, face: FaceRecord) -> bool:
-    """Does the face only round an edge or corner? A partial cylinder, torus or sphere, tangent to two neighbours."""
+    """Does the face only round an edge or corner? A partial cylinder, torus or sphere, tangent to two neighbours.
+
+    Not so half a cylinder, also in several pieces: it is the end of an obround; nor a wall between two smaller rounds.
+    """
     if face.kind not in (SurfaceKind.CYLINDER, SurfaceKind.TORUS, SurfaceKind.SPHERE):
         return False
-    if face.kind is SurfaceKind.CYLINDER and face.sweep > math.radians(179.0):
+    smooth = _smooth(brep, face.id)
+    if face.kind is not SurfaceKind.CYLINDER:
+        return len(smooth) >= 2
+    pieces = {face.id, *(other for other in smooth if _same_cylinder(face, brep.faces[other]))}
+    if sum(brep.faces[piece].sweep for piece in pieces) > HALF_CYLINDER_RAD:
         return False
-    smooth = {other for edge, other in brep.neighbours(face.id) if edge.convexity is EdgeConvexity.SMOOTH}
-    return len(smooth) >= 2
+    around = {other: edge for piece in pieces for other, edge in _smooth(brep, piece).items() if other not in pieces}
+    sides = [brep.faces[other] for other, edge in around.items() if edge.kind is EdgeKind.LINE]
+    if len(sides) > 1 and all(s.kind is SurfaceKind.CYLINDER and s.radius < 0.99 * face.radius for s in sides):
+        return False
+    return len(around) >= 2
+
+
+def _smooth(brep: Brep, face: int) -> dict[int, EdgeRecord]:
+    return {other: edge for edge, other in brep.neighbours(face) if edge.convexity is EdgeConvexity.SMOOTH}
+
+
+def _same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:
+    if b.kind is not SurfaceKind.CYLINDER or a.outward != b.outward or abs(a.radius - b.radius) > 1e-3 * a.radius:
+        return False
+    return parallel(a.axis, b.axis, 1e-3) and line_distance(b.origin, a.origin, a.axis) < 1e-3 * a.radius

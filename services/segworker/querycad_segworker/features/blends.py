@@ -3,20 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections import defaultdict
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import Box, box_center, box_union
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import Box, box_center, box_union, cross, dot, parallel, sub, unit
 
 from .adjacency import is_blend
 
 CHAMFER_ANGLES_RAD = (math.radians(20.0), math.radians(70.0))
 """A chamfer turns by this much against each neighbour: 45 degrees as a rule, 30 and 60 on lead-ins."""
+BROKEN_EDGE_RAD = (math.radians(60.0), math.radians(120.0))
+"""A chamfer breaks an edge at about a right angle; the roof of a prism and the flanks of a wedge do not."""
 CHAMFER_NEIGHBOURS = 1.5
-"""Both faces that a chamfer joins are larger than itself by this factor; the sides of a polygon are not."""
+"""Both faces that a chamfer joins reach further than its width by this factor; the sides of a polygon do not."""
+CORNER_SHARE = 0.5
+"""What takes more than two thirds of a face away, along its edge, shapes the body rather than breaking its edge."""
+MAX_SECTION = 0.26
+"""A right-angled triangle has at most a quarter of its hypotenuse's square as area."""
+SAME_TURN_RAD = math.radians(3.0)
+"""Corners of a polygon agree in their angle by more than this."""
+CHAMFER_CONE = 1.5
+"""A cone this much wider at one end than at the other is a cone, tip or countersink; edges of shafts and bores are
+broken by 10 to 30 %."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +43,8 @@ class Blend:
     box: Box
     faces: tuple[int, ...]
     body: int
+    angle: float | None = None
+    """Radians, of a chamfer: to the larger of the two faces that it joins; 45 degrees as a rule."""
 
 
 def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances) -> list[Blend]:
@@ -83,30 +97,119 @@ def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
         box=box,
         faces=tuple(sorted(chain)),
         body=brep.faces[min(chain)].body,
+        angle=_angle(brep, min(chain)) if kind == "chamfer" else None,
     )
 
 
-def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
-    """The width of a plane or conical strip between two convex edges, or None when the face is no chamfer."""
-    if face.kind not in (SurfaceKind.PLANE, SurfaceKind.CONE) or len(face.loops) > 2:
-        return None
-    edges = [brep.edges[e] for e in brep.face_edges[face.id]]
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """What a chamfer meets along one of its long edges: the face there, its reach from that edge, the turn into it."""
+
+    face: FaceRecord
+    reach: float
+    turn: float
+
+
+def _angle(brep: Brep, face: int) -> float:
+    """The turn from a chamfer into the largest face beside it."""
     low, high = CHAMFER_ANGLES_RAD
-    slanted = [e for e in edges if e.convexity is EdgeConvexity.CONVEX and low <= e.angle <= high]
-    slanted.sort(key=lambda e: -e.length)
-    if len(slanted) < 2:
+    sides = [(brep.faces[other].area, edge.angle) for edge, other in brep.neighbours(face) if low <= edge.angle <= high]
+    return max(sides)[1]
+
+
+def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
+    """The width of a plane or conical strip that breaks an edge, or None when the face is no chamfer.
+
+    It turns by 20 to 70 degrees into each of two faces, and those would meet at about a right angle without it. They
+    reach further than the strip is wide, as on the cut corner of a plate too; beside a strip longer than wide at least
+    half as far, unless it and they are sides of one polygon.
+    """
+    if face.kind is SurfaceKind.PLANE:
+        edges = [brep.edges[e] for e in face.loops[0].edges] if face.loops else []
+    elif face.kind is SurfaceKind.CONE and face.outward > 0 and len(face.loops) <= 2:
+        edges = [brep.edges[e] for e in brep.face_edges[face.id]]
+    else:
         return None
-    first, second = slanted[:2]
-    length = (first.length + second.length) / 2
+    sides = _slanted_sides(face, edges)
+    if len(sides) < 2:
+        return None
+    (first, second), length = sides[:2], (_length(sides[0]) + _length(sides[1])) / 2
     width = face.area / length if length > 0 else math.inf
-    if length < width or second.length < 0.5 * first.length:
+    a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
+    if _length(second) < 0.5 * _length(first) or a.face.id == b.face.id:
         return None
-    neighbours = [_other(brep, edge, face) for edge in (first, second)]
-    if any(n is None or n.area < CHAMFER_NEIGHBOURS * face.area for n in neighbours) or neighbours[0] == neighbours[1]:
+    if face.kind is SurfaceKind.CONE:
+        slim = a.face.area >= CHAMFER_NEIGHBOURS * face.area and b.face.area >= CHAMFER_NEIGHBOURS * face.area
+        return width if slim and face.radius <= CHAMFER_CONE * face.minor_radius else None
+    low, high = BROKEN_EDGE_RAD
+    breaks_edge = low <= a.turn + b.turn <= high and _runs_alike(first[0], second[0])
+    if not breaks_edge or _has_end_wall(brep, face, width):
         return None
-    return width
+    if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
+        return width
+    whole_corner = (
+        length >= width
+        and min(a.reach, b.reach) >= CORNER_SHARE * width
+        and not _is_polygon(brep, face, first, second, width)
+    )
+    return width if whole_corner else None
 
 
-def _other(brep: Brep, edge: EdgeRecord, face: FaceRecord) -> FaceRecord | None:
-    others = [i for i in edge.faces if i != face.id]
-    return brep.faces[others[0]] if others else None
+def _slanted_sides(face: FaceRecord, edges: Sequence[EdgeRecord]) -> list[list[EdgeRecord]]:
+    """The edges along which a face turns like a chamfer, by the face on their other side; longest first."""
+    low, high = CHAMFER_ANGLES_RAD
+    by_face: dict[int, list[EdgeRecord]] = defaultdict(list)
+    for edge in edges:
+        if edge.convexity is EdgeConvexity.CONVEX and low <= edge.angle <= high:
+            by_face[next(i for i in edge.faces if i != face.id)].append(edge)
+    return sorted(by_face.values(), key=_length, reverse=True)
+
+
+def _length(edges: Sequence[EdgeRecord]) -> float:
+    return sum(edge.length for edge in edges)
+
+
+def _side(brep: Brep, face: FaceRecord, edges: Sequence[EdgeRecord]) -> _Side:
+    other = brep.faces[next(i for i in edges[0].faces if i != face.id)]
+    along = unit(sub(edges[0].end, edges[0].start))
+    across = cross(other.axis, along)
+    reaches = [abs(dot(sub(p, edges[0].mid), across)) for e in brep.face_edges[other.id] for p in _ends(brep.edges[e])]
+    return _Side(other, max(reaches, default=0.0), edges[0].angle)
+
+
+def _ends(edge: EdgeRecord) -> tuple[Vector, Vector, Vector]:
+    return edge.start, edge.mid, edge.end
+
+
+def _has_end_wall(brep: Brep, face: FaceRecord, width: float) -> bool:
+    """Does it end at a wall that is no larger than the section cut off, hence part of the cut? Then it is a step."""
+    return any(
+        edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].area <= MAX_SECTION * width * width
+        for edge, other in brep.neighbours(face.id)
+    )
+
+
+def _runs_alike(a: EdgeRecord, b: EdgeRecord) -> bool:
+    """Are both straight and parallel?"""
+    straight = a.kind is EdgeKind.LINE and b.kind is EdgeKind.LINE
+    return straight and parallel(unit(sub(a.end, a.start)), unit(sub(b.end, b.start)), math.radians(2.0))
+
+
+def _is_polygon(
+    brep: Brep, face: FaceRecord, first: Sequence[EdgeRecord], second: Sequence[EdgeRecord], width: float
+) -> bool:
+    """Does the outline go on turning by the same angle, behind sides that are hardly wider than this one?"""
+    along = unit(sub(first[0].end, first[0].start))
+    for edges in (first, second):
+        side = _side(brep, face, edges)
+        next_turns = [
+            edge.angle
+            for edge, other in brep.neighbours(side.face.id)
+            if other != face.id
+            and edge.kind is EdgeKind.LINE
+            and edge.convexity is EdgeConvexity.CONVEX
+            and parallel(unit(sub(edge.end, edge.start)), along, math.radians(2.0))
+        ]
+        if side.reach >= CHAMFER_NEIGHBOURS * width or not any(abs(t - side.turn) < SAME_TURN_RAD for t in next_turns):
+            return False
+    return True

@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector
+from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import box_center, box_extents, cross, dot, perpendicular
+from querycad_segworker.vectors import box_center, box_extents, cross, dot, mid, perpendicular
 
 from .bosses import Boss
 from .frames import outline_of
-from .holes import Hole
+from .hole import Bottom, Hole
 from .parts import PLATE_RATIO, faces_box
 from .walls import Axis
+
+RING_RATIO = 0.3
+"""The hole of a ring or tube takes at least this share of its diameter: a third in washers of the large series
+(ISO 7093), a half in those of the normal one (ISO 7089), more in sleeves."""
+WASHER_RATIO = 0.25
+"""A plain ring thinner than this share of its diameter is a washer: ISO 7089 has 0.1 to 0.2, spring washers 0.25."""
 
 
 def body(brep: Brep, record: BodyRecord) -> Body:
@@ -50,14 +57,57 @@ def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[tu
     return (*tags, *(("plate",) if flat else ()), outline), reach[0] if flat else None
 
 
-def _round_body(record: BodyRecord, bosses: Sequence[Boss], extents: Vector) -> Boss | None:
-    """The boss whose cylinder is as wide as the whole body: then the body is round, a shaft, ring or disc."""
-    own = [boss for boss in bosses if boss.body == record.id]
-    widest = max(own, key=lambda boss: boss.radius, default=None)
-    if widest is None:
+@dataclass(frozen=True, slots=True)
+class _Turned:
+    """A body that is round about one axis: its widest step, its length along the axis, and its coaxial hole."""
+
+    widest: Boss
+    length: float
+    bore: Hole | None
+    steps: int
+    walled: bool
+    """A step of it is a tube."""
+
+    @property
+    def tags(self) -> tuple[str, ...]:
+        """What kinds of turned part is it?"""
+        diameter = 2 * self.widest.radius
+        tags = ["circular", "cylindrical"]
+        slender = self.length > diameter
+        if slender:
+            tags.append("slender")
+        if self.bore is not None:
+            tags.append("hollow")
+        through = self.bore is not None and self.bore.bottom is Bottom.THROUGH
+        wide = through and self.bore is not None and self.bore.radius >= RING_RATIO * self.widest.radius
+        if wide and self.length < 0.5 * diameter:
+            tags.extend(("ring", "washer") if self.steps == 1 and self.length < WASHER_RATIO * diameter else ("ring",))
+        elif through and (wide or self.walled):
+            tags.append("tube")
+        elif slender and self.steps > 1:
+            tags.append("shaft")
+        elif slender:
+            tags.extend(("shaft", "rod"))
+        elif self.length < 0.5 * diameter:
+            tags.append("disc")
+        return tuple(tags)
+
+
+def _turned(brep: Brep, record: BodyRecord, bosses: Sequence[Boss], holes: Sequence[Hole]) -> _Turned | None:
+    """Is the whole body round? It is when no edge lies further from a boss's axis than that boss's wall."""
+    widest = max(bosses, key=lambda boss: boss.radius, default=None)
+    if widest is None or "conical" in widest.tags:
         return None
-    across = [e for e, n in zip(extents, widest.normal, strict=True) if abs(n) < 0.1]
-    return widest if len(across) == 2 and all(abs(e - 2 * widest.radius) < 0.01 * e for e in across) else None
+    axis = Axis(widest.base, widest.normal)
+    edges = {e for face in record.faces for e in brep.face_edges[face]}
+    points = [p for e in edges for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
+    if max(axis.radius_of(p) for p in points) > 1.005 * widest.radius:
+        return None
+    steps = [b for b in bosses if axis.radius_of(mid(b.base, b.tip)) < 0.01 * widest.radius]
+    ends = [axis.position(p) for p in points] + [axis.position(p) for b in steps for p in (b.base, b.tip)]
+    coaxial = [h for h in holes if not h.is_ring and axis.radius_of(h.center) < 0.01 * widest.radius]
+    bore = max(coaxial, key=lambda h: (h.bottom is Bottom.THROUGH, h.radius), default=None)
+    return _Turned(widest, max(ends) - min(ends), bore, len(steps), any("tube" in b.tags for b in steps))
 
 
 def body_part(
@@ -68,30 +118,35 @@ def body_part(
     bosses: Sequence[Boss] = (),
     holes: Sequence[Hole] = (),
 ) -> Part:
-    """A body of the file as a part, so that names and colours find it. A round one has radii, axis and length too."""
+    """A body of the file as a part, so that names and colours find it. A round one has radii, axis and length too.
+
+    `bosses` and `holes` are those of this body. A ring or disc is as thick as it is long, a tube as its wall is.
+    """
     box = faces_box(brep, record.faces)
     extents = box_extents(box)
     tags, thickness = _outline(brep, record, tolerances)
-    round_boss = _round_body(record, bosses, extents)
     measures: dict[str, object] = {} if thickness is None else {"thickness": thickness}
-    if round_boss is not None:
-        axis = Axis(round_boss.base, round_boss.normal)
-        along = sum(e * abs(n) for e, n in zip(extents, round_boss.normal, strict=True))
-        bores = [h for h in holes if h.body == record.id and axis.radius_of(h.center) < 0.01 * round_boss.radius]
-        bore = max(bores, key=lambda h: h.radius, default=None)
+    turned = _turned(brep, record, bosses, holes)
+    ball = None if turned is not None else _ball(brep, record)
+    if ball is not None:
+        tags = (*tags, "ball", "spherical")
+        measures |= {"radius": ball, "diameter": 2 * ball, "radii": (ball,)}
+    if turned is not None:
+        radius, bore = turned.widest.radius, turned.bore
         measures |= {
-            "axis": round_boss.normal,
-            "radius": round_boss.radius,
-            "diameter": 2 * round_boss.radius,
-            "length": along,
-            "radii": (round_boss.radius,) if bore is None else (round_boss.radius, bore.radius),
+            "axis": turned.widest.normal,
+            "radius": radius,
+            "diameter": 2 * radius,
+            "length": turned.length,
+            "radii": (radius,) if bore is None else (radius, bore.radius),
         }
-        slender = along > 2 * round_boss.radius
-        if slender:
-            measures["height"] = along
-        elif along < round_boss.radius:
-            measures["thickness"] = along
-        tags = (*tags, "circular", "cylindrical", *(("hollow",) if bore else ()), *(("slender",) if slender else ()))
+        tags = (*tags, *turned.tags)
+        if "slender" in tags:
+            measures["height"] = turned.length
+        if "tube" in tags and bore is not None:
+            measures["thickness"] = radius - bore.radius
+        elif turned.length < radius:
+            measures["thickness"] = turned.length
     return Part(
         id=f"body-{number}",
         kind="body",
@@ -117,6 +172,15 @@ def body_part(
             reason=f"body {number} of the file" + (f", named '{record.name}'" if record.name else ""),
         ),
     )
+
+
+def _ball(brep: Brep, record: BodyRecord) -> float | None:
+    """The radius of a body whose surface is nothing but one sphere."""
+    faces = [brep.faces[f] for f in record.faces]
+    first = faces[0]
+    if any(f.kind is not SurfaceKind.SPHERE or abs(f.radius - first.radius) > 1e-3 * first.radius for f in faces):
+        return None
+    return first.radius if first.outward > 0 else None
 
 
 def model_part(brep: Brep, shape: Shape) -> Part:

@@ -10,7 +10,7 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel, scale
 
-from .holes import Hole
+from .hole import Hole, Section, SectionKind
 from .stacks import End, Stack, radius_at, stacks, wall_range
 from .walls import Axis, Wall
 
@@ -18,6 +18,10 @@ SLENDER = 1.0
 """Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
 FLAT = 0.5
 """Shorter than this share of its diameter: a disc, as washers, flanges and plates are."""
+TUBE_RATIO = 0.5
+"""A bore of more than half the diameter makes a tube; below that it is a shaft or boss with a bore."""
+FLANGE_RATIO = 1.2
+"""A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +29,8 @@ class Boss:
     """One step that stands out. Metres, frame of the file.
 
     `normal` points from `base` to `tip` along the axis. `radius` is the widest, `tip_radius` that at the tip.
-    `hole` is the index of the coaxial hole in its tip, of a standoff or ring; `step_of` counts the steps of its stack.
+    `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
+    runs through the step. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
     """
 
     base: Vector
@@ -38,19 +43,46 @@ class Boss:
     faces: tuple[int, ...]
     body: int
     hole: int | None
+    bore_radius: float | None
+    breaks: tuple[Section, ...]
     step_of: int
+    pitch: float | None = None
+    """Of a modelled thread, along the axis."""
+
+
+_CYLINDRICAL = (SectionKind.BORE, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
 
 
 def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], tolerances: Tolerances) -> list[Boss]:
     """Which round protrusions does the model have? One record a step, sorted by lowest face id.
 
-    A step is a convex cylinder or cone that encloses its axis; roundings and chamfers at its ends belong to it.
+    A step is a convex cylinder or cone that encloses its axis; roundings and chamfers at its ends belong to it, and the
+    two sides of a groove turned into it are one step.
     """
     found: list[Boss] = []
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses):
-        steps = [wall for wall in stack.walls if _is_step(wall, stack) and not is_neck(wall, stack)]
-        found.extend(_boss(brep, stack, steps, wall, holes, tolerances) for wall in steps)
+        steps = _steps(stack, tolerances)
+        found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
     return sorted(found, key=lambda boss: boss.faces[0])
+
+
+def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
+    """The steps in order along the axis; walls of one radius with nothing but a groove between them are one."""
+    steps: list[list[Wall]] = []
+    grooved = False
+    for wall in sorted(stack.walls, key=lambda w: wall_range(stack.axis, w)):
+        if is_neck(wall, stack):
+            grooved = True
+            continue
+        if not _is_step(wall, stack):
+            continue
+        alike = bool(steps) and SurfaceKind.CYLINDER is wall.kind is steps[-1][-1].kind
+        if alike and grooved and abs(steps[-1][-1].radius - wall.radius) <= 3 * tolerances.length:
+            steps[-1].append(wall)
+        else:
+            steps.append([wall])
+        grooved = False
+    return [tuple(step) for step in steps]
 
 
 def _is_step(wall: Wall, stack: Stack) -> bool:
@@ -72,56 +104,134 @@ def is_neck(wall: Wall, stack: Stack) -> bool:
 
 
 def _boss(
-    brep: Brep, stack: Stack, steps: Sequence[Wall], wall: Wall, holes: Sequence[Hole], tolerances: Tolerances
+    brep: Brep,
+    stack: Stack,
+    steps: Sequence[tuple[Wall, ...]],
+    step: tuple[Wall, ...],
+    holes: Sequence[Hole],
+    tolerances: Tolerances,
 ) -> Boss:
-    axis = stack.axis
+    axis, wall = stack.axis, step[0]
     tip_high = _tip_is_high(stack, wall)
-    low, high = wall_range(axis, wall)
-    faces = set(wall.faces)
+    low, high = wall_range(axis, step[0])[0], wall_range(axis, step[-1])[1]
+    faces = {face for part in step for face in part.faces}
+    breaks = []
     # Edge breaks next to the wall lengthen it to the shoulder or end face that they run into.
     for other in stack.walls:
-        if other not in steps:
-            a, b = wall_range(axis, other)
-            near = 3 * tolerances.length
-            if abs(a - high) <= near:
-                high = b
-                faces.update(other.faces)
-            elif abs(b - low) <= near:
-                low = a
-                faces.update(other.faces)
+        if any(other in members for members in steps) or is_neck(other, stack):
+            continue
+        a, b = wall_range(axis, other)
+        near = 3 * tolerances.length
+        if abs(a - high) <= near or abs(b - low) <= near:
+            at_high = abs(a - high) <= near
+            low, high = (low, b) if at_high else (a, high)
+            faces.update(other.faces)
+            if other.kind is SurfaceKind.CONE:
+                breaks.append(_break(axis, other, at_high))
+    low, high = _domed(brep, stack, low, high, faces)
     tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
-    normal = axis.direction if tip_high else scale(axis.direction, -1.0)
     free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
     for end in (tip, base) if free else (tip,):
         end_face = _end_face(brep, axis, wall, axis.position(end), stack)
         if end_face is not None:
             faces.add(end_face)
     hole = _hole_in(holes, axis, wall, tip, base)
-    tags = ["cylindrical" if wall.kind is SurfaceKind.CYLINDER else "conical", "circular"]
-    diameter, height = 2 * wall.radius, high - low
-    if height > SLENDER * diameter:
+    bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
+    return Boss(
+        base=base,
+        tip=tip,
+        normal=axis.direction if tip_high else scale(axis.direction, -1.0),
+        radius=wall.radius,
+        tip_radius=radius_at(axis, wall, tip_high),
+        height=high - low,
+        tags=_tags(steps, step, high - low, free, bore_radius),
+        faces=tuple(sorted(faces)),
+        body=wall.body,
+        hole=hole,
+        bore_radius=bore_radius,
+        breaks=tuple(breaks),
+        step_of=len(steps),
+        pitch=next((part.pitch for part in step if part.pitch is not None), None),
+    )
+
+
+def _tags(
+    steps: Sequence[tuple[Wall, ...]], step: tuple[Wall, ...], height: float, free: bool, bore_radius: float | None
+) -> tuple[str, ...]:
+    """Canonical attributes of the lexicon, from the step's own proportions and from its neighbours."""
+    radius = step[0].radius
+    place = steps.index(step)
+    beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
+    flat = height < FLAT * 2 * radius
+    tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
+    if height > SLENDER * 2 * radius:
         tags.append("slender")
-    if height < FLAT * diameter:
+    if flat:
         tags.append("flat")
-    if hole is not None:
+    if any(part.pitch is not None for part in step):
+        tags.append("threaded")
+    if bore_radius is not None:
         tags.append("hollow")
+        if not flat and bore_radius >= TUBE_RATIO * radius:
+            tags.append("tube")
     if free:
         tags.append("free")
     if len(steps) > 1:
         tags.append("stepped")
-    return Boss(
-        base=base,
-        tip=tip,
-        normal=normal,
-        radius=wall.radius,
-        tip_radius=radius_at(axis, wall, tip_high),
-        height=height,
-        tags=tuple(tags),
-        faces=tuple(sorted(faces)),
-        body=wall.body,
-        hole=hole,
-        step_of=len(steps),
+    if not free or any(other > 1.001 * radius for other in beside):
+        tags.append("raised")
+    if flat and beside and radius > FLANGE_RATIO * max(beside):
+        tags.append("flange")
+    if flat and _is_collar(radius, beside, bore_radius):
+        tags.append("collar")
+    return tuple(tags)
+
+
+def _is_collar(radius: float, beside: Sequence[float], bore_radius: float | None) -> bool:
+    """A ring around a shaft, with narrower steps on both sides, or a low hollow step next to a wider one."""
+    around = len(beside) == 2 and radius > 1.001 * max(beside)
+    return around or (bore_radius is not None and any(other > 1.001 * radius for other in beside))
+
+
+def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
+    """A chamfer at one end of a step: it starts at that end."""
+    low, high = wall_range(axis, wall)
+    start, end = (high, low) if at_high else (low, high)
+    return Section(
+        kind=SectionKind.CHAMFER,
+        start=axis.at(start),
+        end=axis.at(end),
+        radius=radius_at(axis, wall, at_high),
+        end_radius=radius_at(axis, wall, not at_high),
+        normal=axis.direction if at_high else scale(axis.direction, -1.0),
+        faces=wall.faces,
     )
+
+
+def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -> tuple[float, float]:
+    """The step's range with the round caps on its ends, whose faces are added to `faces`."""
+    for at_high in (False, True):
+        if abs((stack.high if at_high else stack.low) - (high if at_high else low)) > 1e-3 * (high - low):
+            continue
+        for face_id in stack.high_faces if at_high else stack.low_faces:
+            face = brep.faces[face_id]
+            on_axis = stack.axis.radius_of(face.origin) < 0.02 * max(face.radius, 1e-12)
+            if face.kind is SurfaceKind.SPHERE and face.outward > 0 and on_axis:
+                top = stack.axis.position(face.origin) + (face.radius if at_high else -face.radius)
+                low, high = (low, max(high, top)) if at_high else (min(low, top), high)
+                faces.add(face_id)
+    return low, high
+
+
+def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
+    """The radius of the hole where most of it runs through the step between `low` and `high`."""
+    best, widest = hole.radius, 0.0
+    for section in hole.sections:
+        a, b = sorted((axis.position(section.start), axis.position(section.end)))
+        overlap = min(b, high) - max(a, low)
+        if section.kind in _CYLINDRICAL and overlap > widest * 1.001:
+            best, widest = section.radius, overlap
+    return best
 
 
 def _tip_is_high(stack: Stack, wall: Wall) -> bool:

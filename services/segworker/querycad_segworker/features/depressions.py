@@ -3,23 +3,39 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections import defaultdict
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, mean, norm, parallel, sub, unit
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
+from querycad_segworker.vectors import cross, dot, mean, norm, parallel, scale, sub, unit
 
 from .adjacency import ConcaveGraph
-from .depression import Depression, DepressionKind
-from .frames import frame_of, outline_of
+from .cavities import recognise_cavities
+from .depression import Depression, DepressionKind, depression_in
+from .forks import IsClear
+from .frames import bow_of, edge_points, frame_of, outline_of
 from .groups import group_depression
-from .holes import IsClear
+from .hosts import with_hosts
+from .notches import recognise_round_notches
+from .slot_pieces import united_slots
+from .tunnels import MORE_THAN_HALF, tunnel_of
+from .walls import Wall
+
+UPRIGHT = math.sin(math.radians(45.0))
+"""Faces that lean less than this off the direction of a depression are its walls, the others its floor."""
+GROOVE_SHARE = 0.25
+"""A groove around an island takes at most this share of the width of its outline on either side."""
 
 
 def recognise_depressions(
-    brep: Brep, taken: Collection[int], tolerances: Tolerances, is_clear: IsClear | None = None
+    brep: Brep,
+    taken: Collection[int],
+    tolerances: Tolerances,
+    is_clear: IsClear | None = None,
+    found_walls: Sequence[Wall] = (),
 ) -> list[Depression]:
     """Which depressions does the model have? Sorted by lowest face id. `taken`: faces of holes, which do not count.
 
@@ -28,100 +44,132 @@ def recognise_depressions(
     that other features interrupt is one slot.
     """
     graph = ConcaveGraph(brep, taken)
-    found: list[Depression] = []
-    used = set(taken)
+    found = recognise_cavities(brep)
+    used = set(taken).union(*(cavity.faces for cavity in found))
     for face in brep.faces:
         for loop in face.loops:
             if loop.outer or (face.id in used and face.id in taken):
                 continue
-            group = graph.behind(face, loop)
-            if not group or group & used:
+            sunk = graph.behind(face, loop)
+            if not sunk or sunk & used:
                 continue
-            depression = _closed(brep, face, loop, group, tolerances)
-            if depression is not None:
-                used |= group
+            for depression in _behind_rim(brep, graph, face, loop, sunk, tolerances):
+                used.update(depression.faces)
                 found.append(depression)
-    for group in graph.concave_groups(used):
-        depression = group_depression(brep, group, graph, tolerances)
-        if depression is not None:
-            used |= group
-            found.append(depression)
+    groups = graph.concave_groups(used)
+    for group in sorted(groups, key=len, reverse=True):  # a T slot owns its neck, which is a smaller group
+        cut = None if group & used else group_depression(brep, group, graph, tolerances, used)
+        if cut is not None:
+            used.update(cut.faces)
+            found.append(cut)
+    found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
-        found = _united_slots(brep, found, tolerances, is_clear)
-    return sorted(found, key=lambda d: d.faces[0])
+        found = united_slots(brep, found, tolerances, is_clear)
+    return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
 
 
-def _united_slots(brep: Brep, found: list[Depression], tolerances: Tolerances, is_clear: IsClear) -> list[Depression]:
-    """Pieces of one slot, cut in one pass and parted by holes or pockets since, made one slot."""
-    result = [d for d in found if d.kind is not DepressionKind.SLOT]
-    slots = sorted((d for d in found if d.kind is DepressionKind.SLOT), key=lambda d: -d.length)
-    while slots:
-        slot = slots.pop(0)
-        grown = True
-        while grown:
-            grown = False
-            for other in slots:
-                if _one_cut(slot, other, tolerances) and is_clear(slot.center, other.center):
-                    slots.remove(other)
-                    faces = {*slot.faces, *other.faces}
-                    frame = frame_of(brep, faces, slot.normal, None, slot.direction)
-                    slot = replace(
-                        slot,
-                        length=frame.size[0],
-                        opening=frame.point(0.5, 0.5, 1.0),
-                        center=frame.point(0.5, 0.5, 0.5),
-                        depth=frame.size[2],
-                        floor=tuple(sorted({*slot.floor, *other.floor})),
-                        faces=tuple(sorted(faces)),
-                    )
-                    grown = True
-                    break
-        result.append(slot)
-    return result
+def _behind_rim(
+    brep: Brep, graph: ConcaveGraph, host: FaceRecord, rim: Loop, sunk: set[int], tolerances: Tolerances
+) -> list[Depression]:
+    """What was cut in behind a rim: one depression, or several whose openings run into each other.
 
-
-def _one_cut(a: Depression, b: Depression, tolerances: Tolerances) -> bool:
-    """Same body, floor plane, direction, centre line and width?"""
-    near = 10 * tolerances.length
-    if a.body != b.body or dot(a.normal, b.normal) < 1 - 1e-6 or not parallel(a.direction, b.direction, 1e-3):
-        return False
-    floors = [dot(d.center, a.normal) - d.depth / 2 for d in (a, b)]
-    across = cross(a.normal, a.direction)
-    return (
-        abs(floors[0] - floors[1]) <= near
-        and abs(a.width - b.width) <= near
-        and abs(dot(sub(a.center, b.center), across)) <= near
+    Pieces without a floor that run along one direction are one cutout of a composed outline.
+    """
+    pieces = graph.pieces(sunk)
+    beyond = {i for e in rim.edges for i in brep.edges[e].faces} - {host.id}
+    tunnels = [tunnel_of(brep, piece) for piece in pieces]
+    first = tunnels[0]
+    alone = beyond.isdisjoint(graph.taken) and (
+        len(pieces) == 1
+        or (first is not None and all(t is not None and parallel(t.axis, first.axis, 1e-2) for t in tunnels))
     )
+    if alone:
+        depression = _closed(brep, graph, host, rim, sunk, tolerances)
+        return [depression] if depression is not None else []
+    found = []
+    for piece in pieces:
+        own_rim = Loop(tuple(e for e in rim.edges if not piece.isdisjoint(brep.edges[e].faces)), rim.outer)
+        if own_rim.edges and _holds(brep, host, piece):
+            cut = _closed(brep, graph, host, own_rim, piece, tolerances)
+        else:
+            cut = group_depression(brep, piece, graph, tolerances, sunk - piece)
+        if cut is not None:
+            found.append(cut)
+    return found
 
 
-def _closed(brep: Brep, host: FaceRecord, rim: Loop, group: set[int], tolerances: Tolerances) -> Depression | None:
+def _holds(brep: Brep, host: FaceRecord, piece: set[int]) -> bool:
+    """Do the walls of a piece turn so far that it is still closed in, though others break into it?"""
+    around = tunnel_of(brep, {f for f in piece if abs(dot(_facing(brep, f), host.axis)) < UPRIGHT})
+    return around is not None and (around.closed or around.turn > MORE_THAN_HALF)
+
+
+def _closed(
+    brep: Brep, graph: ConcaveGraph, host: FaceRecord, rim: Loop, group: set[int], tolerances: Tolerances
+) -> Depression | None:
     """A pocket or passage behind a rim."""
     normal = _out_of(brep, host, rim, group)
-    walls = [f for f in group if abs(dot(_facing(brep, f), normal)) < math.sin(math.radians(45.0))]
-    floors = [
-        f for f in group if dot(_facing(brep, f), normal) >= math.sin(math.radians(45.0)) and brep.faces[f].outward <= 0
-    ]
+    outline, corner = outline_of(brep, rim, tolerances)
+    tunnel = tunnel_of(brep, group)
+    if tunnel is not None and tunnel.closed and not parallel(tunnel.axis, normal, 1e-2):
+        normal = scale(tunnel.axis, math.copysign(1.0, dot(tunnel.axis, normal)))
+        outline = tunnel.outline
+    inside = {f for f in group - graph.bevels if brep.faces[f].outward <= 0}
+    walls = [f for f in group - graph.bevels if abs(dot(_facing(brep, f), normal)) < UPRIGHT]
     if not walls:
         return None
-    frame = frame_of(brep, group, normal, rim)
-    through = not floors
-    outline, corner = outline_of(brep, rim, tolerances)
-    along, across, deep = frame.size
-    return Depression(
-        kind=DepressionKind.PASSAGE if through else DepressionKind.POCKET,
-        outline=outline,
-        normal=normal,
-        opening=frame.point(0.5, 0.5, 1.0),
-        center=frame.point(0.5, 0.5, 0.5),
-        length=along,
-        width=across,
-        depth=deep,
-        direction=frame.u,
-        floor=tuple(sorted(floors)),
-        faces=tuple(sorted(group)),
-        body=host.body,
-        corner_radius=corner,
+    floors = {f for f in inside if dot(_facing(brep, f), normal) >= UPRIGHT} or _shared_floor(
+        brep, graph, walls, normal
     )
+    group = group | floors
+    around = tunnel_of(brep, set(walls))
+    if around is not None and around.outline != "free":
+        outline = around.outline
+    frame = frame_of(brep, group, normal, rim if outline != "free" else None)
+    mouth = frame if inside == group else frame_of(brep, inside | floors, normal, None, frame.u)
+    kind = DepressionKind.POCKET if floors else DepressionKind.PASSAGE
+    found = depression_in(kind, outline, frame, group, tuple(sorted(floors)), host.body)
+    found = replace(found, corner_radius=corner, length=mouth.size[0], width=mouth.size[1])
+    bow = bow_of([brep.edges[e] for e in rim.edges], tolerances) if outline == "curved" else None
+    if bow is not None:
+        return replace(found, length=bow.radius * bow.angle + bow.width, width=bow.width, angle=bow.angle)
+    return _around_island(brep, found) or found
+
+
+def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
+    """A pocket with an island in it that is level with its rim, and nearly fills it: a groove closed on itself."""
+    if len(pocket.floor) != 1 or brep.faces[pocket.floor[0]].kind is not SurfaceKind.PLANE:
+        return None
+    floor = brep.faces[pocket.floor[0]]
+    inner = [loop for loop in floor.loops if not loop.outer]
+    inner = [loop for loop in inner if all(brep.edges[e].convexity is EdgeConvexity.CONCAVE for e in loop.edges)]
+    if len(inner) != 1:
+        return None
+    island = {i for e in inner[0].edges for i in brep.edges[e].faces} - {floor.id}
+    rise = max(dot(p, floor.axis) for i in island for e in brep.face_edges[i] for p in edge_points(brep, e))
+    if abs(rise - dot(floor.point, floor.axis) - pocket.depth) > 0.01 * pocket.depth:
+        return None
+    sizes = []
+    for loop in (floor.loops[0], inner[0]):
+        points = [p for e in loop.edges for p in edge_points(brep, e)]
+        across = cross(floor.axis, pocket.direction)
+        sizes.append(
+            [max(dot(p, d) for p in points) - min(dot(p, d) for p in points) for d in (pocket.direction, across)]
+        )
+    gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]
+    if min(gaps) <= 0 or max(gaps) > GROOVE_SHARE * pocket.width:
+        return None
+    return replace(pocket, kind=DepressionKind.GROOVE, width=min(gaps), tags=("ring", "annular"))
+
+
+def _shared_floor(brep: Brep, graph: ConcaveGraph, walls: Sequence[int], normal: Vector) -> set[int]:
+    """A floor that another cut has taken already, but that most of the walls stand on."""
+    standing: dict[int, int] = defaultdict(int)
+    for wall in walls:
+        for other in graph.concave[wall]:
+            if brep.faces[other].kind is SurfaceKind.PLANE and dot(brep.faces[other].axis, normal) > 0.99:
+                standing[other] += 1
+    return {face for face, count in standing.items() if 2 * count > len(walls)}
 
 
 def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:

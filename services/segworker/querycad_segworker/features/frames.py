@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
-from querycad_segworker.vectors import add, cross, dot, norm, parallel, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, perpendicular, scale, sub, unit
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
@@ -53,7 +53,7 @@ def frame_of(
     u = along or (exact[longest] if longest is not None else perpendicular(normal))
     u = unit(sub(u, scale(normal, dot(u, normal))))
     v = cross(normal, u)
-    points = [p for e in edges for p in _points(brep, e)]
+    points = [p for e in edges for p in edge_points(brep, e)]
     ranges = [(min(dot(p, d) for p in points), max(dot(p, d) for p in points)) for d in (u, v, normal)]
     if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
@@ -63,8 +63,8 @@ def frame_of(
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
 
 
-def _points(brep: Brep, e: int) -> list[Vector]:
-    """Points that span an edge: its ends and middle; a circle's quarter points."""
+def edge_points(brep: Brep, e: int) -> list[Vector]:
+    """Which points span an edge? Its ends and middle; of a full circle, sixteen around it."""
     edge = brep.edges[e]
     points = [edge.start, edge.mid, edge.end]
     if edge.center is not None and edge.axis is not None and edge.radius is not None and edge.closed:
@@ -75,6 +75,44 @@ def _points(brep: Brep, e: int) -> list[Vector]:
             offset = add(scale(x, edge.radius * math.cos(angle)), scale(y, edge.radius * math.sin(angle)))
             points.append(add(edge.center, offset))
     return points
+
+
+@dataclass(frozen=True, slots=True)
+class Bow:
+    """A slot bent along an arc: between two arcs around one centre, with a half circle at each end. Metres, radians."""
+
+    radius: float
+    """Of its centre line."""
+    width: float
+    angle: float
+    """Between the centres of its ends."""
+
+
+def bow_of(arcs: Sequence[EdgeRecord], tolerances: Tolerances) -> Bow | None:
+    """Do these arcs outline a bent slot (of some length, in any number of pieces)?"""
+    circles: list[tuple[Vector, float, float]] = []
+    near = 10 * tolerances.length
+    for arc in arcs:
+        if arc.center is None or not arc.radius:
+            return None
+        for i, (center, radius, angle) in enumerate(circles):
+            if (
+                dist(center, arc.center) <= 10 * tolerances.length
+                and abs(radius - arc.radius) <= 10 * tolerances.length
+            ):
+                circles[i] = (center, radius, angle + arc.length / arc.radius)
+                break
+        else:
+            circles.append((arc.center, arc.radius, arc.length / arc.radius))
+    if len(circles) != 4:
+        return None
+    inner, outer = sorted(circles, key=lambda circle: circle[1])[2:]
+    ends = sorted(circles, key=lambda circle: circle[1])[:2]
+    width = outer[1] - inner[1]
+    half_turns = all(abs(r - width / 2) <= near and abs(angle - math.pi) < 0.05 for _, r, angle in ends)
+    if not half_turns or dist(inner[0], outer[0]) > near:
+        return None
+    return Bow((inner[1] + outer[1]) / 2, width, outer[2])
 
 
 def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, float | None]:
@@ -88,7 +126,10 @@ def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, floa
         centers = {
             tuple(round(c / max(tolerances.length * 10, 1e-12)) for c in arc.center) for arc in arcs if arc.center
         }
-        return ("circular" if len(centers) == 1 else "free"), None
+        if len(centers) == 1:
+            return "circular", None
+        bow = bow_of(arcs, tolerances)
+        return ("curved", bow.width / 2) if bow is not None else ("free", None)
     directions = _runs(lines, tolerances)
     half_turns = [arc for arc in arcs if arc.radius and abs(arc.length - math.pi * arc.radius) < 0.02 * arc.length]
     if len(directions) == 2 and len(half_turns) in (2, 4):

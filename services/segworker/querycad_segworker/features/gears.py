@@ -9,14 +9,20 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 
 from .walls import Axis, Wall
 
 MIN_TEETH = 6
 """Fewer repetitions are a bolt pattern or a polygon; the smallest pinions have six teeth or more."""
 MIN_FACES_PER_TOOTH = 3
-"""Two flanks and a tip at least."""
+"""Two flanks and a tip at least; pointed teeth have flanks only."""
+MIN_POINTED_TEETH = 12
+"""Pointed teeth are fine, as those of serrations (DIN 5481: 28 and more), ratchets and knurls; fewer are a star."""
+KNURL_TEETH = 20
+KNURL_DEPTH = 0.1
+"""Many pointed teeth that rise by less than this share of the radius are a knurl: DIN 82 has pitches of 0.5 to 1.6 mm,
+and a profile about half as deep as its pitch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +51,13 @@ class Gear:
     body: int
     internal: bool
 
+    @property
+    def is_knurl(self) -> bool:
+        """Is it straight knurling: many low pointed teeth around the outside?"""
+        pointed = all(len(tooth.faces) == 2 for tooth in self.teeth)
+        low = self.tip_radius - self.root_radius < KNURL_DEPTH * self.tip_radius
+        return pointed and low and not self.internal and len(self.teeth) >= KNURL_TEETH
+
 
 def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[Gear]:
     """Which gears, splines and other toothed rings does the model have? Sorted by lowest face id.
@@ -55,7 +68,7 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
     found: list[Gear] = []
     for body in brep.bodies:
         members = [brep.faces[i] for i in body.faces]
-        if len(members) < MIN_TEETH * MIN_FACES_PER_TOOTH:
+        if len(members) < MIN_TEETH * 2:
             continue
         for axis in _axes([w for w in walls if w.body == body.id], tolerances):
             gear = _gear(brep, members, axis, body.id, tolerances)
@@ -92,9 +105,10 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
     patterned = {face.id for ring in chosen for face in ring}
     touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
     chosen = [ring for ring in chosen if all(face.id in touching for face in ring)]
-    if sum(len(ring) for ring in chosen) < MIN_FACES_PER_TOOTH * teeth:
-        return None
+    per_tooth = sum(len(ring) for ring in chosen) / teeth
     ids = sorted(face.id for ring in chosen for face in ring)
+    if not ids:
+        return None
     points = [p for i in ids for e in brep.face_edges[i] for p in (brep.edges[e].start, brep.edges[e].mid)]
     radii = [axis.radius_of(p) for p in points]
     positions = [axis.position(p) for p in points]
@@ -102,13 +116,19 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
     inner = sum(f.outward < 0 and axis.radius_of(f.point) < (min(radii) + max(radii)) / 2 for f in facing)
     tips = min if inner > len(facing) / 2 else max
     single = [ring for ring in chosen if len(ring) == teeth]
-    if not single:
+    if per_tooth < MIN_FACES_PER_TOOTH:
+        # The flanks of pointed teeth may be alike, and their number then twice that of the teeth.
+        members = _pointed_teeth(brep, ids, axis, tips(radii))
+        if len(members) < MIN_POINTED_TEETH or 2 * len(members) != len(ids):
+            return None
+    elif single:
+        members = _teeth(chosen, tips(single, key=lambda ring: axis.radius_of(ring[0].point)), axis)
+    else:
         return None
-    tip_ring = tips(single, key=lambda ring: axis.radius_of(ring[0].point))
     middle = (min(positions) + max(positions)) / 2
     return Gear(
         axis=axis,
-        teeth=_teeth(chosen, tip_ring, axis),
+        teeth=members,
         tip_radius=tips(radii),
         root_radius=(max if tips is min else min)(radii),
         width=max(positions) - min(positions),
@@ -150,6 +170,19 @@ def _period(group: Sequence[FaceRecord], axis: Axis) -> int:
 
 def _is_coaxial(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
     return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis(face.origin, face.axis), tolerances)
+
+
+def _pointed_teeth(brep: Brep, faces: Sequence[int], axis: Axis, tip_radius: float) -> tuple[Tooth, ...]:
+    """Teeth of two flanks that meet in an edge at the tip."""
+    own = set(faces)
+    found: dict[tuple[int, ...], Tooth] = {}
+    for face in faces:
+        for edge, other in brep.neighbours(face):
+            at_tip = abs(axis.radius_of(edge.mid) - tip_radius) < 0.01 * tip_radius
+            if other in own and at_tip and edge.convexity is EdgeConvexity.CONVEX:
+                pair = tuple(sorted((face, other)))
+                found[pair] = Tooth(pair, edge.mid)
+    return tuple(found.values())
 
 
 def _teeth(rings: Sequence[Sequence[FaceRecord]], tips: Sequence[FaceRecord], axis: Axis) -> tuple[Tooth, ...]:

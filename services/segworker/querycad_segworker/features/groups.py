@@ -3,82 +3,116 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import replace
 
-from querycad_contracts import SurfaceKind, Vector
+from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, norm, parallel, sub, unit
+from querycad_segworker.vectors import cross, dot, norm, parallel, unit
 
 from .adjacency import ConcaveGraph
-from .depression import Depression, DepressionKind
-from .frames import POLYGONS, LocalFrame, frame_of, outline_of
-
-FLAT_ANGLE = math.radians(10.0)
-"""Walls may lean by this draft angle and still stand on their floor."""
+from .depression import ELONGATED, Depression, DepressionKind, depression_in
+from .frames import frame_of, outline_of
+from .slot_sections import Pair, facing_pair, gap_between, undercut, v_slot, woodruff
+from .tunnels import MORE_THAN_HALF, Tunnel, tunnel_of, upwards
 
 CHANNEL_SHARE = 0.5
 """A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
 
-V_ANGLE = (math.radians(20.0), math.radians(160.0))
-"""Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
 
-
-def group_depression(brep: Brep, group: set[int], graph: ConcaveGraph, tolerances: Tolerances) -> Depression | None:
+def group_depression(
+    brep: Brep, group: set[int], graph: ConcaveGraph, tolerances: Tolerances, others: Set[int] = frozenset()
+) -> Depression | None:
     """What do these faces form, which meet in concave edges? None when they form no depression.
 
     The floor is the plane that the most others stand on. A floor with walls all around makes a pocket, walls that
     close a ring without a floor a passage, two walls that face each other a slot, channel or notch, two planes alone
-    that open to one and the same face a V slot; whatever else stands on a floor makes a step.
+    that open the same way a V slot; whatever else stands on a floor makes a step. `others`: faces of other cuts, beside
+    those of holes; where they break in, the floor counts as closed.
     """
     planes = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.PLANE]
+    tunnel = tunnel_of(brep, group)
+    if tunnel is not None and tunnel.closed:
+        return _passage(brep, group, tunnel)
     if not planes:
         return None
     links = {face.id: _wall_links(graph, face.id, group) for face in planes}
-    if (ring := _ring_axis(planes, links, group, graph)) is not None:
-        return _passage(brep, group, ring, len(planes))
-    floor = max(planes, key=lambda face: (len(links[face.id]), dot(face.axis, (0.1, -0.2, 1.0)), face.area))
+    floor = _floor_under_lips(brep, group, planes, links) or _floor(planes, links)
     walls = [brep.faces[i] for i in sorted(links[floor.id])]
-    if not walls:
-        return None
-    if len(planes) == 2 and len(walls) == 1 and walls[0].kind is SurfaceKind.PLANE:
-        groove = _v_groove(brep, group, floor, walls[0])
-        if groove is not None:
-            return groove
-    if _is_walled_in(brep, floor, group):
-        outline, corner = outline_of(brep, floor.loops[0], tolerances)
-        frame = frame_of(brep, group, floor.axis, floor.loops[0])
-        pocket = _depression(DepressionKind.POCKET, outline, frame, group, (floor.id,), floor.body)
-        return replace(pocket, corner_radius=corner)
-    return _open_on_floor(brep, group, floor, walls)
+    special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
+    if special is not None or not walls:
+        return special
+    pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], floor.axis)
+    if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
+        return _passage(brep, group, tunnel)
+    if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
+        return _round_bottomed(brep, group, tunnel, planes)
+    floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
+    if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
+        return _pocket(brep, group, floors, tolerances)
+    return _open_on_floor(graph, group, floor, walls, pair)
 
 
-def _open_on_floor(brep: Brep, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord]) -> Depression | None:
+def _floor_under_lips(
+    brep: Brep, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
+) -> FaceRecord | None:
+    """The floor of a T slot: below two walls with lips that leave a neck between them."""
+    for floor in planes:
+        walls = [brep.faces[i] for i in links[floor.id] if brep.faces[i].kind is SurfaceKind.PLANE]
+        pair = facing_pair(walls, floor.axis)
+        found = undercut(brep, group, floor, pair) if pair is not None else None
+        if found is not None and found.tag == "t_slot":
+            return floor
+    return None
+
+
+def _floor(planes: Sequence[FaceRecord], links: dict[int, set[int]]) -> FaceRecord:
+    """The plane that the most others stand on.
+
+    The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
+    faces that are all alike, the one facing top, then front, then right.
+    """
+    most = max(len(links[face.id]) for face in planes)
+    largest = max(face.area for face in planes)
+
+    def rank(face: FaceRecord) -> tuple[float, ...]:
+        size = round(face.area / largest, 3) if most > 2 else 0.0
+        return len(links[face.id]), size, dot(face.axis, (0.1, -0.2, 1.0)), face.area
+
+    return max(planes, key=rank)
+
+
+def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
+    """Is it a plane, or a round wall whose axis is upright on the floor?"""
+    return wall.kind is SurfaceKind.PLANE or parallel(wall.axis, floor.axis, 0.1)
+
+
+def _pocket(brep: Brep, group: set[int], floors: Sequence[FaceRecord], tolerances: Tolerances) -> Depression:
+    floor, ids = floors[0], tuple(piece.id for piece in floors)
+    outline, corner = outline_of(brep, floor.loops[0], tolerances)
+    around = tunnel_of(brep, group.difference(ids))
+    if around is not None and (not around.closed or len(floors) > 1):
+        outline = around.outline
+    frame = frame_of(brep, group, floor.axis, floor.loops[0])
+    pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body)
+    return replace(pocket, corner_radius=corner)
+
+
+def _open_on_floor(
+    graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair | None
+) -> Depression | None:
     """A slot, channel, notch or step: a floor with walls that leave a side open."""
-    normal = floor.axis
+    if pair is not None:
+        return _between(graph, group, floor, walls, pair)
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
-    opposite = _facing_pair(plane_walls)
     round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
-    if opposite is not None:
-        along = unit(cross(opposite[0].axis, normal))
-    elif plane_walls:
-        along = unit(cross(plane_walls[0].axis, normal))
-    else:
-        along = None
+    along = unit(cross(plane_walls[0].axis, floor.axis)) if plane_walls else None
     if along is not None and norm(along) == 0:
         return None
-    frame = frame_of(brep, group, normal, None, along)
-    length, width, _ = frame.size
+    frame = frame_of(graph.brep, group, floor.axis, None, along)
     kind = DepressionKind.STEP
-    if opposite is not None:
-        width = abs(dot(sub(opposite[0].point, opposite[1].point), opposite[0].axis))
-        kind = DepressionKind.SLOT
-        if width > CHANNEL_SHARE * _extent(brep, floor.body, opposite[0].axis):
-            kind = DepressionKind.CHANNEL
-        elif length < width:
-            kind = DepressionKind.NOTCH
-    elif len(round_ends) > 1 and plane_walls:
+    if len(round_ends) > 1 and plane_walls:
         kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
     if not plane_walls:
         outline = "circular"
@@ -86,90 +120,101 @@ def _open_on_floor(brep: Brep, group: set[int], floor: FaceRecord, walls: Sequen
         outline = "obround" if kind is DepressionKind.SLOT else "free"
     else:
         outline = "rectangular" if _is_square(plane_walls) else "free"
-    return replace(_depression(kind, outline, frame, group, (floor.id,), floor.body, is_open=True), width=width)
+    return depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
 
 
-def _depression(
-    kind: DepressionKind,
-    outline: str,
-    frame: LocalFrame,
-    group: set[int],
-    floor: tuple[int, ...],
-    body: int,
-    *,
-    is_open: bool = False,
-) -> Depression:
-    length, width, depth = frame.size
-    return Depression(
-        kind=kind,
-        outline=outline,
-        normal=frame.n,
-        opening=frame.point(0.5, 0.5, 1.0),
-        center=frame.point(0.5, 0.5, 0.5),
-        length=length,
-        width=width,
-        depth=depth,
-        direction=frame.u,
-        floor=floor,
-        faces=tuple(sorted(group)),
-        body=body,
-        is_open=is_open,
+def _between(
+    graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair
+) -> Depression | None:
+    """A slot, channel or notch: a floor between two walls that face each other."""
+    brep = graph.brep
+    along = unit(cross(pair[0].axis, floor.axis))
+    frame = frame_of(brep, group, floor.axis, None, along)
+    length, _, depth = frame.size
+    width = gap_between(brep, pair, floor)
+    undercuts = undercut(brep, group, floor, pair)
+    if undercuts is not None:
+        width = undercuts.neck_width
+        group = group | undercuts.neck
+        frame = frame_of(brep, group, floor.axis, None, along)
+        depth = frame.size[2]
+    round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
+    plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
+    ends = [w for w in plane_walls if abs(dot(w.axis, along)) > 0.5]
+    outline = "obround" if round_ends else "rectangular" if _is_square(plane_walls) else "free"
+    found = depression_in(DepressionKind.SLOT, outline, frame, group, (floor.id,), floor.body, is_open=True)
+    found = replace(
+        found, width=width, tags=(undercuts.tag,) if undercuts else (), angle=undercuts.angle if undercuts else None
     )
+    if width > CHANNEL_SHARE * graph.extent(floor.body, pair[0].axis):
+        return replace(found, kind=DepressionKind.CHANNEL)
+    is_cut_through = undercuts is None and not ends and not round_ends
+    if is_cut_through and depth > length and depth >= ELONGATED * width:
+        return _through_slot(brep, group, floor, along, width)
+    if length < width and undercuts is None:
+        return replace(found, kind=DepressionKind.NOTCH)
+    return found
 
 
-def _is_walled_in(brep: Brep, floor: FaceRecord, group: set[int]) -> bool:
-    """Do faces of the group stand all around the floor?"""
+def _through_slot(
+    brep: Brep, group: set[int], end: FaceRecord, across: tuple[float, float, float], width: float
+) -> Depression:
+    """A slot cut right through a plate from its edge: what looks like its floor is its end."""
+    frame = frame_of(brep, group, upwards(across), None, end.axis)
+    slot = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (), end.body, is_open=True)
+    return replace(slot, width=width, tags=("through",))
+
+
+def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequence[FaceRecord]) -> Depression | None:
+    """Two flanks and the round between them: a slot with a round bottom, or cut through a plate with a round end."""
+    flanks = facing_pair(planes, None)
+    if flanks is None:
+        return None
+    rounds = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    if not rounds:
+        return None
+    bottom = max(rounds, key=lambda face: face.area)
+    normal = bottom.point_normal
+    frame = frame_of(brep, group, normal, None, tunnel.axis)
+    length, width, depth = frame.size
+    if length < width and depth >= ELONGATED * width:
+        frame = frame_of(brep, group, upwards(tunnel.axis), None, normal)
+        slot = depression_in(DepressionKind.SLOT, "obround", frame, group, (), bottom.body, is_open=True)
+        return replace(slot, tags=("through",), corner_radius=bottom.radius)
+    kind = DepressionKind.NOTCH if length < width else DepressionKind.SLOT
+    found = depression_in(kind, "free", frame, group, (bottom.id,), bottom.body, is_open=True)
+    return replace(found, tags=("u_shaped",), corner_radius=bottom.radius)
+
+
+def _passage(brep: Brep, group: set[int], tunnel: Tunnel) -> Depression:
+    frame = frame_of(brep, group, upwards(tunnel.axis), None)
+    body = brep.faces[min(group)].body
+    is_open = not tunnel.closed
+    return depression_in(DepressionKind.PASSAGE, tunnel.outline, frame, group, (), body, is_open=is_open)
+
+
+def _is_walled_in(
+    graph: ConcaveGraph, floor: FaceRecord, walls: Sequence[FaceRecord], group: set[int], others: Set[int]
+) -> bool:
+    """Do faces of the group stand all around the floor, but for where other cuts break in?"""
     if not floor.loops or not floor.loops[0].outer:
         return False
-    edges = [brep.edges[e] for e in floor.loops[0].edges]
-    return bool(edges) and all(
-        edge.convexity in (EdgeConvexity.CONCAVE, EdgeConvexity.SMOOTH) and set(edge.faces) <= group for edge in edges
-    )
-
-
-def _ring_axis(
-    planes: Sequence[FaceRecord], links: dict[int, set[int]], group: set[int], graph: ConcaveGraph
-) -> Vector | None:
-    """The direction of a tunnel: all its planes are parallel to it, and each meets the next, all the way around."""
-    walls_only = all(f in graph.blends or graph.brep.faces[f].kind is SurfaceKind.PLANE for f in group)
-    if len(planes) < 3 or not walls_only or any(len(links[face.id]) != 2 for face in planes):
-        return None
-    axis = next((unit(c) for face in planes[1:] if norm(c := cross(planes[0].axis, face.axis)) > 0.1), None)
-    if axis is None or any(abs(dot(face.axis, axis)) > 0.02 for face in planes):
-        return None
-    return axis
-
-
-def _passage(brep: Brep, group: set[int], axis: Vector, sides: int) -> Depression:
-    x, y, z = axis
-    upwards = next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True)
-    normal = axis if upwards else (-x, -y, -z)
-    frame = frame_of(brep, group, normal, None)
-    outline = POLYGONS.get(sides, "polygonal")
-    return _depression(DepressionKind.PASSAGE, outline, frame, group, (), brep.faces[min(group)].body)
-
-
-def _v_groove(brep: Brep, group: set[int], a: FaceRecord, b: FaceRecord) -> Depression | None:
-    """Two planes whose outer edges lie in one face (or two in one plane): a slot with a V section."""
-    rims = []
-    for face in (a, b):
-        bounds = [
-            (edge.length, brep.faces[other])
-            for edge, other in brep.neighbours(face.id)
-            if edge.convexity is EdgeConvexity.CONVEX and abs(dot(brep.faces[other].axis, cross(a.axis, b.axis))) < 0.1
-        ]
-        if not bounds:
-            return None
-        rims.append(max(bounds, key=lambda bound: bound[0])[1])
-    first, second = rims
-    flush = dot(first.axis, second.axis) > 1 - 1e-6 and abs(dot(sub(first.point, second.point), first.axis)) < 1e-6
-    normal = unit(add(a.axis, b.axis))
-    along = unit(cross(a.axis, b.axis))
-    opening_angle = math.pi - math.acos(max(-1.0, min(1.0, dot(a.axis, b.axis))))
-    if not (first.id == second.id or flush) or norm(along) == 0 or not V_ANGLE[0] < opening_angle < V_ANGLE[1]:
-        return None
-    frame = frame_of(brep, group, normal, None, along)
-    return _depression(DepressionKind.SLOT, "triangular", frame, group, (), a.body, is_open=True)
+    closed, broken = 0, 0
+    for e in floor.loops[0].edges:
+        edge = graph.brep.edges[e]
+        if edge.convexity in (EdgeConvexity.CONCAVE, EdgeConvexity.SMOOTH) and set(edge.faces) <= group:
+            closed += 1
+        elif all(other in others or other in graph.taken for other in edge.faces if other != floor.id):
+            broken += 1
+        else:
+            return False
+    if not broken:
+        return closed > 0
+    directions: list[FaceRecord] = []
+    for wall in walls:
+        if wall.kind is not SurfaceKind.PLANE or all(dot(wall.axis, d.axis) < math.cos(0.2) for d in directions):
+            directions.append(wall)
+    return len(directions) > 3 or (len(directions) == 3 and not _is_square(directions))
 
 
 def _is_square(walls: Sequence[FaceRecord]) -> bool:
@@ -180,31 +225,11 @@ def _is_square(walls: Sequence[FaceRecord]) -> bool:
 def _wall_links(graph: ConcaveGraph, face: int, group: set[int]) -> set[int]:
     """The faces of the group that stand on this one: planes, also over a fillet, and round walls with a sharp foot."""
     found: set[int] = set()
-    for other in graph.concave[face] & group:
-        if other in graph.blends and not graph.is_sharp(face, other):
-            found |= {f for f in graph.concave[other] & group if f not in graph.blends and f != face}
-        else:
-            found.add(other)
+    pieces = graph.flush(face)
+    for piece in pieces:
+        for other in graph.concave[piece] & group - pieces:
+            if other in graph.blends and not graph.is_sharp(piece, other):
+                found |= {f for f in graph.concave[other] & group if f not in graph.blends and f != piece}
+            else:
+                found.add(other)
     return {f for f in found if graph.brep.faces[f].kind in (SurfaceKind.PLANE, SurfaceKind.CYLINDER)}
-
-
-def _extent(brep: Brep, body: int, direction: Vector) -> float:
-    """How far does a body reach along a direction?"""
-    along = [
-        dot(p, direction)
-        for f in brep.bodies[body].faces
-        for e in brep.face_edges[f]
-        for p in (brep.edges[e].start, brep.edges[e].mid)
-    ]
-    return max(along) - min(along)
-
-
-def _facing_pair(walls: Sequence[FaceRecord]) -> tuple[FaceRecord, FaceRecord] | None:
-    """Two walls that look at each other across the floor."""
-    best: tuple[FaceRecord, FaceRecord] | None = None
-    for i, a in enumerate(walls):
-        for b in walls[i + 1 :]:
-            if dot(a.axis, b.axis) < -math.cos(FLAT_ANGLE) and dot(sub(b.point, a.point), a.axis) > 0:
-                if best is None or a.area + b.area > best[0].area + best[1].area:
-                    best = (a, b)
-    return best

@@ -6,7 +6,11 @@ from collections import defaultdict
 from collections.abc import Sequence
 
 from querycad_contracts import Part, Shape
-from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import line_distance
+
+from .carrying import carried
+from .fasteners import fasteners
 
 CENTRAL_SHARE = 0.01
 """A part is central when its axis passes the middle of the model nearer than this share of the model's extent."""
@@ -16,57 +20,107 @@ FOOT_SHARE = 0.5
 """A foot takes less than this share of the model's ground plan; more is a base."""
 UPRIGHT = 0.999
 """Cosine of the angle to the vertical below which an axis counts as upright: 2.5 degrees."""
-HEAD_RATIO = 1.3
-"""A head is this much wider than its shank: 1.5 times for ISO 4762 and ISO 4014 screws, less for long pins."""
+ALL_OF_LEG = 0.99
+"""A block as long as this share of a foot is the foot itself."""
 DEEP_RATIO = 5.0
 """A hole deeper than five diameters counts as deep in drilling practice."""
 
 
-def with_relations(parts: Sequence[Part], shape: Shape) -> list[Part]:
-    """The same parts with tags for what they are to the whole.
+def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part]:
+    """The same parts with tags for what they are to the whole, and with what they carry as children.
 
     'central': its axis passes the model's middle. 'repeated': another hole has its size and direction. 'deep'.
     'grounded': it reaches the model's lowest level. 'foot': it does, as one of several bodies or protrusions that do,
-    while others do not: what the rest stands on. 'head': the wide end of a screw. 'vertical', 'horizontal': its axis.
+    while others do not: what the rest stands on; 'leg': the long part of such a foot. 'head': the wide end of a screw,
+    whose body is a 'screw'; 'nut', likewise. 'bolt_circle', 'row', 'grid', 'rectangle': what lies so. 'ringed': a hole
+    with a ring around it. 'vertical', 'horizontal': its axis.
     """
+    tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
+    fastened = fasteners(parts, brep)
+    structural = [part for part in parts if part.id not in fastened]
+    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), fastened, _legs(structural, shape)):
+        for part_id, names in found.items():
+            tags[part_id].extend(names)
+    carried_by = carried(parts, brep)
+    result = []
+    for part in parts:
+        update: dict[str, object] = {}
+        if len(tags[part.id]) > len(part.tags):
+            update["tags"] = tuple(dict.fromkeys(tags[part.id]))
+        if part.id in carried_by:
+            update["children"] = tuple(dict.fromkeys((*part.children, *carried_by[part.id])))
+        result.append(part.model_copy(update=update) if update else part)
+    return result
+
+
+def _place_tags(part: Part, shape: Shape) -> list[str]:
+    """What the part is to the whole model by itself."""
+    tags = []
+    if part.kind == "hole" and part.depth and part.diameter and part.depth > DEEP_RATIO * part.diameter:
+        tags.append("deep")
+    if part.axis is not None and _is_central(part, shape):
+        tags.append("central")
+    if _is_grounded(part, shape):
+        tags.append("grounded")
+    if part.axis is not None and abs(part.axis[2]) > UPRIGHT:
+        tags.append("vertical")
+    elif part.axis is not None and abs(part.axis[2]) < 1 - UPRIGHT:
+        tags.append("horizontal")
+    return tags
+
+
+def _repeated(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
+    """Holes of which another has the size and direction."""
     groups: dict[tuple[object, ...], list[str]] = defaultdict(list)
     for part in parts:
         if part.kind == "hole":
             groups[_size_key(part, shape)].append(part.id)
-    feet, heads = _feet(parts, shape), _heads(parts)
-    repeated = {part_id for members in groups.values() if len(members) > 1 for part_id in members}
-    result = []
-    for part in parts:
-        tags = list(part.tags)
-        if part.axis is not None and _is_central(part, shape):
-            tags.append("central")
-        if part.id in repeated:
-            tags.append("repeated")
-        if part.kind == "hole" and part.depth and part.diameter and part.depth > DEEP_RATIO * part.diameter:
-            tags.append("deep")
-        if _is_grounded(part, shape):
-            tags.append("grounded")
-        if part.axis is not None and abs(part.axis[2]) > UPRIGHT:
-            tags.append("vertical")
-        elif part.axis is not None and abs(part.axis[2]) < 1 - UPRIGHT:
-            tags.append("horizontal")
-        if part.id in heads:
-            tags.append("head")
-        if part.id in feet:
-            tags.append("foot")
-        result.append(part if len(tags) == len(part.tags) else part.model_copy(update={"tags": tuple(tags)}))
-    return result
+    return {i: ("repeated",) for members in groups.values() if len(members) > 1 for i in members}
 
 
-def _feet(parts: Sequence[Part], shape: Shape) -> set[str]:
+def _patterned(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
+    """What lies on a bolt circle, in a row or in a grid."""
+    return {child: (part.tags[0],) for part in parts if part.kind == "pattern" for child in part.children}
+
+
+def _ringed(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
+    """Holes with a ring around them: a low hollow boss on a face, rather than a step of the body's own outline."""
+    rings = [
+        part
+        for part in parts
+        if part.kind == "boss" and {"raised", "flat", "hollow"} <= set(part.tags) and "free" not in part.tags
+    ]
+    return {child: ("ringed",) for ring in rings for child in ring.children if child.startswith("hole-")}
+
+
+def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
+    """The tags of feet and legs.
+
+    Feet are the solid bodies that reach the ground while others do not, else the protrusions that do. Where a
+    protrusion is made of several blocks, as a leg on its foot plate, the longest block is the leg.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for foot in _feet(parts, shape):
+        own = frozenset(foot.faces)
+        inside = [p for p in parts if p.kind in ("prism", "boss") and p.id != foot.id and own > frozenset(p.faces)]
+        inside = [p for p in inside if p.axis is not None and abs(p.axis[2]) > UPRIGHT and "plate" not in p.tags]
+        longest = max(inside, key=lambda part: part.extents[2], default=foot)
+        # A block that is nearly all of the protrusion is the protrusion itself.
+        leg = foot if longest.extents[2] > ALL_OF_LEG * foot.extents[2] or foot.kind == "body" else longest
+        found[leg.id] = ("leg",)
+        found[foot.id] = (*found.get(foot.id, ()), "foot")
+    return found
+
+
+def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
     """Several solid bodies that reach the ground while others do not; else several protrusions that do."""
     for kinds in (("body",), ("boss", "prism", "protrusion")):
         candidates = _outermost([part for part in parts if part.kind in kinds])
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
         if len(slim) >= MIN_FEET and (kinds != ("body",) or len(slim) < len(candidates)):
-            return {part.id for part in slim}
-    return set()
+            return slim
+    return []
 
 
 def _outermost(parts: Sequence[Part]) -> list[Part]:
@@ -77,26 +131,6 @@ def _outermost(parts: Sequence[Part]) -> list[Part]:
         for i, part in enumerate(parts)
         if not any(faces[i] < other or (faces[i] == other and j < i) for j, other in enumerate(faces) if j != i)
     ]
-
-
-def _heads(parts: Sequence[Part]) -> set[str]:
-    """The head of each screw-like body: the one clearly widest step or hexagon at one end of a slender boss."""
-    heads = set()
-    steps = [part for part in parts if part.kind in ("boss", "prism") and part.axis is not None]
-    for shank in steps:
-        if shank.kind != "boss" or "cylindrical" not in shank.tags or shank.axis is None or not shank.radius:
-            continue
-        for other in steps:
-            if other.id == shank.id or other.width is None or other.axis is None or shank.height is None:
-                continue
-            coaxial = line_distance(other.center, shank.center, shank.axis) < 0.05 * shank.radius
-            aligned = norm(cross(other.axis, shank.axis)) < 0.02
-            wider = other.width > HEAD_RATIO * 2 * shank.radius
-            apart = abs(dot(sub(other.center, shank.center), shank.axis))
-            touching = abs(apart - (shank.height + (other.height or 0.0)) / 2) < 0.1 * shank.radius
-            if coaxial and aligned and wider and touching and shank.height > (other.height or 0.0):
-                heads.add(other.id)
-    return heads
 
 
 def _is_grounded(part: Part, shape: Shape) -> bool:

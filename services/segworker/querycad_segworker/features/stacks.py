@@ -10,7 +10,7 @@ from enum import StrEnum
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import cross, dot, norm, parallel
 
 from .walls import Axis, Wall
@@ -107,27 +107,30 @@ def _coaxial(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
 def _joined_by(
     face: FaceRecord, brep: Brep, members: Sequence[Wall], owner: dict[int, int], tolerances: Tolerances
 ) -> set[int]:
-    """The coaxial walls between which a plane face is the shoulder: each boundary of the ring is one wall's rim."""
-    if len(face.loops) != 2:
-        return set()
-    rims = []
-    for loop in face.loops:
-        walls_of_loop = {
-            owner[other]
-            for e in loop.edges
-            for other in brep.edges[e].faces
-            if other != face.id and other in owner and parallel(face.axis, members[owner[other]].axis.direction, 1e-2)
-        }
-        covered = sum(
-            brep.edges[e].length for e in loop.edges if any(o in owner for o in brep.edges[e].faces if o != face.id)
-        )
-        if len(walls_of_loop) != 1 or covered < 0.5 * sum(brep.edges[e].length for e in loop.edges):
-            return set()
-        rims.append(walls_of_loop.pop())
-    first, second = rims
-    if first != second and _coaxial(members[first], members[second], tolerances):
-        return {first, second}
+    """The two coaxial walls between which a plane face is the shoulder: its outer boundary and one inside it are rims.
+
+    Other holes in the ring, as those of a flange, do not part the walls.
+    """
+    outer = [i for loop in face.loops if loop.outer for i in _rim_of(face, loop, brep, members, owner)]
+    inner = [i for loop in face.loops if not loop.outer for i in _rim_of(face, loop, brep, members, owner)]
+    for first in outer:
+        for second in inner:
+            if first != second and _coaxial(members[first], members[second], tolerances):
+                return {first, second}
     return set()
+
+
+def _rim_of(face: FaceRecord, loop: Loop, brep: Brep, members: Sequence[Wall], owner: dict[int, int]) -> set[int]:
+    """The wall at right angles to the plane face whose rim this boundary is, for more than half of its length."""
+    length = covered = 0.0
+    walls_of_loop = set[int]()
+    for e in loop.edges:
+        edge = brep.edges[e]
+        length += edge.length
+        others = [owner[other] for other in edge.faces if other != face.id and other in owner]
+        covered += edge.length if others else 0.0
+        walls_of_loop.update(i for i in others if parallel(face.axis, members[i].axis.direction, 1e-2))
+    return walls_of_loop if len(walls_of_loop) == 1 and covered >= 0.5 * length else set()
 
 
 def _stack(brep: Brep, group: list[Wall], shoulders: set[int]) -> Stack:

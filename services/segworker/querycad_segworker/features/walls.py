@@ -5,87 +5,26 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
-from querycad_contracts import SurfaceKind, Vector
+from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, foot, line_distance, norm, parallel, perpendicular, scale, sub
+from querycad_segworker.vectors import cross, dot, foot, norm, sub
+
+from .axes import Axis, Wall
+from .interrupted import with_interrupted
+from .threads import with_threads
+
+__all__ = ["REVOLVED", "Axis", "Wall", "same_surface", "walls"]
 
 REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
-    """A directed line in space: positions along it are `dot(p - origin, direction)`."""
-
-    origin: Vector
-    direction: Vector
-
-    def position(self, point: Vector) -> float:
-        """Where along the axis is the foot of `point`, in metres from the origin?"""
-        return dot(sub(point, self.origin), self.direction)
-
-    def at(self, position: float) -> Vector:
-        """Which point lies at this position?"""
-        return add(self.origin, scale(self.direction, position))
-
-    def radius_of(self, point: Vector) -> float:
-        """How far is `point` from the axis?"""
-        return line_distance(point, self.origin, self.direction)
-
-    def angle_of(self, point: Vector) -> float:
-        """At which angle around the axis is `point`? Radians, -pi to pi, from an arbitrary but fixed zero."""
-        x = perpendicular(self.direction)
-        y = cross(self.direction, x)
-        offset = sub(point, self.origin)
-        return math.atan2(dot(offset, y), dot(offset, x))
-
-    def same_line(self, other: Axis, tolerances: Tolerances) -> bool:
-        """Do both lie on one line, whichever way they point?"""
-        return (
-            parallel(self.direction, other.direction, tolerances.angle * 3)
-            and line_distance(other.origin, self.origin, self.direction) <= 3 * tolerances.length
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class Wall:
-    """One surface of revolution about an axis, made of one or more faces.
-
-    `low` and `high` are its ends along the axis; `radius_low` and `radius_high` its radii there (equal for a cylinder).
-    `sweep` is the angle that its faces cover; `outward` as in `FaceRecord`.
-    """
-
-    kind: SurfaceKind
-    axis: Axis
-    radius_low: float
-    radius_high: float
-    low: float
-    high: float
-    sweep: float
-    outward: int
-    faces: tuple[int, ...]
-    body: int
-
-    @property
-    def radius(self) -> float:
-        """How large is the radius? A cone's is its larger one."""
-        return max(self.radius_low, self.radius_high)
-
-    @property
-    def height(self) -> float:
-        """How long is it along its axis?"""
-        return self.high - self.low
-
-    @property
-    def encloses(self) -> bool:
-        """Does it hold a cylinder put into it, that is cover clearly more than half of the circle?"""
-        return self.sweep > math.radians(200)
-
-
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
-    """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united."""
+    """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united.
+
+    The faces of a modelled thread are one wall.
+    """
     faces = [face for face in brep.faces if face.kind in REVOLVED]
     groups = _Groups(face.id for face in faces)
     for edge in brep.edges:
@@ -93,7 +32,8 @@ def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.kind in REVOLVED and same_surface(a, b, tolerances):
                 groups.unite(a.id, b.id)
-    return [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
+    found = [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
+    return with_interrupted(with_threads(brep, found, tolerances), tolerances)
 
 
 def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:

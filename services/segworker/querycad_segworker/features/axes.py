@@ -1,0 +1,81 @@
+"""What axes and walls are: directed lines, and surfaces of revolution about them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.vectors import add, cross, dot, line_distance, parallel, perpendicular, scale, sub
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A directed line in space: positions along it are `dot(p - origin, direction)`."""
+
+    origin: Vector
+    direction: Vector
+
+    def position(self, point: Vector) -> float:
+        """Where along the axis is the foot of `point`, in metres from the origin?"""
+        return dot(sub(point, self.origin), self.direction)
+
+    def at(self, position: float) -> Vector:
+        """Which point lies at this position?"""
+        return add(self.origin, scale(self.direction, position))
+
+    def radius_of(self, point: Vector) -> float:
+        """How far is `point` from the axis?"""
+        return line_distance(point, self.origin, self.direction)
+
+    def angle_of(self, point: Vector) -> float:
+        """At which angle around the axis is `point`? Radians, -pi to pi, from an arbitrary but fixed zero."""
+        x = perpendicular(self.direction)
+        y = cross(self.direction, x)
+        offset = sub(point, self.origin)
+        return math.atan2(dot(offset, y), dot(offset, x))
+
+    def same_line(self, other: Axis, tolerances: Tolerances) -> bool:
+        """Do both lie on one line, whichever way they point?"""
+        return (
+            parallel(self.direction, other.direction, tolerances.angle * 3)
+            and line_distance(other.origin, self.origin, self.direction) <= 3 * tolerances.length
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """One surface of revolution about an axis, made of one or more faces.
+
+    `low` and `high` are its ends along the axis; `radius_low` and `radius_high` its radii there (equal for a cylinder).
+    `sweep` is the angle that its faces cover; `outward` as in `FaceRecord`.
+    """
+
+    kind: SurfaceKind
+    axis: Axis
+    radius_low: float
+    radius_high: float
+    low: float
+    high: float
+    sweep: float
+    outward: int
+    faces: tuple[int, ...]
+    body: int
+    pitch: float | None = None
+    """Of a modelled thread on it."""
+
+    @property
+    def radius(self) -> float:
+        """How large is the radius? A cone's is its larger one."""
+        return max(self.radius_low, self.radius_high)
+
+    @property
+    def height(self) -> float:
+        """How long is it along its axis?"""
+        return self.high - self.low
+
+    @property
+    def encloses(self) -> bool:
+        """Does it hold a cylinder put into it, that is cover clearly more than half of the circle?"""
+        return self.sweep > math.radians(200)

@@ -1,0 +1,109 @@
+"""Records of what stands out with plane sides become parts: protrusions, prisms, gears and their teeth."""
+
+from __future__ import annotations
+
+from querycad_contracts import Part
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import box_center, box_extents
+
+from .gears import Gear
+from .parts import PLATE_RATIO, faces_area, faces_box, geometry, millimetres, outlined, width_of
+from .prisms import Prism
+from .protrusions import Protrusion
+
+
+def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
+    """A protrusion of any outline but a circle."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
+    extents = box_extents(faces_box(brep, found.faces))
+    return Part(
+        id=f"protrusion-{number}",
+        kind="protrusion",
+        tags=(found.outline, *found.tags),
+        label=f"{outlined(found.outline, 'protrusion')}, {size} mm, height {millimetres(found.height)}",
+        faces=found.faces,
+        center=found.center,
+        extents=extents,
+        axis=found.normal,
+        normal=found.normal,
+        height=found.height,
+        width=found.width if "rib" in found.tags else width_of(found.normal, extents, found.width),
+        length=found.length,
+        thickness=found.width if "rib" in found.tags else None,
+        tip=found.tip,
+        local_size=(found.length, found.width, found.height),
+        area=faces_area(brep, found.faces),
+        evidence=geometry(f"{len(found.faces)} faces that rise from a face inside one of its boundary loops"),
+    )
+
+
+def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
+    """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (prism.length, prism.width))
+    flat = prism.height < PLATE_RATIO * prism.width
+    return Part(
+        id=f"prism-{number}",
+        kind="prism",
+        tags=(prism.outline, *(("plate", "flat") if flat else ())),
+        label=f"{prism.outline} {'plate' if flat else 'block'}, {size} mm, height {millimetres(prism.height)}",
+        faces=prism.faces,
+        center=prism.center,
+        extents=box_extents(faces_box(brep, prism.faces)),
+        axis=prism.normal,
+        normal=prism.normal,
+        height=prism.height,
+        width=prism.width,
+        length=prism.length,
+        thickness=prism.height if flat else None,
+        tip=prism.tip,
+        local_size=(prism.length, prism.width, prism.height),
+        area=faces_area(brep, prism.faces),
+        evidence=geometry(f"{prism.sides} plane sides that meet in convex edges, all the way around one direction"),
+    )
+
+
+def gear_part(brep: Brep, gear: Gear, number: int) -> Part:
+    """A gear as a part: diameter over the tips, width along the axis; `radii` are tip and root."""
+    name = "knurl" if gear.is_knurl else "internal gear" if gear.internal else "gear"
+    return Part(
+        id=f"gear-{number}",
+        kind="gear",
+        tags=("inner" if gear.internal else "outer", *(("knurl",) if gear.is_knurl else ())),
+        label=f"{name}, {len(gear.teeth)} teeth, tip diameter {millimetres(2 * gear.tip_radius)}",
+        faces=gear.faces,
+        center=gear.center,
+        extents=box_extents(faces_box(brep, gear.faces)),
+        axis=gear.axis.direction,
+        radius=gear.tip_radius,
+        diameter=2 * gear.tip_radius,
+        height=gear.width,
+        width=gear.width,
+        length=gear.width,
+        thickness=gear.width,
+        count=len(gear.teeth),
+        radii=(gear.tip_radius, gear.root_radius),
+        children=tuple(f"tooth-{number}.{i}" for i in range(1, len(gear.teeth) + 1)),
+        area=faces_area(brep, gear.faces),
+        evidence=geometry(f"{len(gear.teeth)} equal groups of faces at equal angles around one axis"),
+    )
+
+
+def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
+    """The teeth of a gear as parts."""
+    height = abs(gear.tip_radius - gear.root_radius)
+    return [
+        Part(
+            id=f"tooth-{number}.{i}",
+            kind="tooth",
+            label=f"tooth {i} of gear {number}",
+            faces=tooth.faces,
+            center=box_center(faces_box(brep, tooth.faces)),
+            extents=box_extents(faces_box(brep, tooth.faces)),
+            height=height,
+            length=gear.width,
+            width=gear.width,
+            tip=tooth.tip,
+            evidence=geometry(f"one of {len(gear.teeth)} equal groups of faces around an axis"),
+        )
+        for i, tooth in enumerate(gear.teeth, start=1)
+    ]

@@ -1,0 +1,67 @@
+"""Which part carries which? A hole is in the parts whose faces it opens on, a boss on that whose face it stands on."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+
+from querycad_contracts import Part
+from querycad_segworker.topology import Brep, EdgeConvexity
+from querycad_segworker.vectors import parallel
+
+CARRIERS = frozenset(
+    ("boss", "prism", "protrusion", "rib", "pocket", "cutout", "slot", "channel", "step", "notch", "groove", "gear")
+)
+"""Kinds with faces of their own that others open on or stand on; bodies hold all parts whose faces are theirs."""
+CUT_IN = frozenset(
+    ("hole", "pocket", "cutout", "slot", "channel", "step", "notch", "groove", "dimple", "counterbore", "countersink")
+)
+"""Kinds that belong to every part whose faces they break through."""
+EDGES = frozenset(("chamfer", "fillet", "round", "spotface"))
+"""Kinds that belong to every part whose faces they join."""
+STANDING = frozenset(("boss", "protrusion", "prism", "rib"))
+"""Kinds that belong to the part with the face they stand on."""
+
+
+def carried(parts: Sequence[Part], brep: Brep) -> dict[str, list[str]]:
+    """Which parts does each part carry? Ids by id of the carrier, in order of `parts`; only the exact faces decide."""
+    carriers: dict[int, list[Part]] = defaultdict(list)
+    for part in parts:
+        if part.kind in CARRIERS:
+            for face in part.faces:
+                carriers[face].append(part)
+    faces_of = {part.id: frozenset(part.faces) for part in parts if part.kind in CARRIERS}
+    found: dict[str, list[str]] = defaultdict(list)
+    for part in parts:
+        if part.kind not in CUT_IN and part.kind not in EDGES and part.kind not in STANDING:
+            continue
+        own = frozenset(part.faces)
+        hosts = {host.id for face in _touched(part, own, brep) for host in carriers[face]}
+        # What a carrier grew around, such as the bore in a protrusion, is its own as well.
+        inner = {host.id for host in carriers[part.faces[0]] if own < faces_of[host.id]}
+        for host in sorted(hosts | inner):
+            if host != part.id and not faces_of[host] <= own:
+                found[host].append(part.id)
+    return found
+
+
+def _touched(part: Part, own: frozenset[int], brep: Brep) -> Iterable[int]:
+    """The faces that a part opens on, joins, or stands on."""
+    if part.kind in CUT_IN or part.kind in EDGES:
+        return {
+            other
+            for face in own
+            for edge, other in brep.neighbours(face)
+            if other not in own and (part.kind in EDGES or edge.convexity is not EdgeConvexity.CONCAVE)
+        }
+    if part.kind in STANDING and part.normal is not None:
+        return {
+            other
+            for face in own
+            for edge, other in brep.neighbours(face)
+            if other not in own
+            and edge.convexity is EdgeConvexity.CONCAVE
+            and brep.faces[other].outward == 0
+            and parallel(brep.faces[other].axis, part.normal, 1e-2)
+        }
+    return ()

@@ -1,0 +1,128 @@
+"""Tunnels and troughs: walls that all run along one direction, each bordering the next along it."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import cross, dot, norm, scale, sub, unit
+
+from .frames import POLYGONS
+
+ACROSS = 0.02
+"""Cosine above which a face does not run along a direction: 1.1 degrees."""
+MORE_THAN_HALF = math.radians(200.0)
+"""Walls that turn further than this hold on to what lies in them; the two flanks of a slot turn by 180 degrees."""
+REGULAR_RAD = math.radians(3.0)
+"""Corners of a regular polygon agree in their angle by this."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tunnel:
+    """Walls around one direction. `turn`: the angle by which they turn, one after the other; 2 pi when `closed`."""
+
+    axis: Vector
+    closed: bool
+    turn: float
+    outline: str
+    """Of the section: 'hexagonal', 'obround' … ; of what other cuts left of a regular polygon, that of the polygon."""
+
+
+def tunnel_of(brep: Brep, group: Collection[int]) -> Tunnel | None:
+    """Which tunnel do these faces form? None when they do not all run along one direction, or branch."""
+    faces = [brep.faces[i] for i in sorted(group)]
+    if len(faces) < 2 or any(f.kind not in (SurfaceKind.PLANE, SurfaceKind.CYLINDER) for f in faces):
+        return None
+    axis = _common_direction(faces)
+    if axis is None:
+        return None
+    links = _links(brep, group, axis)
+    if any(len(links[face.id]) > 2 for face in faces) or sum(not links[face.id] for face in faces):
+        return None
+    ends = sum(len(links[face.id]) == 1 for face in faces)
+    if ends not in (0, 2) or (ends == 0 and len(faces) < 3 and not _two_links(brep, faces)):
+        return None
+    corners = [edge.angle for i in links for j, edge in links[i].items() if i < j]
+    turn = sum(corners) + sum(face.sweep for face in faces if face.kind is SurfaceKind.CYLINDER)
+    closed = ends == 0
+    return Tunnel(axis, closed, 2 * math.pi if closed else turn, _section(faces, corners, closed))
+
+
+def _common_direction(faces: Collection[FaceRecord]) -> Vector | None:
+    """The direction that all faces run along: planes hold it, cylinders turn around it."""
+    axis = next((f.axis for f in faces if f.kind is SurfaceKind.CYLINDER), None)
+    if axis is None:
+        planes = list(faces)
+        products = [cross(planes[0].axis, plane.axis) for plane in planes[1:]]
+        axis = next((unit(c) for c in products if norm(c) > 0.1), None)
+    if axis is None:
+        return None
+    for face in faces:
+        off = abs(dot(face.axis, axis)) if face.kind is SurfaceKind.PLANE else norm(cross(face.axis, axis))
+        if off > ACROSS or (face.kind is SurfaceKind.CYLINDER and face.outward > 0):
+            return None
+    return axis
+
+
+def _links(brep: Brep, group: Collection[int], axis: Vector) -> dict[int, dict[int, EdgeRecord]]:
+    """Which faces of the group border each other along the direction, in a concave corner or smoothly?"""
+    links: dict[int, dict[int, EdgeRecord]] = defaultdict(dict)
+    for face in group:
+        for edge, other in brep.neighbours(face):
+            if other not in group or edge.kind is not EdgeKind.LINE or edge.convexity is EdgeConvexity.CONVEX:
+                continue
+            if norm(cross(unit(sub(edge.end, edge.start)), axis)) < ACROSS:
+                links[face][other] = edge
+    return links
+
+
+def _two_links(brep: Brep, faces: Collection[FaceRecord]) -> bool:
+    """Do two faces border each other along two lines, as a flat and a round side of a D do?"""
+    a, b = faces
+    lines = {edge.id for edge, other in brep.neighbours(a.id) if other == b.id and edge.kind is EdgeKind.LINE}
+    return len(lines) > 1 and any(f.kind is SurfaceKind.CYLINDER for f in faces)
+
+
+def _section(faces: Collection[FaceRecord], corners: list[float], closed: bool) -> str:
+    flats = _distinct([f for f in faces if f.kind is SurfaceKind.PLANE])
+    rounds = [f for f in faces if f.kind is SurfaceKind.CYLINDER]
+    if len(flats) == 2 and rounds and _is_obround(flats[0], flats[1], rounds):
+        return "obround"
+    if not flats:
+        return "circular"
+    if len(flats) == 1:
+        return "free"
+    sharp = [angle for angle in corners if angle > REGULAR_RAD]
+    if not closed and sharp and max(sharp) - min(sharp) < REGULAR_RAD and not rounds:
+        sides = 2 * math.pi / sharp[0]
+        if abs(sides - round(sides)) < 0.1:
+            return POLYGONS.get(round(sides), "polygonal")
+    return POLYGONS.get(len(flats), "polygonal")
+
+
+def _distinct(planes: Collection[FaceRecord]) -> list[FaceRecord]:
+    """One face of each plane: what another cut has parted is one side."""
+    found: list[FaceRecord] = []
+    for face in planes:
+        near = 1e-3 * math.sqrt(face.area)
+        same = (dot(f.axis, face.axis) > 0.9999 and abs(dot(sub(f.point, face.point), f.axis)) < near for f in found)
+        if not any(same):
+            found.append(face)
+    return found
+
+
+def _is_obround(a: FaceRecord, b: FaceRecord, rounds: Collection[FaceRecord]) -> bool:
+    """Do two flats face each other at the diameter of the rounds between them?"""
+    gap = dot(sub(b.point, a.point), a.axis)
+    return dot(a.axis, b.axis) < -0.999 and all(abs(gap - 2 * f.radius) < 0.02 * gap for f in rounds)
+
+
+def upwards(direction: Vector) -> Vector:
+    """Of the two ways along a line, the one to the top, else to the front, else to the right."""
+    x, y, z = direction
+    sign = next((math.copysign(1.0, c) for c in (z, -y, x) if abs(c) > 0.05), 1.0)
+    return scale(direction, sign)
