@@ -22,6 +22,15 @@ LENGTHS = ("radius", "depth", "height", "width", "length", "thickness", "edge")
 MILLI = 1e-3
 
 
+SIDES = ("top", "bottom", "left", "right", "front", "back")
+
+
+def _is_in(part: FakePart, holder: FakePart) -> bool:
+    return all(
+        abs(a - b) <= half + 1e-6 for a, b, half in zip(part.center, holder.center, holder.half_extents, strict=True)
+    )
+
+
 class Ungrounded(Exception):
     """A description holds a word that the model's vocabulary does not know."""
 
@@ -60,6 +69,9 @@ class FakePart:
 
     def edge_distance(self) -> float:
         return float(self.edge)
+
+    def is_in(self, other: FakePart) -> bool:
+        return _is_in(self, other)
 
 
 class FakeShape:
@@ -102,11 +114,29 @@ class FakeGuest:
         return names["solution"]
 
     def find_parts(self, description: str, sides: list[str] | None = None) -> list[FakePart]:
-        wanted, unwanted = self._ground(description)
+        noun, _, place = (
+            re.sub(r"^\d+ | (?:near|between) .*", "", description).replace(" on ", " in ").partition(" in ")
+        )
+        found = self._described(noun, sides)
+        if not place:
+            return found
+        side, _, rest = place.partition(" ")
+        holders = self.find_parts(rest, [side]) if side in SIDES else self.find_parts(place)
+        return [p for p in found if any(_is_in(p, q) for q in holders)]
+
+    def _described(self, description: str, sides: list[str] | None) -> list[FakePart]:
+        corner = description.startswith("corner ")
+        wanted, unwanted = self._ground(description.removeprefix("corner "))
+        if corner:
+            return [p for p in self._described(description.removeprefix("corner "), sides) if self._is_cornered(p)]
         found = [p for p in self.parts if wanted <= self._words(p) and not unwanted & self._words(p)]
         if not wanted & (self.kinds | self.names):
             raise Ungrounded(f"no kind of part in {description!r}")
         return [p for p in found if sides is None or set(sides) & set(p.sides)]
+
+    def _is_cornered(self, part: FakePart) -> bool:
+        offsets = zip(part.center[:2], self.shape.center, self.shape.half_extents, strict=False)
+        return all(abs(a - b) >= 0.5 * half for a, b, half in offsets)
 
     def _ground(self, description: str) -> tuple[set[str], set[str]]:
         text = description.lower().replace("bolt circle", "bolt_circle")

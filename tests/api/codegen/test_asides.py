@@ -12,7 +12,6 @@ from querycad_api.codegen import parse
     [
         ("How deep are the blind holes?", "How deep are the blind holes? They were drilled first."),
         ("How many bosses are there?", "How many bosses (raised pads) are there?"),
-        ("How many screws are there?", "How many screws secure the lid?"),
         ("How long is the tube?", "How long is the tube from the inlet to the outlet?"),
         ("What is the depth of the blind hole?", "What is the depth of the blind hole, not counting the drill cone?"),
         ("How wide is the lid?", "How wide is the lid, hinges included?"),

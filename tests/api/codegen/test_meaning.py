@@ -36,7 +36,6 @@ from querycad_api.codegen.meaning import (
     Selection,
     Uniform,
     Whole,
-    Within,
     descriptions,
 )
 from querycad_contracts import Side
@@ -109,7 +108,6 @@ def test_a_question_has_its_meaning(question: str, expected: Query) -> None:
         ("centred in x and z direction", Centered((0, 2))),
         ("in the middle of the object", Centered()),
         ("not visible from the top", Seen(Side.TOP, False)),
-        ("in the shaft", Within(SHAFT)),
     ],
 )
 def test_a_clause_is_a_filter(clause: str, condition: object) -> None:

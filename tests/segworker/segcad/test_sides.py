@@ -66,3 +66,11 @@ def test_a_boss_below_is_not_visible_from_above() -> None:
 def test_sides_turn_with_the_model() -> None:
     (hole,) = seen(turned(cut(plate(), cylinder(4, 8, along=DOWN)), (1, 0, 0), 90))
     assert hole.sides == (Side.FRONT,)
+
+
+def test_a_post_exactly_behind_another_one_is_not_visible_from_the_front() -> None:
+    posts = seen(fuse(plate(), box((10, 10, 30), (-5, -18, 0)), box((10, 10, 30), (-5, 8, 0))), "protrusion")
+    front, rear = sorted(posts, key=lambda post: post.center[1])
+    assert Side.FRONT in front.sides
+    assert Side.FRONT not in rear.sides
+    assert Side.BACK in rear.sides

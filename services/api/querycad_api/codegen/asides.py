@@ -11,13 +11,24 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 
+from . import modifiers
 from .lexicon import LEXICON
-from .meaning import Distance, Query, Selection
+from .meaning import Distance, Get, Measure, Query, Reduce, Selection
 from .phrases import target
 from .text import LEFT_OUT, Text
 from .tokens import Kind, Token, tokenize
 
-_SENTENCE = re.compile(r"(?<=[.!?])\s+(?=[A-Z](?:[a-z]|\s))|;\s+(?=(?:how|what|which|where)\b)")
+_SENTENCE = re.compile(
+    r"(?<=[.!?])\s+(?=[A-Z](?:[a-z]|\s|'))"
+    r"|;\s+(?=(?:how|what|which|where)\b)"
+    r"|(?:[:—–]|\s-)\s+(?=(?:how|what|which|where|who|is|are|does|do|give|list|name|state|count)\b)"
+    r"|,\s+so\s+(?=(?:how|what|which|where)\b)"
+    r"|,\s+and\s+(?=(?:how|where)\b[^,]*\b(?:it|they)\b)",
+    re.IGNORECASE,
+)
+_ONE_VALUE = re.compile(
+    r"\b(?:one|a single|just one) (?:number|value|figure)\b(?! (?:per|for each|each))", re.IGNORECASE
+)
 _PRONOUNS = ("it", "they", "them")
 _POSSESSIVES = ("its", "their")
 _WH = ("how", "what", "which", "where", "whose")
@@ -41,10 +52,43 @@ def sentences(text: str) -> Asked | None:
     """Which sentence asks, and what do the others say? None when more than one asks."""
     found = [part.strip() for part in _SENTENCE.split(text) if re.search(r"\w", part)] or [text]
     asking = [i for i, part in enumerate(found) if _asks(part)] if len(found) > 1 else [0]
+    if len(asking) == 2 and (chosen := _elaborated(found[asking[0]], found[asking[1]])) is not None:
+        asking = [asking[chosen]]
     if len(asking) != 1 or len([part for part in found[asking[0]].split("?") if re.search(r"\w", part)]) > 1:
         return None
     at = asking[0]
     return Asked(found[at], " ".join(found[:at]), tuple(found[at + 1 :]))
+
+
+def _elaborated(first: str, second: str) -> int | None:
+    """Which of two sentences asks, where the second only says how the first is to be answered? None when neither does.
+
+    'Where must the screws go? Give the centres of the round holes.': the second. 'At which positions are the holes?
+    Give the centres.': the first. 'Is there a logo? How many of them?': the second. 'Which spanner fits, so what is the
+    width of the head?': the second, as the first names no measure.
+    """
+    text = Text(tokenize(second))
+    end = len(text.tokens)
+    start = text.skip(0, end, "polite", "light", "noise")
+    if text.after("imperative", start, end) is not None:
+        names_parts = any(text.word_at(i, end, "of", "for") for i in range(start, end))
+        measured = any(text.match("property", i, end) for i in range(start, end))
+        pronoun = any(text.word_at(i, end, *_PRONOUNS, *_POSSESSIVES) for i in range(start, end))
+        return (1 if names_parts or pronoun else 0) if measured else None
+    if any(text.word_at(i, end, *_PRONOUNS) for i in range(start, end)):
+        stated = Text(tokenize(first))
+        asks_value = any(stated.match(c, i, len(stated.tokens)) for c in ("property", "count", "scale.positive")
+                         for i in range(len(stated.tokens)))  # fmt: skip
+        return None if asks_value else 1
+    stated = Text(tokenize(first))
+    spoken = any(stated.match(c, i, len(stated.tokens)) for c in ("property", "count", "scale.positive", "distance")
+                 for i in range(len(stated.tokens)))  # fmt: skip
+    return None if spoken or not stated.word_at(0, len(stated.tokens), "which", "what") else 1
+
+
+def bracketed(text: str) -> tuple[str, ...]:
+    """What stands in brackets: '(clear opening)' tells which distance is meant."""
+    return tuple(re.findall(r"\(([^()]*)\)", text))
 
 
 def _asks(sentence: str) -> bool:
@@ -54,7 +98,7 @@ def _asks(sentence: str) -> bool:
     text = Text(tokenize(sentence))
     end = len(text.tokens)
     start = text.skip(0, end, "polite", "light", "noise")
-    if text.word_at(start, end, *_WH):
+    if text.word_at(start, end, *_WH) or text.word_at(text.skip(0, end, "polite"), end, *_WH):
         return True
     after = text.after("imperative", start, end) or text.after("count", start, end)
     if after is None or after >= end or text.words[-1] in ("too", "also", "well"):
@@ -79,22 +123,45 @@ def resolved(text: Text, before: str) -> Text:
 
 
 def _subject(sentence: str) -> tuple[Token, ...]:
-    """The parts that a statement is about: its subject, or its object where the subject is the whole model."""
+    """The parts that a statement is about: what something has ('a slot'), else its subject, else its object."""
     text = Text(tokenize(sentence))
     end = len(text.tokens)
+    named: list[tuple[Token, ...]] = []
     start = 0
     for at in range(end + 1):
         if at < end and not any(text.after(category, at, end) for category in ("be", "do", "have", "verb", "light")):
             continue
-        if at > start and isinstance(target(text, start, at), Selection):
-            return text.tokens[start:at]
+        article = next((i for i in range(start, at) if text.match("article", i, at)), start)
+        if at > article and isinstance(target(text, article, at), Selection):
+            had = start and text.match("have", start - 1, end) and text.word_at(article, at, "a", "an")
+            if had:
+                return text.tokens[article:at]
+            named.append(text.tokens[article:at])
         start = at + 1
-    return ()
+    return named[0] if named else ()
+
+
+def _plain(text: Text) -> Text:
+    """'go all the way through' is 'are through'; 'exactly' before no number says nothing."""
+    kept: list[Token] = []
+    at, end = 0, len(text.tokens)
+    while at < end:
+        if through := text.after("through_phrase", at, end):
+            kept += [Token("are", "are"), Token("through", "through")]
+            if through < end and text.match("article", through, end):
+                kept.append(Token("in", "in"))
+            at = through
+        elif text.word_at(at, end, "exactly", "precisely") and text.number(at + 1, end) is None:
+            at += 1
+        else:
+            kept.append(text.tokens[at])
+            at += 1
+    return text if tuple(kept) == text.tokens else Text(tuple(kept), text.book)
 
 
 def without_asides(text: Text) -> Text:
     """The question without its asides, each of which is noted."""
-    text = _bracketed_adjectives(text)
+    text = _bracketed_adjectives(_plain(text))
     kept: list[int] = []
     at, end = 0, len(text.tokens)
     while at < end:
@@ -108,13 +175,25 @@ def without_asides(text: Text) -> Text:
     return text if len(kept) == end else text.rearranged(kept)
 
 
-def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text) -> Query:
-    """The meaning with what the asides tell of a distance: between centres, or the free space."""
+def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text, before: str = "") -> Query:
+    """The meaning with what the asides tell of a distance: between centres, the free space, of opposite parts."""
+    stated = Text(tokenize(before))
+    if isinstance(meaning, Distance) and meaning.reduce is Reduce.EACH:
+        if stated.find("opposite", 0, len(stated.tokens)):
+            meaning = replace(meaning, reduce=Reduce.LARGEST)
     for hint in hints:
         text.note(f"{LEFT_OUT} {hint.strip()}")
+    if isinstance(meaning, Get) and meaning.measures in ((Measure.WIDTH,), (Measure.LENGTH,)):
+        sides = [Text(tokenize(said)).match("property", 0, 2) for said in bracketed(asked)]
+        named = [Measure(side[0]) for side in sides if side and side[0] in (Measure.SHORT_SIDE, Measure.LONG_SIDE)]
+        meaning = replace(meaning, measures=(named[0],)) if named else meaning
+    if isinstance(meaning, Get) and meaning.reduce is Reduce.EACH and isinstance(meaning.target, Selection):
+        if any(_ONE_VALUE.search(hint) for hint in hints):
+            text.note("One value is given for all: the largest.")
+            return replace(meaning, reduce=Reduce.LARGEST)
     if not isinstance(meaning, Distance):
         return meaning
-    for said in (*hints, asked):
+    for said in (*hints, *bracketed(asked), asked):
         words = Text(tokenize(said))
         end = len(words.tokens)
         for at in range(end):
@@ -136,19 +215,26 @@ def _led(text: Text, at: int, end: int) -> int:
 
 
 def _parenthesis(text: Text, at: int, end: int) -> int | None:
-    """'(flat rings)', '(long)', '(width, depth, height)': another name for what stands before the bracket."""
-    close = next((i for i in range(at + 1, end) if text.tokens[i].raw == ")"), end)
-    if text.tokens[at].raw != "(" or close == at + 1 or close - at > _SPAN:
+    """'(flat rings)', '(shorter side)', '(the bore, not the bevel)': says again what stands before the bracket.
+
+    Not where it selects: '(on the top)', '(5.5 mm)', '(visible from below)'; a second value after a value ('9/16 inch
+    (14.2875 mm)') is the same again.
+    """
+    if text.tokens[at].raw != "(":
         return None
-    if text.after("scale.positive", at + 1, close) == close and text.match("scale.positive", at - 1, at):
-        return close + 1
-    if _axes(text, at + 1, close) is not None:
-        return close + 1 if _is_sized(text, end) else None
-    for i in range(at + 1, close):
-        if text.number(i, close) or any(text.match(category, i, close) for category in _SELECTING):
-            return None
-    named = LEXICON.is_plural(text.words[close - 1]) or text.match("article", at + 1, close)
-    return close + 1 if named and isinstance(target(text, at + 1, close), Selection) else None
+    close = next((i for i in range(at + 1, end) if text.tokens[i].raw == ")"), end)
+    if close == at + 1:
+        return None
+    after = min(close + 1, end)
+    if text.number(at + 1, close):
+        return after if text.number(at - 1, at) else None
+    selecting = ("side_word", "extreme", "scale.most", "than", "verb", "quantifier")
+    selects = any(text.match(category, at + 1, close) for category in selecting) and close > at + 2
+    if selects and close - at <= _SPAN:
+        return None
+    if (named := modifiers.sides(text, at + 1, close)) and named[1] >= close and not named[0].noun:
+        return None
+    return after
 
 
 def _bracketed_adjectives(text: Text) -> Text:
@@ -157,7 +243,13 @@ def _bracketed_adjectives(text: Text) -> Text:
     for at in range(len(tokens) - 3, 0, -1):
         one = tokens[at].raw == "(" and tokens[at + 2].raw == ")" and tokens[at + 1].kind is Kind.WORD
         word = tokens[at + 1].word
-        if one and not LEXICON.is_plural(word) and not any(text.match(c, at + 1, at + 2) for c in _NO_ADJECTIVE):
+        behind = LEXICON.is_plural(tokens[at - 1].word) or not modifiers.starts_noun(text, at + 3, len(text.tokens))
+        if (
+            one
+            and behind
+            and not LEXICON.is_plural(word)
+            and not any(text.match(c, at + 1, at + 2) for c in _NO_ADJECTIVE)
+        ):
             tokens[at : at + 3] = [Token("that", "that"), Token("are", "are"), tokens[at + 1]]
     return text if tuple(tokens) == text.tokens else Text(tuple(tokens), text.book)
 
@@ -234,6 +326,30 @@ def _included(text: Text, at: int, end: int) -> int | None:
     return None if said or noun >= end else end
 
 
+def _together(text: Text, at: int, end: int) -> int | None:
+    """', head and shank together': what a total takes in."""
+    last = text.word_at(end - 1, end, "together", "altogether", "combined")
+    if not text.word_at(at, end, ",") or not last or end - at > _SPAN or text.match("count", 0, end):
+        return None
+    return end
+
+
+def _stated(text: Text, at: int, end: int) -> int | None:
+    """', half-way between top and bottom', ', measured from the rim', ', the bore not counted': how, not what."""
+    led = text.skip_commas(at, end)
+    if led == at and not text.word_at(at, end, "measured", "taken"):
+        return None
+    if text.after("manner", led, end):
+        return next((i for i in range(led, end) if text.word_at(i, end, ",")), end)
+    last = (
+        text.after("excluded", end - 1, end)
+        or text.after("excluded", end - 2, end)
+        or text.after("excluded", end - 3, end)
+    )
+    selects = any(text.word_at(i, end, "one", "ones") for i in range(led, end))  # 'the threaded ones not counted'
+    return end if led > at and last == end and end - led <= _SPAN and not selects else None
+
+
 def _from_to(text: Text, at: int, end: int) -> int | None:
     """'(how long is the tube) from face to face': where an extent begins and ends."""
     led = _led(text, at, end)
@@ -281,5 +397,5 @@ _NO_ADJECTIVE = (
     "unit",
 )
 _RULES: tuple[Rule, ...] = (
-    _parenthesis, _drill_tip, _point_to_point, _axis_list, _own_axis, _from_to, _included,
+    _parenthesis, _drill_tip, _point_to_point, _axis_list, _own_axis, _from_to, _included, _together, _stated,
 )  # fmt: skip

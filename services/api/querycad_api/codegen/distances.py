@@ -72,6 +72,11 @@ def between(text: Text, start: int, end: int, wording: Wording) -> Query | None:
     """The distance with this wording between what `start:end` names: 'between A and B', 'from A to B', 'of A to B'."""
     text, axis = without_axis(_without_reciprocal(text, start, end))
     wording = wording if axis is None else replace(wording, axis=axis)
+    for category, reduce in (("opposite", Reduce.LARGEST), ("stacked", Reduce.SMALLEST)):
+        if (found := text.find(category, 0, len(text.tokens))) and wording.reduce is Reduce.EACH:
+            text = text.rearranged([*range(found[0]), *range(found[2], len(text.tokens))])
+            text.note("Opposite parts are those farthest apart, parts side by side those nearest to each other.")
+            wording = replace(wording, reduce=reduce)
     if text.find("adjacent", 0, len(text.tokens)):
         if wording.reduce not in (Reduce.EACH, Reduce.SMALLEST):
             return None
@@ -125,7 +130,7 @@ def _between_centers(places: list[Place | None]) -> bool:
     that are not all round, it is the gap.
     """
     phrases = [phrase for place in places if isinstance(place, Selection) for phrase in place.phrases]
-    nouns = {phrase.description.split()[-1] for phrase in phrases}
+    nouns = {phrase.noun for phrase in phrases}
     like = len(nouns) == 1 and all(phrase.noun_class is not NounClass.FACE for phrase in phrases)
     only_parts = all(isinstance(place, Selection) for place in places)
     return (like and only_parts) or all(phrase.noun_class.is_round for phrase in phrases)

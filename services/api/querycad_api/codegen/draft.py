@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from querycad_contracts import Side
 
 from .lexicon import LEXICON
-from .meaning import Described, Filter, NounClass, Phrase, Rank, Selection, Target, Whole
+from .meaning import ByDistance, ByPlace, Described, Filter, NounClass, Phrase, Placed, Rank, Selection, Target, Whole
 from .readings import bounded, ranked
 from .text import Text
 
@@ -23,11 +23,15 @@ class Draft:
     """The head noun and the adjectives before it."""
     tail: list[str] = field(default_factory=list)
     """What stays in the description behind the head: 'with ring'."""
+    located: list[str] = field(default_factory=list)
+    """Where the parts are, for SegCAD to look up: 'in flange'."""
     sides: list[Side] = field(default_factory=list)
     filters: list[Filter] = field(default_factory=list)
     ranks: list[Rank] = field(default_factory=list)
     described: list[tuple[list[str], bool]] = field(default_factory=list)
     """Words said of the parts behind the head ('… are threaded'), and whether they hold."""
+    count: int = 0
+    """How many there are, as the question has it: 'the four holes'; SegCAD chooses by it where there are more."""
     plural: bool = False
     whole: bool = False
     body: bool = False
@@ -40,6 +44,8 @@ class Draft:
     """A word was left over that changes the meaning: the phrase is not understood."""
     singular: bool = False
     """One of a plural is meant: 'the deepest of the holes'."""
+    ends: list[Side] = field(default_factory=list)
+    """Sides named as ends: 'at the left end of the shaft'."""
     side_noun: str = ""
     """'face' in 'the top face', the head when no other follows."""
 
@@ -102,19 +108,35 @@ def finished(text: Text, draft: Draft, like: Target | None) -> Target | None:
         return _like(text, draft, like)
     if any(LEXICON.match(category, words, len(words) - 1, len(words)) for category in ("unanswerable", "measure_noun")):
         return None
+    if words[0] in ("radius", "diameter", "width", "height", "length", "thickness", "volume", "area", "distance"):
+        return None  # a measure whose part was not understood
     tail = [LEXICON.singular(word) for word in draft.tail]
     return Selection((_phrase(text, draft, [*words, *tail], noun_class(" ".join(words)), plural),))
 
 
 def _phrase(text: Text, draft: Draft, words: list[str], noun: NounClass, plural: bool) -> Phrase:
     adjectives, denied = draft.said(words[-1])
+    at_end = draft.ends and draft.ends == draft.sides and noun is NounClass.AXIAL and not plural
+    placed = [
+        one.reference for one in draft.filters if isinstance(one, Placed) and isinstance(one.reference, Selection)
+    ]
+    ranks = list(draft.ranks)
+    if at_end and len(draft.ends) == 1:
+        outward = draft.ends[0].outward
+        axis = next(i for i, value in enumerate(outward) if value)
+        ranks.append(Rank(ByPlace(axis), outward[axis] > 0))
+    elif placed and not plural and not ranks:
+        text.note("Of several parts there, the one nearest to the other part is meant.")
+        ranks.append(Rank(ByDistance(placed[0]), False))
+    if draft.count and not (draft.filters or draft.ranks or draft.located):
+        adjectives = [str(draft.count), *adjectives]
     return Phrase(
-        description=" ".join([*adjectives, *words]),
+        description=" ".join([*adjectives, *words, *draft.located]),
         noun_class=noun,
         plural=plural,
-        sides=tuple(draft.sides),
+        sides=() if at_end else tuple(draft.sides),
         filters=(*(bounded(condition, noun, text) for condition in draft.filters), *denied),
-        ranks=tuple(ranked(rank, noun, text) for rank in draft.ranks),
+        ranks=tuple(ranked(rank, noun, text) for rank in ranks),
     )
 
 

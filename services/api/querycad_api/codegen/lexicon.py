@@ -65,7 +65,11 @@ class Lexicon:
 
         corrected_to = {*_CORRECTED_TO, *(f"scale.{form}" for form in _SCALE_FORMS)}
         self.corrected_to = frozenset(
-            word for category in corrected_to for wording in self.wordings(category) for word in wording.split()
+            word
+            for category in corrected_to
+            for wording in self.wordings(category)
+            if category != "property" or " " not in wording  # measures are named with words of parts: 'hole depth'
+            for word in wording.split()
         )
 
     def match(self, category: str, words: Sequence[str], start: int, end: int) -> tuple[str, int] | None:

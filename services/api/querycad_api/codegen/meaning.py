@@ -33,6 +33,8 @@ class Measure(StrEnum):
     """How big something is, where no dimension is named; the noun decides which one is meant."""
     LEAST_EXTENT = "least_extent"
     SIZE = "size"
+    SHORT_SIDE = "short_side"
+    LONG_SIDE = "long_side"
     HALF_SIZE = "half_size"
     X_EXTENT = "x_extent"
     Y_EXTENT = "y_extent"
@@ -233,6 +235,35 @@ class Phrase:
     filters: tuple[Filter, ...] = ()
     ranks: tuple[Rank, ...] = ()
 
+    @property
+    def noun(self) -> str:
+        """Which word names the parts? The last one before what says where they are or what they have."""
+        words = self.description.split()
+        end = next((i for i, word in enumerate(words) if i and word in LINKS), len(words))
+        return words[end - 1]
+
+
+LINKS = frozenset(
+    (
+        "between",
+        "near",
+        "in",
+        "on",
+        "of",
+        "at",
+        "with",
+        "without",
+        "for",
+        "around",
+        "from",
+        "to",
+        "inside",
+        "through",
+        "by",
+    )
+)
+"""Words that end the noun of a description; what follows is a place or a trait."""
+
 
 @dataclass(frozen=True, slots=True)
 class Selection:
@@ -336,6 +367,14 @@ class Compare:
 
 
 @dataclass(frozen=True, slots=True)
+class Overhang:
+    """How far does each part reach out of `holder`, on the side where it reaches farthest out of the whole model?"""
+
+    target: Selection
+    holder: Selection
+
+
+@dataclass(frozen=True, slots=True)
 class Exists:
     """Is there such a part?"""
 
@@ -382,7 +421,9 @@ class Parts:
     target: Selection
 
 
-Query: TypeAlias = Get | Distance | Calculate | Compare | Count | Exists | Every | Uniform | Angle | Aligned | Parts
+Query: TypeAlias = (
+    Get | Distance | Overhang | Calculate | Compare | Count | Exists | Every | Uniform | Angle | Aligned | Parts
+)
 
 
 def descriptions(meaning: object) -> Iterator[str]:

@@ -8,6 +8,7 @@ from querycad_contracts import Side
 
 from .meaning import AnyOf, Bound, ByMeasure, ByPlace, Measure, Rank, Relation
 from .text import Text
+from .tokens import Kind
 
 _MEASURE_OF_POWER = {2: Measure.AREA, 3: Measure.VOLUME}
 _UNITLESS = {Measure.AREA: 1e-6, Measure.VOLUME: 1e-9}
@@ -226,6 +227,8 @@ def _side(text: Text, start: int, end: int) -> tuple[Side, str, bool, int] | Non
     if whole := text.match("side_word", start, end):
         return Side(whole[0]), "", True, whole[1]
     at = start
+    if text.word_at(at, end, "inside") and text.match("side_preposition", at + 1, end):
+        return None  # 'the inside on the left'
     while (after := text.after("side_preposition", at, end)) or (at > start and (after := text.after("verb", at, end))):
         at = after
     preposition = at > start
@@ -238,7 +241,26 @@ def _side(text: Text, start: int, end: int) -> tuple[Side, str, bool, int] | Non
     if named is None or text.after("not_a_side", named[1], end):
         return None
     noun = text.after("side_noun", named[1], end)
+    if preposition and noun is None and at > start + 1 and start and starts_noun(text, named[1], end):
+        return None  # 'holes in the rear panel': the side belongs to the panel
     return Side(named[0]), text.words[noun - 1] if noun else "", preposition, noun or named[1]
+
+
+_FUNCTION = (
+    "verb", "light", "be", "do", "have", "preposition", "conjunction", "lead", "relation", "noise", "side", "negation",
+    "whole", "whole_of", "place", "centered", "near", "relative", "unit", "extreme", "scale.more", "scale.less",
+    "scale.most", "scale.least", "axis_preposition", "half", "place_extreme", "than", "quantifier", "article",
+    "point_verb", "scale.positive", "edge", "side_noun", "center", "property",
+)  # fmt: skip
+
+
+def starts_noun(text: Text, at: int, end: int) -> bool:
+    """Does a word stand here that a part is named with, and none of the grammar's?"""
+    if at >= end or text.tokens[at].kind is not Kind.WORD:
+        return False
+    if not any(text.match(category, at, end) for category in _FUNCTION):
+        return not any(text.after("side_noun", i, end) for i in range(at + 1, min(end, at + 3)))
+    return False
 
 
 def rank(text: Text, start: int, end: int) -> tuple[Rank, int] | None:

@@ -6,7 +6,7 @@ import difflib
 
 from querycad_contracts import Program
 
-from .asides import hinted, resolved, sentences, without_asides
+from .asides import Asked, hinted, resolved, sentences, without_asides
 from .errors import EmptyQuestion, NotUnderstood
 from .lexicon import LEXICON
 from .meaning import Query, descriptions
@@ -22,6 +22,10 @@ LONG_DESCRIPTION = 6
 """Names of parts have fewer words than this; longer ones are rather a sentence that was not understood."""
 MAX_TOKENS = 80
 """Longer than any question; the time to parse grows with the cube of the length."""
+SHORTEST = 4
+"""Fewer words before a comma are no question."""
+_NEVER_LEFT_OUT = frozenset(("or", "than", "if", "between", "same", "one", "ones", "not", "how", "what", "which"))
+"""Words of a clause that changes what is asked, or asks something else."""
 _WITHOUT_MEANING = ("article", "light", "noise")
 
 
@@ -54,11 +58,28 @@ def understand(asked: str) -> tuple[Query, Text]:
     if len(tokens) > MAX_TOKENS or len(tokenize(said.before)) > MAX_TOKENS:
         raise NotUnderstood(f"The question is too long: ask it in at most {MAX_TOKENS} words.")
     _refuse_foreign(tokens)
-    text = resolved(Text(tokens), said.before)
-    meaning = question(without_asides(text))
-    if meaning is None:
-        raise _declined(text)
-    return hinted(meaning, said.question, said.hints, text), text
+    for reading in (said, Asked(asked, "", ())) if ":" in asked and said.before else (said,):
+        text = resolved(Text(tokenize(reading.question)), reading.before)
+        meaning = question(without_asides(text)) or _shortened(text)
+        if meaning is not None:
+            return hinted(meaning, reading.question, reading.hints, text, reading.before), text
+    raise _declined(text)
+
+
+def _shortened(text: Text) -> Query | None:
+    """The meaning without the last clause behind a comma, where the whole is not understood; it is left out aloud."""
+    words = text.words
+    commas = [i for i, word in enumerate(words) if word == ","]
+    if not commas or commas[-1] < SHORTEST or any(text.match("unanswerable", i, len(words)) for i in range(len(words))):
+        return None
+    at = commas[-1]
+    if any(words[i] in _NEVER_LEFT_OUT for i in range(at, len(words))):
+        return None
+    meaning = question(without_asides(text.rearranged(range(at))))
+    if meaning is not None:
+        text.leave_out(at, len(words))
+        text.book.unread.extend(text.tokens[i] for i in range(at + 1, len(words)) if text.tokens[i].kind is Kind.WORD)
+    return meaning
 
 
 def _confidence(meaning: Query, text: Text, unused: int) -> float:

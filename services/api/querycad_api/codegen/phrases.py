@@ -22,6 +22,8 @@ from .tokens import Kind
 Rule: TypeAlias = Callable[[Text, int, int, Draft], int | None]
 """Reads one modifier into the draft: where does it end? None when it does not stand there."""
 
+_MOST_COUNTED = 99
+"""More than these nobody counts in a question."""
 _DENIED = re.compile(r"(?:non-?|un)(\w+(?:ed|unk))")
 """'non-threaded', 'unthreaded': not threaded."""
 _NO_CONJUNCT = ("light", "verb", "negation", "place", "centered")
@@ -41,7 +43,7 @@ def selection(text: Text, start: int, end: int, like: Target | None = None) -> S
 
 def predicate(text: Text, start: int, end: int, owner: Selection) -> tuple[Filter, ...] | None:
     """What is said of parts in 'are … (threaded, visible from the top, 10 mm deep)'? None when not clear."""
-    head = owner.phrases[0].description.split()[-1]
+    head = owner.phrases[0].noun
     draft = Draft(words=[head], closed=True)
     at = start
     while at < end:
@@ -80,6 +82,8 @@ def _conjunct(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
     if joined is None or not draft.words:
         return None
     rest = text.skip(joined, end, "conjunction", "article")
+    if text.match("minus", rest, end):
+        return None  # ', without the recess'
     same_parts = any(rule(text, rest, end) for rule in (modifiers.bound, modifiers.sides, modifiers.rank))
     if rest >= end or same_parts or any(text.after(category, rest, end) for category in _NO_CONJUNCT):
         return None
@@ -111,10 +115,17 @@ def _quantifier(text: Text, at: int, end: int, draft: Draft) -> int | None:
     if draft.in_tail:
         return None
     number = text.number(at, end)
+    if number and number.power == 0:
+        text.leave_out(at, at + 1)  # '45 degree bevel'
+        return at + 1
     if number and number.power is None and not draft.words and number.value == int(number.value):
         if modifiers.bound(text, at, end) or modifiers.rank(text, at, end):
             return None
         draft.plural = draft.plural or number.value > 1
+        definite = at > 0 and text.word_at(at - 1, end, "the", "these", "those", "its", "both")
+        told_apart = number.value > 2 or text.match("shape_adjective", at + 1, end)  # 'the two outer holes'
+        counted = definite and told_apart and 1 < number.value <= _MOST_COUNTED
+        draft.count = int(number.value) if counted else draft.count
         return at + 1
     if after := text.after("each", at, end):
         draft.plural = True
@@ -159,9 +170,12 @@ def _called(text: Text, at: int, end: int, draft: Draft) -> int | None:
 
 
 def _related(text: Text, at: int, end: int, draft: Draft) -> int | None:
-    """'(the screws) hold the cover': what parts do to others is not in the model, and is left out."""
-    after = text.after("relating_verb", at, end)
-    if after is None or not draft.words or not text.match("article", after, end):
+    """'(the screws) hold the cover': parts that others touch, carry or surround; SegCAD looks whether they do."""
+    found = text.match("relating_verb", at, end)
+    if found is None or not draft.words:
+        return None
+    link, after = found
+    if not text.match("article", after, end):
         return None
     noun = stop = text.skip(after, end)
     stops = ("container", "verb", "light", "conjunction", "lead")
@@ -169,7 +183,11 @@ def _related(text: Text, at: int, end: int, draft: Draft) -> int | None:
         stop += 1
         if text.word_at(stop, end, "to", "with", "against"):  # 'fix the cover to the housing'
             stop = noun = text.skip(stop + 1, end)
-    text.leave_out(at, stop)
+    other = target(text, after, stop)
+    if isinstance(other, Selection) and not other.phrases[0].filters and not other.phrases[0].ranks:
+        draft.located += [link, *other.phrases[0].description.split()]
+    elif not isinstance(other, Whole):
+        text.leave_out(at, stop)
     return draft.close(stop)
 
 
@@ -189,16 +207,20 @@ def _rank(text: Text, at: int, end: int, draft: Draft) -> int | None:
 
 
 def _side(text: Text, at: int, end: int, draft: Draft) -> int | None:
-    verbs = bool(draft.words) or not text.match("noun_verb", at, end)
+    verbs = not text.match("noun_verb", at, end) or (bool(draft.words) and not _only_adjectives(draft))
     found = modifiers.sides(text, at, end, verbs)
     if found is None:
         return None
     named, after = found
+    if draft.in_tail and not named.prepositional and not named.noun:
+        draft.tail.extend(side.value for side in named.sides)
+        return after  # 'the bevel around the upper rim'
     if draft.negated or named.all_of_them:
         draft.filters.extend(Seen(side, not draft.negated) for side in named.sides)
         draft.negated = False
     else:
         draft.sides.extend(side for side in named.sides if side not in draft.sides)
+        draft.ends.extend(named.sides if named.noun in ("end", "ends") else ())
     if not draft.words and not named.prepositional:
         draft.side_noun = named.noun
     return draft.close(after)
@@ -238,10 +260,17 @@ def _function_word(text: Text, at: int, end: int, draft: Draft) -> int | None:
         return after
     if after := text.after("light", at, end):
         return after if not draft.words else draft.close(after)
+    return _verb(text, at, end, draft)
+
+
+def _verb(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'visible', 'located', 'drilled'; not where the word is the noun: 'the rectangular opening in …'."""
     after = text.after("verb", at, end)
-    if after is None or draft.in_tail:
+    if after is None or (draft.in_tail and text.match("noun_verb", at, end)):
         return None
     if text.match("noun_verb", at, end) and not draft.closed:
+        if draft.words and _only_adjectives(draft):
+            return None
         leads = text.match("side_preposition", after, end) or text.match("axis_adverb", after, end)
         if not draft.words or not leads:
             return None
@@ -255,7 +284,9 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
     if joined or text.tokens[at].kind is Kind.SYMBOL:
         draft.refused = draft.refused or word == "or"
         return joined or at + 1
-    if text.after("relational", at, end):
+    named = word == "half" and not draft.closed  # 'the clamp half', 'the half round notch'
+    named = named and (bool(draft.words) or text.word_at(at + 1, end, "round", "circular", "circle", "moon"))
+    if text.after("relational", at, end) and not named:
         draft.refused = True
         return at + 1
     if (draft.whole and not draft.words) or text.after("unnameable", at, end):
@@ -268,6 +299,9 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
         draft.describe(adjective[0], False)
         return at + 1
     preposition = text.after("preposition", at, end)
+    if _is_noun(text, at, end, draft):
+        draft.words.append(word)
+        return at + 1
     if preposition and draft.words:
         return _prepositional(text, at, preposition, end, draft)
     if draft.in_tail:
@@ -277,6 +311,20 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
     elif not preposition or text.after("adjective_preposition", at, end):
         draft.words.append(word)
     return at + 1
+
+
+def _only_adjectives(draft: Draft) -> bool:
+    """Is the noun still to come: 'the round …'?"""
+    return all(LEXICON.match("shape_adjective", (word,), 0, 1) for word in draft.words)
+
+
+def _is_noun(text: Text, at: int, end: int, draft: Draft) -> bool:
+    """Is 'inside' a noun here: 'the rectangular inside (of the box)'?"""
+    if not text.word_at(at, end, "inside", "outside", "interior", "exterior") or draft.closed or draft.tail:
+        return False
+    if not _only_adjectives(draft):
+        return False
+    return not draft.words or at + 1 >= end or not text.match("article", at + 1, end)
 
 
 def _goes_on(text: Text, at: int) -> bool:
@@ -295,8 +343,33 @@ def _prepositional(text: Text, at: int, after: int, end: int, draft: Draft) -> i
     return after
 
 
+def _having(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'(standoffs) that have a hole', '(standoffs) have no hole': a trait, for SegCAD to look at."""
+    verb = text.skip(at, end, "relative")
+    if not text.word_at(verb, end, "have", "has", "having") or not draft.words:
+        return None
+    if not text.word_at(verb + 1, end, "a", "an", "no") and (verb == at or text.match("article", verb + 1, end)):
+        return None
+    if modifiers.bound(text, at, end) or modifiers.rank(text, at, end) or text.find("same", verb, end):
+        return None
+    noun = text.skip(verb + 1, end)
+    noun += text.word_at(noun, end, "no")
+    stop = noun
+    while stop < end and not any(text.match(c, stop, end) for c in ("verb", "light", "conjunction", "relative")):
+        if modifiers.sides(text, stop, end) or text.match("property", stop, end):
+            break
+        stop += 1
+    other = target(text, noun, stop)
+    if not isinstance(other, Selection) or other.phrases[0].filters or other.phrases[0].ranks:
+        return None
+    link = "without" if text.word_at(noun - 1, end, "no") else "with"
+    draft.located += [link, *other.phrases[0].description.split()]
+    return draft.close(stop)
+
+
 _RULES: tuple[Rule, ...] = (
     _called,
+    _having,
     _related,
     _quantifier,
     _bottom,

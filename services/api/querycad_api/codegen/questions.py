@@ -8,6 +8,7 @@ from querycad_contracts import Side
 
 from . import modifiers
 from .amounts import compared_amount, compared_counts
+from .asking import Asked, asked_measures
 from .distances import Wording, between, distance, two_selections
 from .lexicon import LEXICON
 from .meaning import (
@@ -19,6 +20,7 @@ from .meaning import (
     Measure,
     NounClass,
     Operation,
+    Overhang,
     Parts,
     Query,
     Reduce,
@@ -32,7 +34,15 @@ from .readings import asked, bounded
 from .relations import of_whole
 from .text import Text
 from .tokens import Token
-from .values import Asked, asked_measures, counted, extent_along, get, measured_part, operand, value
+from .values import (
+    counted,
+    extent_along,
+    get,
+    measured_part,
+    operand,
+    telegraphic,
+    value,
+)
 
 _PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP)
 _PREPOSITIONS = {word: Token(word, word) for word in ("of", "between")}
@@ -42,6 +52,14 @@ _MUTUAL = {
     "closest": Reduce.SMALLEST,
     "nearest": Reduce.SMALLEST,
 }
+_SIDE_OF_PLACE = {
+    "+z": Side.TOP,
+    "-z": Side.BOTTOM,
+    "-x": Side.LEFT,
+    "+x": Side.RIGHT,
+    "-y": Side.FRONT,
+    "+y": Side.BACK,
+}
 _WH = ("how", "what", "which", "where")
 _OPENERS = (*_WH, "is", "are", "does", "do", "give", "list", "name", "count")
 
@@ -50,10 +68,16 @@ def question(text: Text) -> Query | None:
     """What does the whole question mean?"""
     end = len(text.tokens)
     start = _polite(text, 0, end)
-    for frame in (_framed, _fronted, _rotated, value):
+    for frame in (_framed, _fronted, _needed, _rotated, value, telegraphic):
         if start < end and (found := text.attempt(frame, start, end)):
             return found
     return None
+
+
+def _needed(text: Text, start: int, end: int) -> Query | None:
+    """'The robot needs the centres of the holes.': what is needed is asked for."""
+    found = text.find("needed_by", start + 1, end)
+    return text.attempt(value, found[2], end) if found else None
 
 
 def _framed(text: Text, start: int, end: int) -> Query | None:
@@ -79,7 +103,10 @@ def _fronted(text: Text, start: int, end: int) -> Query | None:
         if not text.word_at(wh, end, *_OPENERS) or not (text.word_at(wh - 1, end, ",") or text.word_at(wh, end, *_WH)):
             continue
         adjunct = [i for i in range(start, wh) if text.words[i] != ","]
-        if text.after("topic", start, end) and text.word_at(wh, end, "which"):
+        many = text.words[wh : wh + 2] == ("how", "many")
+        if text.after("topic", start, end) and many and text.match("be", _of_them(text, wh + 2, end), end):
+            moved = text.rearranged([wh, wh + 1, *adjunct[1:], *range(_of_them(text, wh + 2, end), end)])
+        elif text.after("topic", start, end) and text.word_at(wh, end, "which"):
             rest = wh + 1 + text.word_at(wh + 1, end, "one", "ones", "of")
             moved = text.rearranged([wh, *adjunct[1:], *range(rest, end)])
         else:
@@ -87,6 +114,11 @@ def _fronted(text: Text, start: int, end: int) -> Query | None:
         if adjunct and (found := moved.attempt(_moved)):
             return found
     return None
+
+
+def _of_them(text: Text, at: int, end: int) -> int:
+    """Behind 'of them', 'of these'."""
+    return at + 2 if text.word_at(at, end, "of") and text.word_at(at + 1, end, "them", "these", "those") else at
 
 
 def _moved(text: Text) -> Query | None:
@@ -113,7 +145,12 @@ def _how_many(text: Text, start: int, end: int) -> Query | None:
     if opening[:2] == ("how", "much"):
         at = start + 2
         amount = compared_amount(text, at, end, Operation.MINUS)
-        return amount or text.attempt(distance, at, end) or _property_of(text, at, end)
+        found = (
+            amount or text.attempt(distance, at, end) or _property_of(text, at, end) or text.attempt(_reach, at, end)
+        )
+        return found or (
+            counted(text, at, end) if LEXICON.is_plural(text.words[end - 1]) or _plural_noun(text, at, end) else None
+        )
     after = text.after("count", start, end)
     unit = text.match("unit", after, end) if after is not None and text.words[start] == "how" else None
     if unit is not None and LEXICON.units[unit[0]][1] == 1:
@@ -148,17 +185,10 @@ def _how_adjective(text: Text, start: int, end: int) -> Query | None:
         at += text.word_at(at, end, "how")
     if not measures:
         return None
-    if measures == [Measure.HEIGHT] and (found := _above_ground(text, after, end)):
+    if len(measures) == 1 and (found := text.attempt(_how_one, after, end, measures[0])):
         return found
     at = text.skip(after, end, "be", "do", "noise")
-    if found := text.attempt(distance, at, end):
-        return found
-    if measures == [Measure.MAGNITUDE] and (found := text.attempt(value, at, end)):
-        return found
-    if found := text.attempt(_without, at, end, measures[0]):
-        return found
-    material = measures == [Measure.THICKNESS]
-    if material and (found := _of_material(text, at, end)):
+    if found := text.attempt(distance, at, end) or text.attempt(_without, at, end, measures[0]):
         return found
     if (along := extent_along(text, tuple(measures), at, end)) is not None:
         return along
@@ -176,11 +206,25 @@ def _how_adjective(text: Text, start: int, end: int) -> Query | None:
     return get(text, wanted, of) if of is not None else None
 
 
+def _how_one(text: Text, start: int, end: int, measure: Measure) -> Query | None:
+    """'(how high) above the bottom is the hole', '(how large) is the radius', '(how thick) is the sheet'."""
+    if measure is Measure.HEIGHT and (found := _above_ground(text, start, end)):
+        return found
+    if measure in (Measure.HEIGHT, Measure.DEPTH) and (found := text.attempt(_reach_in, start, end, measure)):
+        return found
+    at = text.skip(start, end, "be", "do", "noise")
+    if measure is Measure.MAGNITUDE:
+        return text.attempt(distance, at, end) or text.attempt(value, at, end)
+    return _of_material(text, at, end) if measure is Measure.THICKNESS else None
+
+
 def _of_material(text: Text, start: int, end: int) -> Query | None:
     """The thickness of 'the material', 'the sheet metal used in the object', 'the wall of the tube'."""
     at = text.skip(start, end, "article", "whole_adjective")
     after = text.after("material", at, end)
     if after is None:
+        return None
+    if text.word_at(after, end, "between", "at", "around", "near", "under", "above", "below"):
         return None
     of = target(text, after + 1, end) if text.word_at(after, end, "of", "in") else None
     return get(text, Asked((Measure.WALL_THICKNESS,)), of or Whole())
@@ -204,11 +248,8 @@ def _how_far(text: Text, start: int, end: int) -> Query | None:
     """'how far apart are A and B', 'how far is A from B', 'how far does A stick out'."""
     at = start + text.word_at(start, end, "far", "close", "near", "distant")
     at = text.skip(text.after("gap", at, end) or at, end, "be", "do", "noise")
-    for stop in range(at + 1, end):
-        for category, measure in (("protrude", Measure.HEIGHT), ("sink", Measure.DEPTH)):
-            if text.match(category, stop, end):
-                of = target(text, at, stop)
-                return get(text, Asked((measure,)), of) if of is not None else None
+    if found := text.attempt(_reach, at, end):
+        return found
     mutual = text.find("reciprocal", at, end)
     kept = [i for i in range(at, end) if mutual is None or not mutual[0] <= i < mutual[2]]
     kept = [i for i in kept if text.words[i] not in ("apart", "away", "located", "separated", "together")]
@@ -221,6 +262,54 @@ def _how_far(text: Text, start: int, end: int) -> Query | None:
     kept = kept if reduce is Reduce.EACH else [i for i in kept if i != extreme]
     worded = Text((_PREPOSITIONS[preposition], *(text.tokens[i] for i in kept)), text.book)
     return between(worded, 0, len(worded.tokens), Wording(reduce))
+
+
+def _reach(text: Text, start: int, end: int) -> Query | None:
+    """'(how far does) the shaft stick out (of the plate)', '(how much do) the rings stand above the flange'.
+
+    What sticks out has a height, what goes in a depth; of what passes through another part, what lies outside of it.
+    """
+    at = text.skip(start, end, "be", "do")
+    for stop in range(at + 1, end):
+        for category, measure in (("protrude", Measure.HEIGHT), ("sink", Measure.DEPTH)):
+            found = text.after(category, stop, end)
+            of = text.attempt(target, at, stop) if found is not None else None
+            if found is None or of is None:
+                continue
+            side = _towards(text, found, end)
+            if isinstance(of, Selection) and side is not None and measure is Measure.HEIGHT and not of.phrases[0].sides:
+                of = Selection(tuple(replace(phrase, sides=(side,)) for phrase in of.phrases))
+            named = modifiers.sides(text, found, end)
+            if named is not None and measure is Measure.HEIGHT and isinstance(of, Selection):
+                of = Selection(tuple(replace(phrase, sides=named[0].sides) for phrase in of.phrases))
+            out_of = text.word_at(found, end, "of", "from", "through", "out") and measure is Measure.HEIGHT
+            out_of = out_of and named is None
+            holder = text.attempt(target, text.skip(found + 1, end, "side_preposition"), end) if out_of else None
+            bodily = isinstance(holder, Selection) and holder.noun_class is not NounClass.FACE
+            bodily = bodily and not text.find("face_noun", found, end)
+            if isinstance(of, Selection) and isinstance(holder, Selection) and bodily:
+                return Overhang(of, holder)
+            if found < end:
+                text.leave_out(found, end)
+            return get(text, Asked((measure,)), of)
+    return None
+
+
+def _reach_in(text: Text, start: int, end: int, measure: Measure) -> Query | None:
+    """'(how high) do the fins rise above the base', '(how deep) does the hole go in'."""
+    found = _reach(text, start, end)
+    return found if isinstance(found, Get) and found.measures == (measure,) else None
+
+
+def _towards(text: Text, at: int, end: int) -> Side | None:
+    """Which side does 'below', 'above', 'to the right of' lead to?"""
+    place = text.match("place", at, end)
+    return _SIDE_OF_PLACE.get(place[0]) if place else None
+
+
+def _plural_noun(text: Text, start: int, end: int) -> bool:
+    """Is one of the words a noun in the plural: '(how much) round holes (for mounting are there)'?"""
+    return any(LEXICON.is_plural(text.words[i]) and modifiers.starts_noun(text, i, i + 1) for i in range(start, end))
 
 
 def _property_of(text: Text, start: int, end: int) -> Query | None:
@@ -256,7 +345,11 @@ def _of_which(text: Text, start: int, end: int) -> Query | None:
         return _what(text, start + 1, end)
     if place[0] == Measure.Z and (found := _above_ground(text, place[1], end)):
         return found
-    of = target(text, text.skip(place[1], end, "be", "do"), end)
+    at = text.skip(place[1], end, "be", "do")
+    found = text.attempt(value, at, end)
+    if isinstance(found, Get) and found.measures[0] in _PLACES:
+        return replace(found, measures=(Measure.Z,)) if place[0] == Measure.Z else found
+    of = target(text, at, end)
     return get(text, Asked((Measure(place[0]),)), of) if of is not None else None
 
 
@@ -273,7 +366,7 @@ def _what(text: Text, start: int, end: int) -> Query | None:
     if not text.word_at(start, end, "what", "which", "whose"):
         return None
     at = text.skip(start + 1, end, "noise")
-    for rule in (_which_way, _which_side, _which_angle, _property_of, _what_is, _which_parts):
+    for rule in (_which_way, _which_side, _which_angle, _which_distance, _property_of, _what_is, _which_parts):
         if found := text.attempt(rule, at, end):
             return found
     return None
@@ -302,6 +395,19 @@ def _which_way(text: Text, start: int, end: int) -> Query | None:
         return None
     of_hole = of.noun_class is NounClass.HOLE  # a hole faces out of its opening, whatever the sense of its axis
     return get(text, Asked((Measure.NORMAL if of_hole else Measure.DIRECTION,)), of)
+
+
+def _which_distance(text: Text, start: int, end: int) -> Query | None:
+    """'(which) centre distance have two slots (in y direction)', '(what) distance do the legs have'."""
+    noun = text.find("distance", start, min(end, start + 4))
+    verb = noun and (text.after("have", noun[2], end) or text.after("do", noun[2], end))
+    if noun is None or not verb:
+        return None
+    said = text.match("distance_adjective", start, noun[0] + 1)
+    centers = said[0] == "centers" if said and said[0] in ("centers", "surfaces") else None
+    stop = text.trimmed(verb, end)
+    worded = Text((_PREPOSITIONS["between"], *text.tokens[verb:stop]), text.book)
+    return between(worded, 0, len(worded.tokens), Wording(centers=centers))
 
 
 def _which_angle(text: Text, start: int, end: int) -> Query | None:
@@ -354,7 +460,8 @@ def _where(text: Text, start: int, end: int) -> Query | None:
     """'where is the hole', 'where is the tip of the shaft', 'where does the shaft end'."""
     if not text.word_at(start, end, "where"):
         return None
-    at = text.skip(start + 1, end, "be", "do", "noise")
+    at = start + 1
+    at = text.skip(of_whole(text, at, end) or at, end, "be", "do", "noise")
     found = text.attempt(value, at, end)
     if isinstance(found, Get) and found.measures[0] in _PLACES:
         return found

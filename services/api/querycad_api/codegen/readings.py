@@ -10,6 +10,27 @@ _LENGTHS_OF_ROUND = {
     (Measure.LENGTH, NounClass.AXIAL): (Measure.HEIGHT, "The length of what sticks out is taken along its own axis."),
 }
 _STEPS = "A stepped hole is as large as its widest step and as small as its narrowest."
+_SIZES: dict[str, tuple[Measure, str]] = {
+    NounClass.HOLE: (Measure.DIAMETER, "The size of a hole is taken as its diameter."),
+    NounClass.FACE: (Measure.AREA, "The size of a face is taken as its area."),
+    NounClass.OTHER: (Measure.SIZE, "The size is given as the full extents along x, y and z."),
+    **dict.fromkeys(
+        ("fillet", "rounding", "round", "blend"), (Measure.RADIUS, "The size of a rounding is taken as its radius.")
+    ),
+    **dict.fromkeys(
+        ("chamfer", "bevel"), (Measure.LEAST_EXTENT, "The size of a chamfer is how much it takes off the edge.")
+    ),
+}
+"""How big something is, by its noun or by the class of its noun."""
+_OF_NOUN = {
+    **{
+        (Measure.THICKNESS, noun): (Measure.WALL_THICKNESS, "The thickness of a tube is that of its wall.")
+        for noun in ("tube", "pipe", "sleeve", "bushing", "bush", "nozzle")
+    },
+    (Measure.DIAMETER, "countersink"): (Measure.OUTER_DIAMETER, "The diameter of a countersink is its widest."),
+    (Measure.RADIUS, "countersink"): (Measure.OUTER_RADIUS, "The radius of a countersink is its widest."),
+}
+"""What a measure means of one noun and of no other."""
 _OF_EXTREME = {
     (Measure.OUTER_RADIUS, Measure.RADIUS): Measure.OUTER_RADIUS,
     (Measure.OUTER_RADIUS, Measure.DIAMETER): Measure.OUTER_DIAMETER,
@@ -31,14 +52,12 @@ def asked(measure: Measure, target: Target, text: Text) -> Measure:
         return _of_whole(measure, text)
     noun = target.noun_class
     if measure is Measure.MAGNITUDE:
-        if noun is NounClass.HOLE:
-            text.note("The size of a hole is taken as its diameter.")
-            return Measure.DIAMETER
-        if noun is NounClass.FACE:
-            text.note("The size of a face is taken as its area.")
-            return Measure.AREA
-        text.note("The size is given as the full extents along x, y and z.")
-        return Measure.SIZE
+        measure, note = _SIZES.get(target.phrases[0].noun) or _SIZES.get(noun) or _SIZES[NounClass.OTHER]
+        text.note(note)
+        return measure
+    if named := _OF_NOUN.get((measure, target.phrases[0].noun)):
+        text.note(named[1])
+        return named[0]
     if measure is Measure.DIRECTION:
         if noun.is_round:
             text.note("The direction of a round part is taken as that of its axis.")

@@ -47,10 +47,13 @@ def whole_noun(text: Text, start: int, end: int) -> int | None:
     while True:
         noun = text.match("whole", at, end)
         adjective = text.after("whole_adjective", at, end)
+        if noun and text.words[at] in ("this", "it") and modifiers.starts_noun(text, noun[1], end):
+            return None  # 'this heat sink'
         if noun and not (adjective and text.match("whole", adjective, end)):
             return None if text.word_at(at, end, "solid") and _is_name(text, noun[1], end) else noun[1]
         if adjective is None:
-            return start if at > start and text.words[at - 1] in ("this", "it") else None
+            alone = not modifiers.starts_noun(text, at, end)
+            return start if at > start and text.words[at - 1] in ("this", "it") and alone else None
         at = adjective
 
 
@@ -133,7 +136,11 @@ def place(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | 
     if draft.in_tail:
         return None
     start = at
-    if text.word_at(start, end, "whose", "with", "its") and (center := text.after("center", start + 1, end)):
+    if text.word_at(start, end, "have", "has", "with") and text.word_at(start + 1, end, "their", "its", "the"):
+        start += 1
+    if text.word_at(start, end, "whose", "with", "its", "their", "the") and (
+        center := text.after("center", start + 1, end)
+    ):
         start = text.skip(center, end, "be", "verb", "light")
     start = text.skip(start, end, "verb")
     if found := text.match("place", start, end):
@@ -205,7 +212,12 @@ def owner(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | 
     if named and (of_whole(text, named[1], have) or named[1]) >= have:
         draft.sides.extend(named[0].sides)
         return draft.close(end)
-    return _inside(text, draft, nested(text, verb, have), end)
+    stop = _end_of_noun(text, noun, have)
+    whole = whole_noun(text, verb, have)
+    if whole is not None and whole > noun:
+        return draft.close(whole if whole < have else end if have == end else have + 1)
+    after = stop if stop < have else end if have == end else have
+    return _inside(text, draft, nested(text, verb, stop), after)
 
 
 def within(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
@@ -216,24 +228,53 @@ def within(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int |
     inside = text.after("container", at, end)
     if inside is None or not draft.words or draft.in_tail:
         return None
-    stop = noun = text.skip(inside, end, "article", "each")
+    adjectives = all(LEXICON.match("shape_adjective", (word,), 0, 1) for word in draft.words)
+    if adjectives and not draft.closed and text.word_at(at, end, "inside"):
+        return None  # 'the rectangular inside of the box'
+    link = text.words[at] if text.words[at] in ("on", "at") else "in"
+    noun = text.skip(inside, end, "article", "each")
     if noun == inside:
         return None
-    if (place := text.after("border", noun, end)) and text.word_at(place, end, "of"):
-        text.leave_out(at, place)
-        inside = noun = stop = text.skip(place + 1, end, "article", "each")
-    stops = ("verb", "light", "conjunction", "lead")
-    while stop < end and not any(text.match(c, stop, end) for c in stops) and not modifiers.sides(text, stop, end):
-        stop += 1
+    place = text.after("border", noun, end)
+    if place is not None and (place >= end or text.word_at(place, end, "of", ",")):
+        if text.word_at(noun, end, "corner", "corners"):
+            draft.words.insert(0, "corner")
+        else:
+            text.leave_out(at, place)
+        if place >= end or not text.word_at(place, end, "of"):
+            return draft.close(place)
+        inside, noun = place + 1, text.skip(place + 1, end, "article", "each")
+    else:
+        place = None
+    stop = _end_of_noun(text, noun, end)
     holder = nested(text, inside, stop)
-    if place and holder is None:
-        return place  # 'in the corners of the rear panel': the rest is read as without corners
-    return draft.close(stop) if place and isinstance(holder, Whole) else _inside(text, draft, holder, stop)
+    if place is not None:
+        return draft.close(stop) if isinstance(holder, Whole) or holder is None else _inside(text, draft, holder, stop)
+    return _inside(text, draft, holder, stop, link)
 
 
-def _inside(text: Text, draft: Draft, holder: Target | None, after: int) -> int | None:
+def _end_of_noun(text: Text, noun: int, end: int) -> int:
+    """Where do the words of a noun phrase end that begins at `noun`? A side before the noun belongs to it."""
+    lead = modifiers.sides(text, noun, end, verbs=False)
+    stop = lead[1] if lead and not lead[0].noun and modifiers.starts_noun(text, lead[1], end) else noun
+    stops = ("verb", "light", "conjunction", "lead")
+    while stop < end and not modifiers.sides(text, stop, end):
+        as_noun = text.match("noun_verb", stop, end)
+        if any(text.match(c, stop, end) for c in stops) and not (as_noun and stop == noun):
+            break
+        stop += 1
+    return stop
+
+
+def _inside(text: Text, draft: Draft, holder: Target | None, after: int, link: str = "in") -> int | None:
+    """The place goes into the description where words can say it, else into a filter."""
     if not isinstance(holder, Selection):
         return None
     text.note(_WITHIN)
+    phrase = holder.phrases[0]
+    if len(holder.phrases) == 1 and not phrase.filters and not phrase.ranks and len(phrase.sides) < 2:
+        draft.plural = draft.plural or phrase.plural  # 'the bore of the counterbored holes': one each
+        draft.located += [link, *(side.value for side in phrase.sides), *phrase.description.split()]
+        return draft.close(after)
     draft.filters.append(Within(holder))
     return draft.close(after)

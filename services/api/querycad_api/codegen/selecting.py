@@ -35,10 +35,6 @@ from .meaning import (
 _LINE = 90
 _FEW = 1e-3
 """Below this, in metres, 'exactly' is within 5 percent: drawing accuracy of 0.05 mm would be too coarse."""
-_INSIDE = """def inside(p: Part, q: Part) -> bool:
-    return all(abs(p.center[i] - q.center[i]) <= q.half_extents[i] + 1e-06 for i in range(3))
-
-"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,8 +111,13 @@ class Selecting:
 
     def _phrase(self, phrase: Phrase, name: str) -> Chosen:
         self.lines.append(f"{name} = {_find(phrase)}")
-        for line in _packed([self.condition(condition, phrase.noun_class) for condition in phrase.filters]):
+        beside = [one for one in phrase.filters if _is_beside(one) and not phrase.plural]
+        filters = [one for one in phrase.filters if one not in beside]
+        for line in _packed([self.condition(condition, phrase.noun_class) for condition in filters]):
             self.lines.append(f"{name} = [p for p in {name} if {line}]")
+        for condition in beside:  # 'the shank below the head': the only one, wherever it lies
+            line = self.condition(condition, phrase.noun_class)
+            self.lines.append(f"{name} = [p for p in {name} if {line}] or {name}")
         self._exclude_references(name, phrase)
         for i, rank in enumerate(phrase.ranks):
             if i + 1 < len(phrase.ranks) or rank.count > 1 or rank.nth > 1 or phrase.plural:
@@ -134,7 +135,7 @@ class Selecting:
             reference = rank.order.reference if isinstance(rank.order, ByDistance) else None
             if not isinstance(reference, Selection):
                 continue
-            if reference.phrases[0].description.split()[-1] == phrase.description.split()[-1]:
+            if reference.phrases[0].noun == phrase.noun:
                 ids = self.name("ids")
                 self.lines.append(f"{ids} = [q.id for q in {self.choose(reference).listed}]")
                 self.lines.append(f"{name} = [p for p in {name} if p.id not in {ids}]")
@@ -191,9 +192,7 @@ class Selecting:
                 self.lines.append(f"{ids} = [q.id for q in find_parts({_quoted(description)})]")
                 return f"p.id {'in' if holds else 'not in'} {ids}"
             case _:
-                if _INSIDE not in self.lines:
-                    self.lines.insert(0, _INSIDE)
-                return f"any(inside(p, q) for q in {self.choose(condition.reference).listed})"
+                return f"any(p.is_in(q) for q in {self.choose(condition.reference).listed})"
 
     def _reference(self, value: object) -> str:
         """The measure of the one part, or of the model, that others are compared with."""
@@ -202,6 +201,11 @@ class Selecting:
         if isinstance(value.target, Whole):
             return of_shape(measure) or "shape.height"
         return of_part(measure, self.choose(value.target).first)
+
+
+def _is_beside(condition: Filter) -> bool:
+    """Does a filter say where a part lies as seen from another one?"""
+    return isinstance(condition, Placed) and isinstance(condition.reference, Selection)
 
 
 def _find(phrase: Phrase) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from .asking import BORE_WORDS, BORES, EXTENTS, SCALARS, Asked, asked_measures, is_part
 from .distances import angle, distance
 from .lexicon import LEXICON
 from .meaning import (
@@ -25,44 +26,16 @@ from .readings import asked
 from .relations import without_axis
 from .text import Text
 
-_EXTENTS = {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT, Measure.LENGTH}
 _ALONG = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
-_MEASURED_THERE = {*_EXTENTS, Measure.DIAMETER, Measure.RADIUS, Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER}
-_SCALARS = frozenset(Measure) - {
-    Measure.SIZE, Measure.HALF_SIZE, Measure.POSITION, Measure.OPENING, Measure.TIP, Measure.AXIS, Measure.NORMAL,
-    Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM,
-}  # fmt: skip
-_BORES = {
-    ("inner", Measure.OUTER_DIAMETER): Measure.INNER_DIAMETER,
-    ("inner", Measure.OUTER_RADIUS): Measure.INNER_RADIUS,
-    ("outer", Measure.INNER_DIAMETER): Measure.OUTER_DIAMETER,
-    ("outer", Measure.INNER_RADIUS): Measure.OUTER_RADIUS,
-}
+_MEASURED_THERE = {*EXTENTS, Measure.DIAMETER, Measure.RADIUS, Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER}
 _OF_BOX = {Measure.MAGNITUDE: Measure.SIZE, Measure.VOLUME: Measure.BOX_VOLUME}
-_BORE_WORDS = {
-    "inner": "inner",
-    "inside": "inner",
-    "internal": "inner",
-    "outer": "outer",
-    "outside": "outer",
-    "external": "outer",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Asked:
-    """Measures as they are named, with what is to become of their values."""
-
-    measures: tuple[Measure, ...]
-    reduce: Reduce = Reduce.EACH
-    nth: int = 1
-    plural: bool = False
+_TUBES = {"tube", "pipe", "sleeve", "bushing", "bush", "nozzle", "collar", "ring", "cylinder", "standoff"}
 
 
 def value(text: Text, start: int, end: int, like: Query | None = None) -> Query | None:
     """What does the value expression `start:end` mean? `like` completes 'the inner one', 'that of the shaft'."""
     start = text.skip(start, end)
-    for rule in (_count, _with_or_without, _difference, _ratio, _sum, distance, angle, _measures_of, _owned, _compound):
+    for rule in _RULES:
         if found := text.attempt(rule, start, end):
             return found
     return _completed(text, start, end, like) if like is not None else None
@@ -71,97 +44,16 @@ def value(text: Text, start: int, end: int, like: Query | None = None) -> Query 
 def scalar(text: Text, start: int, end: int, like: Query | None = None) -> Scalar | None:
     """Which single number does `start:end` mean?"""
     found = value(text, start, end, like)
-    if isinstance(found, Get) and (len(found.measures) > 1 or found.measures[0] not in _SCALARS):
+    if isinstance(found, Get) and (len(found.measures) > 1 or found.measures[0] not in SCALARS):
         return None
     return found if isinstance(found, Scalar) else None
 
 
-def asked_measures(text: Text, start: int, end: int) -> tuple[Asked, int] | None:
-    """Which measures are named here: 'the maximum depth', 'different radii', 'width, depth and height'?"""
-    wanted, at = _reduction(text, start, end)
-    if coordinates := _coordinates(text, at, end):
-        return replace(wanted, measures=coordinates[0]), coordinates[1]
-    measures: list[Measure] = []
-    plural = False
-    while True:
-        both = _inner_and_outer(text, at, end) if not measures else None
-        if both:
-            measures.extend(both[0])
-            at = both[1]
-        elif named := text.match("property", at, end):
-            measures.append(Measure(named[0]))
-            plural = plural or (measures[-1] in _SCALARS and LEXICON.is_plural(text.words[named[1] - 1]))
-            at = named[1]
-        else:
-            break
-        rest = text.skip(at, end, "conjunction", "article", "noise")
-        rest = text.skip(rest, end, "whole_adjective") if rest > at else rest
-        if not (text.match("property", rest, end) and (rest > at or measures[-1] is Measure.SIZE)):
-            break
-        at = rest
-    if not measures:
-        return None
-    return replace(wanted, measures=_as_size(tuple(dict.fromkeys(measures))), plural=plural), at
-
-
-def _reduction(text: Text, start: int, end: int) -> tuple[Asked, int]:
-    """What is said before a measure's name: 'the maximum', 'different', 'second largest', 'overall'."""
-    wanted, at = Asked(()), start
-    while True:
-        at = text.skip(at, end, "article", "noise", "quantifier")
-        if text.match("property", at, end):
-            return wanted, at
-        if found := text.match("reduce", at, end) or text.match("extreme", at, end):
-            wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]
-        elif ordinal := text.match("ordinal", at, end):
-            wanted, at = replace(wanted, nth=int(ordinal[0])), ordinal[1]
-        elif (after := text.after("whole_adjective", at, end)) and not text.match("whole", at, end):
-            at = after
-        else:
-            return wanted, at
-
-
-def _coordinates(text: Text, start: int, end: int) -> tuple[tuple[Measure, ...], int] | None:
-    """'x and y coordinates', 'x, y and z coordinates'."""
-    axes: list[Measure] = []
-    at = start
-    while text.word_at(at, end, "x", "y", "z"):
-        axes.append(Measure(text.words[at]))
-        at = text.skip(at + 1, end, "conjunction", "article")
-    named = text.match("property", at, end) if len(axes) > 1 else None
-    if named is None or named[0] != Measure.POSITION:
-        last = text.match("property", at - 1, end) if len(axes) > 1 else None
-        named = last if last and last[0] in "xyz" else None
-    if named is None:
-        return None
-    return ((Measure.POSITION,) if len(set(axes)) == 3 else tuple(dict.fromkeys(axes))), named[1]
-
-
-def _inner_and_outer(text: Text, start: int, end: int) -> tuple[list[Measure], int] | None:
-    """'inner and outer diameter'."""
-    kind = _BORE_WORDS.get(text.words[start]) if start < end else None
-    joined = text.after("conjunction", start + 1, end) if kind else None
-    second = text.match("property", text.skip(joined, end), end) if joined else None
-    if kind is None or second is None or (kind, Measure(second[0])) not in _BORES:
-        return None
-    measure = Measure(second[0])
-    return [_BORES[kind, measure], measure], second[1]
-
-
-def _as_size(measures: tuple[Measure, ...]) -> tuple[Measure, ...]:
-    """The three extents together, or dimensions named one by one, are the size."""
-    named = set(measures) - {Measure.SIZE, Measure.MAGNITUDE}
-    if len(named) < len(measures) and len(named) == 3 and named <= _EXTENTS:
-        return (Measure.SIZE,)
-    if measures in ((Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT),):
-        return (Measure.SIZE,)
-    return measures
-
-
 def get(text: Text, wanted: Asked, of: Target) -> Get | None:
     """The values of the wanted measures of parts or of the whole; None when the whole cannot have them."""
-    measures = tuple(asked(measure, of, text) for measure in wanted.measures)
-    if isinstance(of, Whole) and len(measures) == 3 and set(measures) <= _EXTENTS:
+    of, thick = _of_wall(of, wanted.measures)
+    measures = tuple(asked(Measure.WALL_THICKNESS if thick else measure, of, text) for measure in wanted.measures)
+    if isinstance(of, Whole) and len(measures) == 3 and set(measures) <= EXTENTS:
         text.note("Length, width and height of the whole model are given as its extents along x, y and z.")
         measures = (Measure.SIZE,)
     reduce = wanted.reduce
@@ -170,9 +62,44 @@ def get(text: Text, wanted: Asked, of: Target) -> Get | None:
     if measures == (Measure.SIZE,) and reduce in (Reduce.LARGEST, Reduce.SMALLEST):
         measures = (Measure.MAGNITUDE if reduce is Reduce.LARGEST else Measure.LEAST_EXTENT,)
         reduce = Reduce.EACH
-    if isinstance(of, Whole):
-        reduce = Reduce.EACH
+    if isinstance(of, Whole) or (reduce is Reduce.TOTAL and not of.plural):
+        reduce = Reduce.EACH  # 'the total length of the shaft' is its length
     return Get(measures, of, reduce, wanted.nth)
+
+
+def _of_wall(of: Target, measures: tuple[Measure, ...]) -> tuple[Target, bool]:
+    """'(the thickness of) the tube's wall': the wall thickness of the tube."""
+    if not isinstance(of, Selection) or len(of.phrases) > 1 or measures != (Measure.THICKNESS,):
+        return of, False
+    words = of.phrases[0].description.split()
+    if len(words) < 2 or words[-1] != "wall" or not set(words[:-1]) & _TUBES:
+        return of, False
+    phrase = replace(of.phrases[0], description=" ".join(words[:-1]), noun_class=NounClass.AXIAL)
+    return Selection((phrase,)), True
+
+
+def _inner_of(text: Text, start: int, end: int) -> Query | None:
+    """'(the) inner height of the box', 'inside dimensions of the housing': of the space inside."""
+    found = text.after("inner", start, end)
+    named = asked_measures(text, found, end) if found is not None else None
+    if named is None or not set(named[0].measures) <= {*EXTENTS, Measure.SIZE, Measure.MAGNITUDE, Measure.VOLUME}:
+        return None
+    wanted, at = named
+    of = target(text, at + 1, end) if text.word_at(at, end, "of") else None
+    if not isinstance(of, Selection) or len(of.phrases) > 1:
+        return None
+    phrase = of.phrases[0]
+    if LEXICON.match("cut_noun", (phrase.noun,), 0, 1) or phrase.noun_class is NounClass.HOLE:
+        return None
+    inside = replace(phrase, description=f"inside in {phrase.description}", noun_class=NounClass.OTHER)
+    return get(text, wanted, Selection((inside,)))
+
+
+def telegraphic(text: Text, start: int, end: int) -> Query | None:
+    """'diameter top hole': a measure, and the part without a word between."""
+    named = asked_measures(text, start, end)
+    of = target(text, named[1], end) if named is not None and named[1] < end else None
+    return get(text, named[0], of) if named is not None and isinstance(of, Selection) else None
 
 
 def _measures_of(text: Text, start: int, end: int) -> Query | None:
@@ -213,7 +140,7 @@ def _measures_of(text: Text, start: int, end: int) -> Query | None:
 
 
 def measured_part(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Selection | None:
-    """'the tube between the flanges', 'the posts above the floor': where a part is measured is left out."""
+    """'the tube between the flanges': SegCAD looks where it lies; 'the posts above the floor': that is left out."""
     if not set(measures) <= _MEASURED_THERE:
         return None
     for at in range(start + 1, end - 1):
@@ -223,14 +150,19 @@ def measured_part(text: Text, measures: tuple[Measure, ...], start: int, end: in
         of = target(text, start, at)
         if not isinstance(of, Selection) or of.noun_class is NounClass.HOLE:
             return None
-        text.leave_out(at, end)
-        return of
+        other = None if ground else target(text, at + 1, end)
+        if not isinstance(other, Selection) or len(of.phrases) > 1:
+            text.leave_out(at, end)
+            return of
+        place = " and ".join(phrase.description for phrase in other.phrases)
+        phrase = of.phrases[0]
+        return Selection((replace(phrase, description=f"{phrase.description} between {place}"),))
     return None
 
 
 def extent_along(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Get | None:
     """'(the length of) the part in y direction', '(the extent of) the rib in z': full extents along an axis."""
-    if len(measures) > 1 or measures[0] not in _EXTENTS | {Measure.SIZE, Measure.MAGNITUDE}:
+    if len(measures) > 1 or measures[0] not in EXTENTS | {Measure.SIZE, Measure.MAGNITUDE}:
         return None
     if across := text.find("across_axis", start, end):
         of = target(
@@ -249,12 +181,17 @@ def _nested(text: Text, wanted: Asked, start: int, end: int) -> tuple[Asked, int
     at = text.skip(start, end)
     named = text.match("property", at, end)
     if named is None or not text.word_at(named[1], end, "of"):
+        if named and is_part(text, at, named[1], end):
+            return wanted, start
         last = text.match("property", end - 1, end)
         if (
             wanted.measures == (Measure.POSITION,)
             and last
             and last[0] in ("tip", "opening", "position")
             and end - 1 > at
+            and not text.match("shape_adjective", end - 2, end)
+            and not text.match("each", end - 2, end)
+            and not text.match("extreme", end - 2, end)
         ):
             return replace(wanted, measures=(Measure(last[0]),)), start
         return wanted, start
@@ -364,7 +301,9 @@ def _with_or_without(text: Text, start: int, end: int) -> Query | None:
                 continue
             left = text.attempt(scalar, start, at)
             right = text.attempt(operand, after, end, left)
-            explicit = text.words[at] in ("minus", "plus") or (right is not None and text.find("property", after, end))
+            named = text.find("property", after, end)
+            measured = named is not None and named[1] in SCALARS
+            explicit = text.words[at] in ("minus", "plus") or (right is not None and measured)
             whole = isinstance(left, Get) and isinstance(left.target, Whole)
             if isinstance(left, Get | Count) and right is not None and (explicit or whole):
                 return Calculate(operation, left, right)
@@ -397,10 +336,10 @@ def _completed(text: Text, start: int, end: int, like: Query) -> Query | None:
     if named := asked_measures(text, start, end):
         if text.skip(named[1], end, "noise", "light") >= end:
             return get(text, named[0], like.target)
-    kind = _BORE_WORDS.get(text.words[start]) if start < end else None
+    kind = BORE_WORDS.get(text.words[start]) if start < end else None
     rest = text.skip(start + 1, end, "light")
-    if kind and rest >= end and (kind, like.measures[0]) in _BORES:
-        return replace(like, measures=(_BORES[kind, like.measures[0]],))
+    if kind and rest >= end and (kind, like.measures[0]) in BORES:
+        return replace(like, measures=(BORES[kind, like.measures[0]],))
     extreme = text.match("extreme", start, end)
     if extreme and text.skip(extreme[1], end, "light") >= end:
         return replace(like, reduce=Reduce(extreme[0]))
@@ -484,3 +423,8 @@ def _sum(text: Text, start: int, end: int) -> Query | None:
     if pair is None or any(isinstance(side, Get) and _bare(text, start + 2, end) for side in pair):
         return None
     return Calculate(Operation.PLUS, *pair)
+
+
+_RULES = (
+    _count, _with_or_without, _difference, _ratio, _sum, _inner_of, distance, angle, _measures_of, _owned, _compound,
+)  # fmt: skip

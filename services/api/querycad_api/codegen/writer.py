@@ -22,6 +22,7 @@ from .meaning import (
     Get,
     Measure,
     Operation,
+    Overhang,
     Parts,
     Place,
     Query,
@@ -43,6 +44,17 @@ _COUNTS = {
     Relation.AT_LEAST: ">=",
     Relation.UNEQUAL: "!=",
 }
+_OVERHANG = """def overhang(p: Part, q: Part) -> float:
+    reach = []
+    for i in range(3):
+        for sign in (1, -1):
+            end = sign * p.center[i] + p.half_extents[i]
+            rim = sign * shape.center[i] + shape.half_extents[i]
+            reach.append((rim - end > 1e-06, sign * q.center[i] + q.half_extents[i] - end))
+    return max(0.0, -min(reach)[1])
+
+"""
+"""Ends that lie in the model's outline come first; of them the one that is farthest out of the other part."""
 _SIDES = '["top", "bottom", "left", "right", "front", "back"]'
 
 
@@ -59,12 +71,14 @@ class _Writer:
     def __init__(self) -> None:
         self.select = Selecting()
 
-    def query(self, query: Query) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a kind of meaning
+    def query(self, query: Query) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911 - one case a kind of meaning
         match query:
             case Get():
                 return self._get(query)
             case Distance():
                 return self._distance(query)
+            case Overhang(target, holder):
+                return self._overhang(target, holder)
             case Count():
                 return self._count(query), AnswerType.COUNT
             case Exists(target):
@@ -186,6 +200,11 @@ class _Writer:
             return "shape.face_count"
         chosen = self.select.every(query.target)
         return f"len({chosen.name if query.measure is None else self._different(query.measure, chosen)})"
+
+    def _overhang(self, target: Selection, holder: Selection) -> tuple[str, AnswerType]:
+        other = self.select.choose(holder).first
+        self.select.lines.insert(0, _OVERHANG)
+        return self._each(f"overhang({{0}}, {other})", target, AnswerType.LENGTH)
 
     # Two values
 

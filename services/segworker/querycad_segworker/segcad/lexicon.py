@@ -6,17 +6,25 @@ import tomllib
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Literal
 
 _FILLER_TEXT = """
-a an the and or its their this that these those all any each every both some which are is has have there
-one two three four five six seven eight nine ten shaped surface side sides
+a an the and or its their this that these those all any each every both some which are is has have there it them they
+very shaped
 """
 FILLERS = frozenset(_FILLER_TEXT.split())
 """Words that carry no part of the meaning inside a part phrase."""
-_PREPOSITION_TEXT = "in of on at for to from by inside within into onto with without"
+_PREPOSITION_TEXT = "in of on at for to from by inside within into onto with without around through near under between"
 PREPOSITIONS = frozenset(_PREPOSITION_TEXT.split())
 """Words that end a noun phrase; what follows is a trait of it, or where it is."""
+_NUMBER_TEXT = "one two three four five six seven eight nine ten eleven twelve"
+NUMBERS = {word: number for number, word in enumerate(_NUMBER_TEXT.split(), start=1)}
+"""Number words; how many parts there are is a hint, and no part of the description."""
+
+Order = Literal["size", "length", "width", "depth", "height", "thickness", "distance", "corner"]
+"""What tells parts of one kind apart: a measure, the distance from the model's middle, or being in a corner."""
+Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elongated"]
+Step = Literal["widest", "narrowest"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +36,10 @@ class Choice:
     any: tuple[str, ...] = ()
     without: tuple[str, ...] = ()
     name: tuple[str, ...] = ()
-    pick: str | None = None
+    alone: bool = False
+    """Only where the file holds a single body."""
+    step: Step | None = None
+    pick: Pick | None = None
     confidence: float = 1.0
 
 
@@ -38,16 +49,25 @@ class Term:
 
     name: str
     choices: tuple[Choice, ...]
+    product: bool = False
+    """It names a whole body or model, never a feature."""
 
 
 @dataclass(frozen=True, slots=True)
 class Adjective:
-    """A demand on tags: one of `tags` makes it true; none at all means that the word adds nothing."""
+    """A demand on parts: one of `tags` makes it true, else one of `fallback`, else the order; none: no demand."""
 
     name: str
     tags: tuple[str, ...]
     unchecked: bool = False
     """It says something that recognition does not know; the user is told."""
+    order: Order | None = None
+    most: bool = True
+    lacks: tuple[str, ...] = ()
+    whole: bool = False
+    """It asks for all of what a name means: 'the complete cylinder'."""
+    fallback: tuple[str, ...] = ()
+    """Looked at where no part has one of `tags`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,15 +77,11 @@ class Lexicon:
     terms: dict[str, Term]
     adjectives: dict[str, Adjective]
     with_nouns: dict[str, Adjective]
-    metric_m: dict[str, tuple[float, ...]]
-    """Thread name to (core diameter, clearance diameters …) in metres."""
+    threads: dict[str, tuple[float, ...]]
+    """Name of a thread to (core diameter, clearance diameters …) in metres."""
     hues: dict[str, tuple[float, float]]
-
-    @property
-    def words(self) -> frozenset[str]:
-        """Every single word that occurs in some phrase."""
-        phrases = (*self.terms, *self.adjectives, *self.with_nouns)
-        return frozenset(word for phrase in phrases for word in phrase.split())
+    words: frozenset[str]
+    """Every single word that occurs in some phrase."""
 
 
 def _choice(line: dict[str, Any]) -> Choice:
@@ -73,11 +89,16 @@ def _choice(line: dict[str, Any]) -> Choice:
     return Choice(**fields)
 
 
+def _product(word: str) -> Term:
+    """'bracket': the body of that name, else the whole model where it is one body."""
+    return Term(word, (Choice(("body",), name=(word,)), Choice(("model",), alone=True, confidence=0.9)), product=True)
+
+
 @cache
 def lexicon() -> Lexicon:
     """The product's lexicon, read once a process."""
     data = tomllib.loads(files(__package__).joinpath("lexicon.toml").read_text(encoding="utf-8"))
-    terms: dict[str, Term] = {}
+    terms = {word: _product(word) for word in data["product"]["words"]}
     for entry in data["term"]:
         choices = tuple(_choice(line) for line in entry["choose"])
         for phrase in entry["words"]:
@@ -85,18 +106,38 @@ def lexicon() -> Lexicon:
     adjectives: dict[str, Adjective] = {}
     with_nouns: dict[str, Adjective] = {}
     for entry in data["adjective"]:
-        adjective = Adjective(entry["words"][0], tuple(entry["tags"]), entry.get("unchecked", False))
+        adjective = Adjective(
+            entry["words"][0],
+            tuple(entry["tags"]),
+            entry.get("unchecked", False),
+            entry.get("order"),
+            entry.get("most", True),
+            tuple(entry.get("lacks", ())),
+            entry.get("whole", False),
+            tuple(entry.get("fallback", ())),
+        )
         adjectives.update(dict.fromkeys(entry["words"], adjective))
         with_nouns.update(dict.fromkeys(entry.get("nouns", ()), adjective))
-    metric = {name.lower(): tuple(d * 1e-3 for d in diameters) for name, diameters in data["metric"].items()}
+    threads = {
+        name.lower(): tuple(d * 1e-3 for d in diameters)
+        for table in ("metric", "unified")
+        for name, diameters in data[table].items()
+    }
     hues = {name: (float(low), float(high)) for name, (low, high) in data["colour"].items()}
-    return Lexicon(terms, adjectives, with_nouns, metric, hues)
+    words = frozenset(word for phrase in (*terms, *adjectives, *with_nouns) for word in phrase.split())
+    return Lexicon(terms, adjectives, with_nouns, threads, hues, words)
 
 
 def words_of(text: str) -> list[str]:
-    """Which lower-case words does a text hold? Hyphens part words; a number keeps its decimal point."""
-    cleaned = "".join(c if c.isalnum() or c in ".#" else " " for c in text.lower())
-    return [word for word in (w.strip(".") for w in cleaned.split()) if word]
+    """Which lower-case words does a text hold? Hyphens part words but not the size of a thread ('1/4-20')."""
+    cleaned = "".join(c if c.isalnum() or c in ".#/-" else " " for c in text.lower())
+    words: list[str] = []
+    for word in cleaned.split():
+        digits = word.strip(".-/")
+        is_size = bool(digits) and digits[0].isdigit() and digits[-1].isdigit() and not digits.isalpha()
+        keep = is_size and all(c.isdigit() or c in "./-" for c in digits)
+        words += [digits] if keep else [piece for w in word.replace("/", "-").split("-") if (piece := w.strip("."))]
+    return words
 
 
 def singular(word: str, known: frozenset[str]) -> str:

@@ -3,21 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from copy import copy
 from functools import cached_property
+from typing import TYPE_CHECKING
 
-from querycad_contracts import Face, Grounding, Part, Shape, Side
+from querycad_contracts import Face, GroundedBy, Grounding, Part, Shape, Side
 from querycad_segworker.model import Artefacts, Model
 from querycad_segworker.vectors import cross, dot, line_distance, norm
+from querycad_segworker.vision.region import faces_of_id, region
 
 from .ground import ground
 from .measuring import Kernel
+from .sight import Networks, Sight, no_networks
+
+if TYPE_CHECKING:
+    from querycad_segworker.vision.ports import VisionOptions
 
 
 class LocalSegCad:
     """Finds and measures the parts of one model. Nothing here imports the kernel."""
 
-    def __init__(self, artefacts: Artefacts, model: Model | None = None) -> None:
-        self._artefacts = artefacts
+    grounding = GroundedBy.GEOMETRY
+    """By which evidence words are turned into parts."""
+
+    def __init__(
+        self,
+        artefacts: Artefacts,
+        model: Model | None = None,
+        networks: Networks = no_networks,
+        vision: VisionOptions | None = None,
+    ) -> None:
+        """`networks` gives those that look at pictures when vision is asked, or raises WeightsAbsent."""
+        self.artefacts = artefacts
+        self._sight = Sight(artefacts, networks, vision)
         self._kernel = Kernel(artefacts.kernel_faces)
         self.model = model or artefacts.load_model()
 
@@ -27,7 +45,15 @@ class LocalSegCad:
 
     @cached_property
     def _faces(self) -> tuple[Face, ...]:
-        return self._artefacts.load_faces()
+        return self.artefacts.load_faces()
+
+    def grounded_by(self, grounding: GroundedBy) -> LocalSegCad:
+        """The same model, with words turned into parts by this evidence; what is known of it is shared."""
+        if grounding is self.grounding:
+            return self
+        other = copy(self)
+        other.grounding = grounding
+        return other
 
     def shape(self) -> Shape:
         """What is the whole model?"""
@@ -35,7 +61,10 @@ class LocalSegCad:
 
     def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""
-        return ground(self.model.parts, description, sides)
+        by_words = ground(self.model.parts, description, sides)
+        if self.grounding is GroundedBy.GEOMETRY:
+            return by_words
+        return self._sight.ground(by_words, self.grounding, self.model.parts, self._faces)
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""
@@ -43,9 +72,14 @@ class LocalSegCad:
             raise KeyError(f"the model has faces 0 to {len(self._faces) - 1}")
         return tuple(self._faces[i] for i in ids)
 
+    def _part(self, part: str) -> Part:
+        """The part with this id, recognised or made of faces that were seen. Raises KeyError."""
+        faces = faces_of_id(part)
+        return self._parts[part] if faces is None else region(part, self.faces(faces))
+
     def distance(self, part_a: str, part_b: str) -> float:
         """How far apart are the surfaces of two parts, in metres? Exact, by the kernel in a process of its own."""
-        first, second = self._parts[part_a], self._parts[part_b]
+        first, second = self._part(part_a), self._part(part_b)
         if set(first.faces) & set(second.faces):
             return 0.0
         between = _between_cylinders(first, second)
@@ -55,7 +89,7 @@ class LocalSegCad:
 
     def edge_distance(self, part: str) -> float:
         """How far is a part from the outer edge of the face it lies in, in metres?"""
-        found = self._parts[part]
+        found = self._part(part)
         return (
             found.edge_distance
             if found.edge_distance is not None

@@ -23,8 +23,12 @@ GENERIC = frozenset(("body", "part", "component", "solid", "object", "piece", "e
 
 def name_words(name: str | None) -> list[str]:
     """Which words does a product name hold, without sizes and counters? 'Screw M8x25' holds 'screw'."""
-    words = words_of((name or "").replace("_", " "))
-    return [word for word in words if word.isalpha()]
+    return [word for word in all_words(name) if word.isalpha()]
+
+
+def all_words(name: str | None) -> list[str]:
+    """Which words does a product name hold, sizes and standards too? 'Screw_M8x25' holds 'screw' and 'm8x25'."""
+    return words_of((name or "").replace("_", " "))
 
 
 def vocabulary(parts: Sequence[Part]) -> frozenset[str]:
@@ -45,16 +49,27 @@ def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Si
     if len(bodies) < 2 or not wanted:
         return []
     asked = [word for side in sides or () for word in SIDE_WORDS[side]]
+    asked += [other for said in SIDE_WORDS.values() if set(said) & set(wanted) for other in said]
     scores: dict[str, int] = {}
     for body in bodies:
         have = name_words(body.name)
-        if have and _same(have[-1], wanted[-1]):
-            scores[body.id] = sum(any(_same(h, w) for h in have) for w in [*wanted, *asked])
+        if have and same_word(have[-1], wanted[-1]):
+            scores[body.id] = sum(any(same_word(h, w) for h in have) for w in [*wanted, *asked])
     best = max(scores.values(), default=0)
     found = [body for body in bodies if scores.get(body.id) == best]
     if sides is None or (found and any(word in name_words(found[0].name) for word in asked)):
         return found
     return [body for body in found if set(sides) & set(body.sides)]
+
+
+def bodies_marked(bodies: Sequence[Part], words: Sequence[str]) -> list[Part]:
+    """Which bodies have all these words in their names: 'iso 4762', 'm5x20', 'left'?"""
+    return [body for body in bodies if words and all(_holds(body.name, word) for word in words)]
+
+
+def _holds(name: str | None, word: str) -> bool:
+    """Is the word in the name? 'm5' is in 'm5x20': the length of a screw follows the size of its thread."""
+    return any(same_word(have, word) or (word[:1] == "m" and have.startswith(f"{word}x")) for have in all_words(name))
 
 
 def is_whole(parts: Sequence[Part], words: Sequence[str]) -> Part | None:
@@ -63,8 +78,9 @@ def is_whole(parts: Sequence[Part], words: Sequence[str]) -> Part | None:
     if model is None or not words:
         return None
     have = name_words(model.name)
-    return model if have and all(any(_same(h, w) for h in have) for w in words) else None
+    return model if have and all(any(same_word(h, w) for h in have) for w in words) else None
 
 
-def _same(a: str, b: str) -> bool:
+def same_word(a: str, b: str) -> bool:
+    """Are these the same word, in singular or plural?"""
     return a == b or singular(a, frozenset((b,))) == b or singular(b, frozenset((a,))) == a

@@ -7,20 +7,32 @@ from dataclasses import dataclass, field
 
 from rapidfuzz.distance import OSA
 
-from .lexicon import FILLERS, PREPOSITIONS, Adjective, Lexicon, Term, singular, words_of
+from .lexicon import FILLERS, NUMBERS, PREPOSITIONS, Adjective, Lexicon, Term, singular, words_of
 
 TYPO_MIN_LETTERS = 4
 """Shorter words have too many neighbours: 'nut' and 'cut' differ by one letter."""
 TYPO_SUBSTITUTION_LETTERS = 6
 """In shorter words one letter instead of another makes another word ('cone', 'core'); swapped, missing and doubled
 letters hardly do."""
+COMPOUND_MIN_LETTERS = 3
+"""The shortest piece of a closed compound such as 'screwhole' or 'endplate'."""
 
 IGNORED_CONFIDENCE = 0.5
 """What is left of the confidence when a word before the noun is not known: the noun itself is certain."""
 TYPO_CONFIDENCE = 0.8
 """What is left of it when a misspelt word was read as a known one."""
 
-_GREYS = ("grey", "gray", "black", "white")
+GREYS = ("grey", "gray", "silver", "black", "white")
+_GENERIC = frozenset(("object", "body"))
+"""Terms that may follow another noun without adding anything: 'the pipe piece', 'the adapter plate body'."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where the head noun is: 'in the flange', or 'flange' before it (`relation` empty)."""
+
+    relation: str
+    what: Reading
 
 
 @dataclass(slots=True)
@@ -32,12 +44,13 @@ class Reading:
     term: Term | None = None
     phrase: str = ""
     """The words that named the term."""
-    inside: list[Term] = field(default_factory=list)
-    """Other nouns, which say where it is: 'flange hole', 'hole in the flange'."""
+    places: list[Place] = field(default_factory=list)
     adjectives: list[Adjective] = field(default_factory=list)
     without: list[Adjective] = field(default_factory=list)
-    metric: list[str] = field(default_factory=list)
+    threads: list[str] = field(default_factory=list)
     colors: list[str] = field(default_factory=list)
+    count: int | None = None
+    """How many there are, as the description has it: 'the four holes'."""
     unknown: list[str] = field(default_factory=list)
     """Words that nothing is known about."""
     head_unknown: bool = False
@@ -49,49 +62,73 @@ class Reading:
         """Goes on without the unknown words, and says so."""
         if self.unknown:
             listed = ", ".join(f"'{word}'" for word in self.unknown)
-            self.notes.append(f"not understood and not taken into account: {listed}")
-            self.confidence = min(self.confidence, IGNORED_CONFIDENCE)
+            self.doubt(f"not understood and not taken into account: {listed}", IGNORED_CONFIDENCE)
             self.unknown.clear()
+
+    def doubt(self, note: str, confidence: float) -> None:
+        """Keeps why the reading is not certain."""
+        self.notes.append(note)
+        self.confidence = min(self.confidence, confidence)
 
 
 def read(description: str, words: Lexicon, names: frozenset[str] = frozenset()) -> Reading:
     """Takes a description apart. `names` are words of product names, which are never taken for misspelt ones."""
     reading = Reading()
-    known = words.words | FILLERS | PREPOSITIONS | frozenset(words.metric_m) | frozenset(words.hues) | frozenset(_GREYS)
-    tokens = [_known_form(word, known, names, reading) for word in words_of(description)]
-    segments = _segments(tokens)
+    known = words.words | FILLERS | PREPOSITIONS | frozenset((*words.threads, *words.hues, *NUMBERS, *GREYS))
+    tokens = [form for word in words_of(description) for form in _known_forms(word, known, names, reading)]
+    segments = _segments(tokens, words)
     _read_noun_phrase(segments[0][1], words, reading)
     for marker, content in segments[1:]:
         if marker in ("with", "without"):
             _read_trait(content, marker == "without", words, reading)
         else:
-            _read_place(content, words, reading)
+            _read_place(marker, content, words, reading)
     return reading
 
 
-def _segments(tokens: Sequence[str]) -> list[tuple[str, list[str]]]:
-    """The noun phrase, then what each preposition after it introduces."""
+def _segments(tokens: Sequence[str], words: Lexicon) -> list[tuple[str, list[str]]]:
+    """The noun phrase, then what each preposition after it introduces.
+
+    A preposition that belongs to a known phrase ('inside radius', 'through hole'), or stands where a noun is expected
+    ('the rectangular inside of …'), introduces nothing.
+    """
     segments: list[tuple[str, list[str]]] = [("", [])]
-    for token in tokens:
-        if token in PREPOSITIONS and (segments[0][1] or len(segments) > 1):
+    at = 0
+    while at < len(tokens):
+        token = tokens[at]
+        end, phrase = _longest_phrase(tokens, at, words, traits=segments[-1][0] in ("with", "without"))
+        content = segments[-1][1]
+        ends_here = at + 1 >= len(tokens) or tokens[at + 1] in PREPOSITIONS
+        alone = ends_here if content else phrase in words.terms or phrase in words.adjectives
+        if token not in PREPOSITIONS or end > at + 1 or (alone and phrase in (*words.terms, *words.adjectives)):
+            content.extend(tokens[at:end])
+        elif content or len(segments) > 1:
             segments.append((token, []))
-        elif token not in PREPOSITIONS:
-            segments[-1][1].append(token)
+        at = end
     return segments
 
 
-def _known_form(word: str, known: frozenset[str], names: frozenset[str], reading: Reading) -> str:
-    """The singular; for a misspelt word its likely meaning, noted."""
+def _known_forms(word: str, known: frozenset[str], names: frozenset[str], reading: Reading) -> list[str]:
+    """The singular; the pieces of a closed compound; for a misspelt word its likely meaning, noted."""
     form = singular(word, known | names)
     if form in known or form in names or any(c.isdigit() for c in word) or len(word) < TYPO_MIN_LETTERS:
-        return form
+        return [form]
+    for cut in range(COMPOUND_MIN_LETTERS, len(word) - COMPOUND_MIN_LETTERS + 1):
+        first, second = word[:cut], singular(word[cut:], known)
+        if first in known and second in known and not {first, second} & (FILLERS | PREPOSITIONS):
+            return [first, second]
     spellings = {form, form[:-1]} if form.endswith("s") else {form}
-    close = [other for other in sorted(known) if any(_is_typo(spelling, other) for spelling in spellings)]
+    close = [
+        (min(OSA.distance(spelling, other) for spelling in spellings), other)
+        for other in known
+        if any(_is_typo(spelling, other) for spelling in spellings)
+    ]
     if not close:
-        return form
-    reading.notes.append(f"'{word}' was read as '{close[0]}'")
+        return [form]
+    meant = min(close)[1]
+    reading.notes.append(f"'{word}' was read as '{meant}'")
     reading.confidence *= TYPO_CONFIDENCE
-    return close[0]
+    return [meant]
 
 
 def _is_typo(word: str, known: str) -> bool:
@@ -103,51 +140,70 @@ def _is_typo(word: str, known: str) -> bool:
     return not substituted or len(known) >= TYPO_SUBSTITUTION_LETTERS
 
 
-def _read_noun_phrase(tokens: list[str], words: Lexicon, reading: Reading) -> None:
+def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -> None:
     """The last noun is the head; nouns before it say where it is, words that are adjectives too are that before it."""
-    reading.words = [token for token in tokens if token not in FILLERS]
+    tokens = [token for token in tokens if token not in FILLERS]
+    reading.words = [token for token in tokens if token not in NUMBERS]
+    nouns: list[tuple[str, Term]] = []
     position = 0
     while position < len(tokens):
         end, phrase = _longest_phrase(tokens, position, words)
         adjective = words.adjectives.get(phrase)
         noun_follows = any(_longest_phrase(tokens, i, words)[1] in words.terms for i in range(end, len(tokens)))
         if adjective is not None and (phrase not in words.terms or noun_follows):
-            reading.adjectives.append(adjective)
-            if adjective.unchecked:
-                reading.notes.append(f"'{phrase}' was not checked against the geometry")
+            _add_adjective(adjective, phrase, reading)
         elif phrase in words.terms:
-            if reading.term is not None and reading.term.name != words.terms[phrase].name:
-                reading.inside.append(reading.term)
-            reading.term, reading.phrase, reading.head_unknown = words.terms[phrase], phrase, False
+            nouns.append((phrase, words.terms[phrase]))
+            reading.head_unknown = False
         elif not _read_word(tokens[position], words, reading):
             reading.head_unknown = True
         position = end
+    if len(nouns) > 1 and nouns[-1][1].name in _GENERIC and not reading.head_unknown:
+        nouns.pop()
+    if nouns:
+        reading.phrase, reading.term = nouns[-1]
+    for phrase, term in nouns[:-1]:
+        if reading.term is not None and term.name != reading.term.name:
+            reading.places.append(Place("", Reading(words=phrase.split(), term=term, phrase=phrase)))
 
 
-def _longest_phrase(tokens: Sequence[str], position: int, words: Lexicon) -> tuple[int, str]:
-    """The longest known phrase that begins here, and where it ends; a single unknown word otherwise."""
-    for end in range(len(tokens), position, -1):
+def _add_adjective(adjective: Adjective, phrase: str, reading: Reading) -> None:
+    reading.adjectives.append(adjective)
+    if adjective.lacks:
+        reading.without.append(Adjective(adjective.name, adjective.lacks))
+    if adjective.unchecked:
+        reading.notes.append(f"'{phrase}' was not checked against the geometry")
+
+
+def _longest_phrase(tokens: Sequence[str], position: int, words: Lexicon, traits: bool = False) -> tuple[int, str]:
+    """The longest known phrase that begins here, and where it ends; a single unknown word otherwise.
+
+    `traits`: phrases that follow 'with' count too.
+    """
+    for end in range(min(len(tokens), position + 6), position, -1):
         phrase = " ".join(tokens[position:end])
-        if phrase in words.terms or phrase in words.adjectives:
+        if phrase in words.terms or phrase in words.adjectives or (traits and phrase in words.with_nouns):
             return end, phrase
     return position + 1, tokens[position]
 
 
 def _read_word(word: str, words: Lexicon, reading: Reading) -> bool:
-    """Takes a single word for a thread, a colour or a filler; False when it is none of them."""
-    if word in words.metric_m:
-        reading.metric.append(word)
-    elif word in words.hues or word in _GREYS:
+    """Takes a single word for a thread, a colour, a number or a filler; False when it is none of them."""
+    if word in words.threads:
+        reading.threads.append(word)
+    elif word in words.hues or word in GREYS:
         reading.colors.append(word)
+    elif word in NUMBERS or (word.isdecimal() and word.isascii() and len(word) <= len("99")):
+        reading.count = NUMBERS.get(word) or int(word)
     elif word not in FILLERS:
         reading.unknown.append(word)
         return False
     return True
 
 
-def _read_trait(tokens: list[str], negated: bool, words: Lexicon, reading: Reading) -> None:
-    """'with a ring', 'without thread': what follows is a trait of the head noun."""
-    content = [token for token in tokens if token not in FILLERS]
+def _read_trait(tokens: Sequence[str], negated: bool, words: Lexicon, reading: Reading) -> None:
+    """'with a ring', 'without thread': what follows is a trait of the head noun, or another part of it."""
+    content = [token for token in tokens if token not in FILLERS and token not in NUMBERS]
     for end in range(len(content), 0, -1):
         phrase = " ".join(content[-end:])
         adjective = words.with_nouns.get(phrase) or words.adjectives.get(phrase)
@@ -156,14 +212,19 @@ def _read_trait(tokens: list[str], negated: bool, words: Lexicon, reading: Readi
             if content[:-end]:
                 _read_trait(content[:-end], negated, words, reading)
             return
-    reading.unknown.extend(content)
+    other = Reading()
+    _read_noun_phrase(content, words, other)
+    if other.term is not None and not other.head_unknown:
+        reading.places.append(Place("without" if negated else "with", other))
+    else:
+        reading.unknown.extend(content)
 
 
-def _read_place(tokens: list[str], words: Lexicon, reading: Reading) -> None:
-    """'in the flange': where the head noun is; a place that is not known is only noted."""
+def _read_place(relation: str, tokens: Sequence[str], words: Lexicon, reading: Reading) -> None:
+    """'in the flange': where the head noun is; 'for an M5 screw': which size it has."""
     place = Reading()
     _read_noun_phrase(tokens, words, place)
-    if place.term is not None and not place.head_unknown:
-        reading.inside.append(place.term)
-    else:
-        reading.unknown.extend(place.unknown)
+    if relation == "for":
+        reading.threads.extend(place.threads)
+    if place.words:
+        reading.places.append(Place(relation, place))

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from querycad_contracts import Part, Side, Vector
+from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.render.raycast import Scene
 from querycad_segworker.render.visibility import FaceVisibility
 from querycad_segworker.topology import Brep
@@ -17,6 +17,11 @@ from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, su
 SEEN_SHARE = 0.03
 """A face counts as seen when its visible projected area is more than this share of its area. The views are turned by
 one degree, so that faces seen edge-on show sin(1 degree) = 1.7 % of themselves."""
+FACING_SHARE = 0.15
+"""A plane face that is turned to the viewer counts as seen when this share of it is: one degree of azimuth lets a tenth
+of what stands exactly behind something else peep out."""
+FACING = 0.5
+"""Cosine of the angle below which a plane face is turned to the viewer: 60 degrees."""
 OPENING_SHARE = 0.25
 """An opening counts as seen when at least this share of the points spread over it is."""
 OPENING_ANGLE_RAD = math.radians(75.0)
@@ -27,9 +32,9 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
     """The same parts, each with the sides it is visible from.
 
     What has an opening is visible where one looks into that opening; anything else, and what is open at a border,
-    where its faces own pixels.
+    where its faces own pixels. A tube or standoff is visible as well where one looks into its bore from its tip.
     """
-    seen_faces = _seen_faces(brep, visibility)
+    seen_faces = faces_seen([face.area for face in brep.faces], visibility) & ~_peeping(brep, visibility)
     openings = _openings(parts)
     points = [p for _, _, normal, disc in openings for p in disc]
     normals = [normal for _, _, normal, disc in openings for _ in disc]
@@ -50,14 +55,36 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
         else:
             sides = {side for row, side in enumerate(Side) if bool(seen_faces[row, list(part.faces)].any())}
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
+    return _with_bores(result)
+
+
+def _with_bores(parts: Sequence[Part]) -> list[Part]:
+    """Hollow bosses, seen where one looks into their bores from the tip, too."""
+    holes = {part.id: part for part in parts if part.kind == "hole"}
+    result = []
+    for part in parts:
+        if part.kind == "boss" and "hollow" in part.tags and part.normal is not None and part.children:
+            bore, normal = holes.get(part.children[0]), part.normal
+            into = {s for s in (bore.sides if bore else ()) if dot(s.outward, normal) > math.cos(OPENING_ANGLE_RAD)}
+            part = part.model_copy(update={"sides": tuple(s for s in Side if s in into or s in part.sides)})
+        result.append(part)
     return result
 
 
-def _seen_faces(brep: Brep, visibility: FaceVisibility) -> NDArray[np.bool_]:
-    """(6, F): which faces are seen from which side?"""
-    areas = np.array([max(face.area, 1e-30) for face in brep.faces])
+def _peeping(brep: Brep, visibility: FaceVisibility) -> NDArray[np.bool_]:
+    """Which plane faces are turned to a side and all but hidden by others? (6, F) bool, rows in the order of `Side`."""
+    planes = [face.axis if face.kind is SurfaceKind.PLANE else (0.0, 0.0, 0.0) for face in brep.faces]
+    towards = np.array([[dot(normal, side.outward) for normal in planes] for side in Side])
     visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
-    seen: NDArray[np.bool_] = visible_m2 > SEEN_SHARE * areas
+    projected_m2 = towards * np.array([face.area for face in brep.faces])
+    hidden: NDArray[np.bool_] = (towards > FACING) & (visible_m2 < FACING_SHARE * projected_m2)
+    return hidden
+
+
+def faces_seen(areas_m2: Sequence[float], visibility: FaceVisibility) -> NDArray[np.bool_]:
+    """Which faces are seen from which side? (6, F) bool, rows in the order of `Side`."""
+    visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
+    seen: NDArray[np.bool_] = visible_m2 > SEEN_SHARE * np.maximum(areas_m2, 1e-30)
     return seen
 
 

@@ -1,0 +1,428 @@
+"""Which parts fit a reading? Tags, names, threads, colours, places, and sizes among parts of one kind."""
+
+from __future__ import annotations
+
+import colorsys
+import itertools
+import math
+from collections.abc import Callable, Iterable, Sequence
+
+from querycad_contracts import Part, Side
+from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
+
+from .lexicon import Adjective, Choice, Lexicon, Order, Pick, words_of
+from .names import bodies_marked, bodies_named, is_whole
+from .reading import Place, Reading
+
+THREAD_TOLERANCE_M = 0.06e-3
+"""A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
+LOOSE_PLACE_CONFIDENCE = 0.5
+"""What is left when the place that a description names could not be checked."""
+PURPOSE_CONFIDENCE = 0.9
+"""A purpose ('for the dowel pins') hardly ever changes which parts are meant."""
+SIZE_CONFIDENCE = 0.8
+"""'Large' and 'small' are told by the gaps between the sizes that the model has."""
+SAME_SIZE = 1.02
+"""Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+CLEAR_GAP = 1.5
+"""Sizes that differ by this ratio are large and small to anybody who looks."""
+WIDE = 0.7
+"""A flange or plate is at least this wide, compared with the widest: two flanges of a pipe differ by less."""
+CORNER_SHARE = 0.5
+"""In a corner is what lies at least half-way out to two edges."""
+_TOUCH_M = 1e-6
+_HOLDING = ("in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through")
+_TRAITS = ("with", "without")
+_IMPLIED = {
+    "chamfer": ("beveled", "chamfered"),
+    "round": ("rounded",),
+    "fillet": ("rounded",),
+    "hole": ("circular", "cylindrical"),
+    "gear": ("toothed",),
+}
+"""Attributes that all parts of a kind have."""
+_DIRECTIONS = frozenset(("vertical", "horizontal"))
+_STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
+
+
+class Parts:
+    """The parts of one model, with what they are to one another."""
+
+    def __init__(self, parts: Sequence[Part], words: Lexicon) -> None:
+        self.all = parts
+        self.words = words
+        self.bodies = [part for part in parts if part.kind == "body"]
+        self.alone = len(self.bodies) == 1
+        self.model = next((part for part in parts if part.kind == "model"), None)
+        self._cores = [diameters[0] for diameters in words.threads.values()]
+
+    def named(self, reading: Reading, sides: Sequence[Side] | None) -> list[Part]:
+        """The bodies that the words name; adjectives that hold for none of them say nothing more."""
+        found = bodies_named(self.all, reading.words, sides)
+        return self._narrowed(found, reading) or found if found else []
+
+    def marked(self, reading: Reading) -> list[Part]:
+        """The bodies whose names hold all words of the description, such as a standard's number."""
+        words = [*reading.words[:-1], *reading.words[-1:]]
+        return bodies_marked(self.bodies, words) if len(self.bodies) > 1 else []
+
+    def choose(self, reading: Reading, sides: Sequence[Side] | None = None) -> list[Part]:
+        """The parts of the first reading of the term that finds any, wherever they can be seen from.
+
+        Readings that hold at the place named come first. `sides` do not change which reading it is, but for two things:
+        what is visible from nowhere is not meant, and 'the largest' is the largest of those visible from there.
+        """
+        assert reading.term is not None
+        choices = list(reading.term.choices)
+        if reading.colors:
+            choices.append(Choice(("body",), confidence=0.7))
+        # The name of a single body says what the whole is, not which of its features is meant: looked at last.
+        choices.sort(key=lambda choice: self.alone and bool(choice.name))
+        for loose, choice in [(False, choice) for choice in choices] + [(True, choice) for choice in choices]:
+            if choice.alone and not self.alone:
+                continue
+            found = [part for part in self.all if self._fits(part, choice)]
+            found = self._narrowed(found, reading, loose)
+            found = self._picked(seen_from(found, sides) or found, choice.pick) if choice.pick else found
+            for place in reading.places:  # 'the plate without the boss' is the plate: traits are looked at last
+                if found and place.relation in _TRAITS:
+                    found = self._placed(found, place, reading, loose)
+            found = self._steps(found, choice.step) if choice.step else found
+            if found and (sides is None or any(part.sides for part in found)):
+                if choice.confidence < 1.0:
+                    reading.doubt(f"'{reading.phrase}' was taken in a wider sense", choice.confidence)
+                return found
+        return []
+
+    def told_apart(self, found: list[Part], reading: Reading) -> list[Part]:
+        """Of several parts, those that are the large ones, the outer ones, or as many as the description says."""
+        for adjective in reading.adjectives:
+            if adjective.order and not self._tagged(found, adjective.tags):
+                found = self._ordered(found, adjective, reading)
+        wanted = reading.count
+        if wanted is None or wanted < 2 or len(found) == wanted or len(found) < 2:
+            return found
+        groups = [group for group in _by_size(found) if len(group) == wanted]
+        if len(found) > wanted and len(groups) == 1:
+            reading.doubt(f"of {len(found)} the {wanted} of one size were taken", SIZE_CONFIDENCE)
+            return groups[0]
+        reading.doubt(f"the model has {len(found)} of them, not {wanted}", SIZE_CONFIDENCE)
+        return found
+
+    def tags(self, part: Part) -> set[str]:
+        """The part's own tags, those of its kind, and what it is to other parts."""
+        tags = {*part.tags, *_IMPLIED.get(part.kind, ())}
+        if part.kind == "hole" and part.diameter is not None:
+            if any(abs(part.diameter - core) <= THREAD_TOLERANCE_M for core in self._cores):
+                tags.add("core_diameter")
+        return tags
+
+    def _tagged(self, found: Sequence[Part], tags: Sequence[str]) -> bool:
+        return any(not self.tags(part).isdisjoint(tags) for part in found)
+
+    def _fits(self, part: Part, choice: Choice) -> bool:
+        if part.kind not in choice.kind:
+            return False
+        tags = self.tags(part)
+        return (
+            tags.issuperset(choice.tags)
+            and (not choice.any or not tags.isdisjoint(choice.any))
+            and tags.isdisjoint(choice.without)
+            and (not choice.name or _name_holds(part.name, choice.name))
+        )
+
+    def _narrowed(self, found: list[Part], reading: Reading, loose: bool = True) -> list[Part]:
+        """Those that adjectives, threads and colours hold for, and that lie in the places named.
+
+        `loose`: a place that cannot be checked is left out.
+        """
+        for adjective in reading.adjectives:
+            if set(adjective.tags) <= _DIRECTIONS and adjective.tags and not self._tagged(found, tuple(_DIRECTIONS)):
+                continue  # corners and flat parts have no axis that could be vertical
+            if adjective.tags and (not adjective.order or self._tagged(found, adjective.tags)):
+                kept = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
+                found = kept or [part for part in found if not self.tags(part).isdisjoint(adjective.fallback)]
+        for adjective in reading.without:
+            found = [part for part in found if self.tags(part).isdisjoint((*adjective.tags, *adjective.fallback))]
+        found = [part for part in found if all(self._has_thread(part, name) for name in reading.threads)]
+        found = [part for part in found if all(self._has_color(part.color, name) for name in reading.colors)]
+        for place in reading.places:
+            if found and place.relation not in _TRAITS:
+                found = self._placed(found, place, reading, loose)
+        return found
+
+    def _has_thread(self, part: Part, name: str) -> bool:
+        if part.kind == "body":
+            return bool(bodies_marked([part], [name]))
+        return part.diameter is not None and any(
+            abs(part.diameter - d) <= THREAD_TOLERANCE_M for d in self.words.threads[name]
+        )
+
+    def _has_color(self, color: str | None, name: str) -> bool:
+        return has_color(color, name, self.words.hues)
+
+    # Places
+
+    def _placed(self, found: list[Part], place: Place, reading: Reading, loose: bool) -> list[Part]:
+        """Those at a place. One that cannot be checked is said to be left out, unless it is a body of an assembly."""
+        said = f"'{place.relation} {' '.join(place.what.words)}'".replace("' ", "'")
+        if place.relation == "for":
+            reading.doubt(f"{said} is not checked", PURPOSE_CONFIDENCE)
+            return found
+        holders = self.named(place.what, None)
+        if not holders and place.relation in _HOLDING and is_whole(self.all, place.what.words):
+            return found
+        holders = holders or self._holders(place.what)
+        if any(holder.kind == "model" for holder in holders):
+            return found
+        kept = self._related(found, place.relation, holders)
+        if kept or not loose or (place.relation in _HOLDING and holders and all(h.kind == "body" for h in holders)):
+            return kept
+        if place.relation == "without" and holders and len(found) > 1:
+            return kept
+        reading.doubt(f"{said} could not be checked and was left out", LOOSE_PLACE_CONFIDENCE)
+        return found
+
+    def _holders(self, place: Reading) -> list[Part]:
+        if place.term is None or place.head_unknown:
+            return []
+        return self.told_apart(self.choose(place), place)
+
+    def _related(self, found: list[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
+        """Those that stand so to one of the holders; none where the relation is not known."""
+        match relation:
+            case "with":
+                having = [p for p in found if any(h.id != p.id and is_inside(h, p) for h in holders)]
+                return having or _next_to(found, holders)
+            case "without":
+                return [p for p in found if not any(h.id != p.id and is_inside(h, p) for h in holders)]
+            case "near":
+                return _next_to(found, holders)
+            case "between" if len(holders) > 1:
+                return [p for p in found if p.id not in {h.id for h in holders} and _lies_between(p, holders)]
+            case "around":
+                around = [p for p in found if any(_encloses(p, h) for h in holders)]
+                return around or [p for p in found if not any(_coaxial(p, h) for h in holders)]
+            case _ if relation in (*_HOLDING, ""):
+                return _held(found, relation, holders)
+        return []
+
+    # Picks and sizes
+
+    def _picked(self, found: list[Part], pick: Pick) -> list[Part]:
+        if not found:
+            return found
+        if pick == "lowest":
+            lowest = min(part.center[2] - part.extents[2] / 2 for part in found)
+            near = 0.02 * max(part.extents[2] for part in found) + 1e-9
+            return [part for part in found if part.center[2] - part.extents[2] / 2 <= lowest + near]
+        if pick == "elongated":
+            return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+        if pick == "standing":
+            return [part for part in found if self._stands(part)]
+        if pick == "most":
+            groups = _by_size(found)
+            return max(groups, key=len) if max(map(len, groups)) > 2 else []
+        sizes = [_measure(part, "size") for part in found]
+        limit = min(sizes) if pick == "smallest" else max(sizes)
+        if pick == "wide":
+            return [part for part, size in zip(found, sizes, strict=True) if size >= WIDE * limit]
+        return [part for part, size in zip(found, sizes, strict=True) if abs(size - limit) <= 1e-3 * limit]
+
+    def _stands(self, part: Part) -> bool:
+        """Does it stand out of its body, instead of being the body's own outline?"""
+        body = next((b for b in self.bodies if set(part.faces) <= set(b.faces)), None)
+        if body is None or body.diameter is None or part.diameter is None:
+            return True
+        return part.diameter < body.diameter / SAME_SIZE
+
+    def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
+        """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
+        walls = []
+        for hole in holes:
+            walls_of = [p for p in self.all if p.kind == "cylinder" and "inner" in p.tags]
+            inner = [p for p in walls_of if p.radius and set(p.faces) <= set(hole.faces)]
+            pick = max if step == "widest" else min
+            wall = pick(inner, key=lambda part: part.radius or 0.0, default=None)
+            if wall is not None and len({round(p.radius or 0.0, 7) for p in inner}) > 1:
+                opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
+                walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
+        return walls
+
+    def _ordered(self, found: list[Part], adjective: Adjective, reading: Reading) -> list[Part]:
+        assert adjective.order is not None
+        if len(found) < 2 or self.model is None:
+            return found
+        if adjective.order == "corner":
+            kept = [part for part in found if self._out(part) >= CORNER_SHARE - 1e-6]
+            if not kept:
+                reading.doubt("'corner' could not be checked and was left out", LOOSE_PLACE_CONFIDENCE)
+            return kept or found
+        key: Callable[[Part], float] = lambda part: _measure(part, adjective.order or "size")  # noqa: E731
+        if adjective.order == "distance":
+            key = self._off_center
+        kept = _end_of(found, key, adjective.most, reading.count)
+        if len(kept) < len(found):
+            reading.doubt(f"'{adjective.name}' was taken as {len(kept)} of {len(found)}, by {adjective.order}",
+                          SIZE_CONFIDENCE)  # fmt: skip
+        return kept
+
+    def _off_center(self, part: Part) -> float:
+        """How far is the part, or its axis, from the middle of the model?"""
+        assert self.model is not None
+        if part.axis is not None:
+            return line_distance(part.center, self.model.center, part.axis)
+        return norm(sub(part.center, self.model.center))
+
+    def _out(self, part: Part) -> float:
+        """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
+        assert self.model is not None
+        axis = part.axis
+        offsets = [
+            abs(c - m) / (e / 2) if e > 0 else 0.0
+            for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)
+        ]
+        along = 2 if axis is None else max(range(3), key=lambda i: abs(axis[i]))
+        return min(value for i, value in enumerate(offsets) if i != along)
+
+
+def seen_from(found: Sequence[Part], sides: Sequence[Side] | None) -> list[Part]:
+    """Those visible from any of the sides; all when None."""
+    return [part for part in found if sides is None or set(sides) & set(part.sides)]
+
+
+def _end_of(found: list[Part], key: Callable[[Part], float], most: bool, count: int | None) -> list[Part]:
+    """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
+    ranked = sorted(found, key=key, reverse=most)
+    values = [key(part) for part in ranked]
+    floor = 0.01 * max(values) + 1e-9
+    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in itertools.pairwise(values)]
+    if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
+        return ranked[:count]
+    widest = max(steps)
+    if widest <= SAME_SIZE:
+        return found
+    first = next((i for i, step in enumerate(steps) if step >= CLEAR_GAP), steps.index(widest))
+    return ranked[: first + 1]
+
+
+def _measure(part: Part, order: Order) -> float:
+    """What a word such as 'long' compares; a part without that measure goes by its extents."""
+    across = part.diameter or (part.length * part.width) ** 0.5 if part.length and part.width else part.diameter
+    value = {
+        "size": across,
+        "length": part.depth if part.kind == "hole" else part.length or part.height,
+        "width": part.width or part.diameter,
+        "depth": part.depth,
+        "height": part.height or part.extents[2],
+        "thickness": part.thickness or part.diameter or part.width,
+    }.get(order)
+    return value if value is not None else max(part.extents)
+
+
+def _by_size(found: Sequence[Part]) -> list[list[Part]]:
+    """Groups of parts of one kind and size, along parallel axes."""
+    groups: list[list[Part]] = []
+    for part in found:
+        size = _measure(part, "size")
+        for group in groups:
+            other = _measure(group[0], "size")
+            if part.kind == group[0].kind and max(size, other) <= SAME_SIZE * min(size, other):
+                group.append(part)
+                break
+        else:
+            groups.append([part])
+    return groups
+
+
+def carries(place: Part, part: Part) -> bool:
+    """Does the part open on or stand on the faces of the place, or is it made of some of them?"""
+    return part.id in place.children or set(part.faces) < set(place.faces)
+
+
+def is_inside(part: Part, place: Part) -> bool:
+    """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?"""
+    points = [part.center] if part.opening is None else [part.center, part.opening]
+    return (
+        part.id in place.children
+        or set(part.faces) < set(place.faces)
+        or any(
+            all(
+                abs(c - middle) <= extent / 2 + _TOUCH_M
+                for c, middle, extent in zip(point, place.center, place.extents, strict=True)
+            )
+            for point in points
+        )
+    )
+
+
+def _next_to(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+    return [p for p in found if any(h.id != p.id and _touches(p, h) for h in holders)]
+
+
+def _held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
+    """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
+    if carried := [p for p in found if any(carries(h, p) for h in holders)]:
+        return carried
+    if relation == "on":
+        standing = [p for p in found if p.kind in _STANDING_OUT or p.kind == "cylinder"]
+        on = [p for p in standing if any(_touches(p, h) and not is_inside(p, h) for h in holders)]
+        if on:
+            return on
+    inside = [p for p in found if any(is_inside(p, h) or h.id in _members(p) for h in holders)]
+    return inside if inside or not all(p.kind in _STANDING_OUT for p in found) else _next_to(found, holders)
+
+
+def _members(part: Part) -> tuple[str, ...]:
+    """'the bolt circle of the small holes': a pattern is of its members."""
+    return part.children if part.kind == "pattern" else ()
+
+
+def _touches(part: Part, place: Part) -> bool:
+    """Do the boxes of two parts meet?"""
+    return all(
+        abs(a - b) <= (e + f) / 2 + _TOUCH_M
+        for a, b, e, f in zip(part.center, place.center, part.extents, place.extents, strict=True)
+    )
+
+
+def _lies_between(part: Part, others: Sequence[Part]) -> bool:
+    """Is the middle of the part in the box that the middles of the others span?"""
+    return all(
+        min(h.center[i] for h in others) - _TOUCH_M <= part.center[i] <= max(h.center[i] for h in others) + _TOUCH_M
+        for i in range(3)
+    )
+
+
+def _coaxial(part: Part, other: Part) -> bool:
+    if part.axis is None or other.axis is None or norm(cross(part.axis, other.axis)) > 1e-3:
+        return False
+    return line_distance(other.center, part.center, part.axis) < 1e-3 * max(part.extents)
+
+
+def _encloses(part: Part, other: Part) -> bool:
+    return _coaxial(part, other) and bool(part.radius and other.radius and part.radius > other.radius)
+
+
+def has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:
+    """Does a hexadecimal colour go by this name? Greys by saturation below 15 %, black and white by brightness."""
+    if color is None:
+        return False
+    r, g, b = (int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    hue, saturation, value = colorsys.rgb_to_hsv(r, g, b)
+    if name == "black":
+        return value < 0.2
+    if name == "white":
+        return saturation < 0.15 and value > 0.9
+    if name in ("grey", "gray", "silver"):
+        return saturation < 0.15 and 0.2 <= value <= 0.9
+    low, high = hues[name]
+    degrees = math.degrees(hue * math.tau)
+    inside = low <= degrees < high if low < high else degrees >= low or degrees < high
+    return saturation >= 0.15 and value >= 0.2 and inside
+
+
+def _name_holds(name: str | None, wanted: Iterable[str]) -> bool:
+    """Does a product name hold one of these words, or runs of words such as 'iso 4762'?"""
+    text = f" {' '.join(words_of((name or '').replace('_', ' ')))} "
+    return any(f" {word} " in text or f" {word}s " in text for word in wanted)

@@ -1,0 +1,102 @@
+"""Looks at one model for a phrase: vision's side of `find_parts`. Nothing is loaded before somebody asks for it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from querycad_contracts import Face, GroundedBy, Grounding, Part
+from querycad_segworker.model import Artefacts
+
+if TYPE_CHECKING:
+    from querycad_segworker.vision.find import Seen
+    from querycad_segworker.vision.ports import VisionModels, VisionOptions
+
+PHRASES_KEPT = 32
+"""Of a model: what was seen is a few numbers a part, finding it again takes seconds."""
+
+Networks = Callable[[], "VisionModels"]
+"""Gives the networks that look at pictures, loaded when it is called. Raises WeightsAbsent."""
+
+
+class Sight:
+    """What vision finds in one model."""
+
+    def __init__(self, artefacts: Artefacts, networks: Networks, options: VisionOptions | None = None) -> None:
+        self._artefacts = artefacts
+        self._networks = networks
+        self._options = options
+        self._seen: dict[str, Seen] = {}
+
+    def ground(self, by_words: Grounding, mode: GroundedBy, parts: Sequence[Part], faces: Sequence[Face]) -> Grounding:
+        """What does the description mean by sight, or by words and sight together? `by_words`: what geometry says."""
+        from querycad_segworker.vision.fuse import by_vision, fuse, sightings
+        from querycad_segworker.vision.ports import WeightsAbsent
+        from querycad_segworker.vision.sessions import UnknownLayout
+
+        phrase = by_words.description
+        try:
+            seen = self._look(phrase, len(faces))
+        except (WeightsAbsent, UnknownLayout) as unusable:
+            return _without_weights(by_words, mode, str(unusable))
+        expected = by_words.parts if mode is GroundedBy.FUSED else ()
+        found = sightings(seen, phrase, parts, faces, expected)
+        result = by_vision(phrase, by_words.sides, found) if mode is GroundedBy.VISION else fuse(by_words, found)
+        return result.model_copy(update={"parts": tuple(_with_picture(part, phrase) for part in result.parts)})
+
+    def _look(self, phrase: str, face_count: int) -> Seen:
+        """What is seen of the phrase; the sheet of pictures that shows how is kept with the model."""
+        if phrase not in self._seen:
+            models = self._networks()
+            from querycad_segworker.vision.show import look_and_draw
+
+            self._seen[phrase] = look_and_draw(
+                self._artefacts, face_count, phrase, models, self._artefacts.sight(sheet_name(phrase)), self._options
+            )
+            while len(self._seen) > PHRASES_KEPT:
+                self._seen.pop(next(iter(self._seen)))
+        return self._seen[phrase]
+
+
+def sheet_name(phrase: str) -> str:
+    """What is the file with the pictures of a phrase called?"""
+    return f"{hashlib.sha256(phrase.encode()).hexdigest()[:32]}.png"
+
+
+def _with_picture(part: Part, phrase: str) -> Part:
+    """Where vision had a say, the evidence tells which sheet shows what it saw."""
+    evidence = part.evidence.model_copy(update={"picture": sheet_name(phrase)})
+    return part.model_copy(update={"evidence": evidence})
+
+
+def _without_weights(by_words: Grounding, mode: GroundedBy, why: str) -> Grounding:
+    """Without weights vision finds nothing, and says so; both together are geometry alone."""
+    if mode is GroundedBy.FUSED:
+        return by_words.model_copy(update={"warnings": (*by_words.warnings, f"grounded on geometry alone: {why}")})
+    return Grounding(
+        description=by_words.description,
+        sides=by_words.sides,
+        parts=(),
+        understood=False,
+        message=f"vision cannot look: {why}",
+    )
+
+
+def networks_in(weights: Path, options: VisionOptions | None = None) -> Networks:
+    """The networks whose weights are in this folder, QUERYCAD_HOME/weights as a rule."""
+
+    def load() -> VisionModels:
+        from querycad_segworker.vision.weights import load_models
+
+        return load_models(weights) if options is None else load_models(weights, options.box_threshold)
+
+    return load
+
+
+def no_networks() -> VisionModels:
+    """Raises WeightsAbsent."""
+    from querycad_segworker.vision.ports import WeightsAbsent
+
+    raise WeightsAbsent("no networks are set up")
