@@ -91,7 +91,13 @@ def off_axis(side: Side, degrees: float = OFF_AXIS_DEG) -> tuple[Vector, Vector,
 
 
 def side_camera(
-    side: Side, bounds_m: ArrayLike, width: int, height: int, margin: float = MARGIN, focus_m: ArrayLike | None = None
+    side: Side,
+    bounds_m: ArrayLike,
+    width: int,
+    height: int,
+    margin: float = MARGIN,
+    focus_m: ArrayLike | None = None,
+    off_axis_deg: float = OFF_AXIS_DEG,
 ) -> Camera:
     """Which camera looks at the model from this side?
 
@@ -100,13 +106,16 @@ def side_camera(
     of the model; all of it lies in the depth range. `focus_m`: (N, 3) points to fill the image with; the box's corners
     when None.
     """
-    return _fit(side.value, off_axis(side), box_corners(bounds_m), focus_m, (width, height), margin)
+    return _fit(side.value, off_axis(side, off_axis_deg), box_corners(bounds_m), focus_m, (width, height), margin)
 
 
 def side_cameras(bounds_m: ArrayLike, width: int, height: int, margin: float = MARGIN) -> tuple[Camera, ...]:
     """Which six cameras see the whole model from its sides? In the order of `Side`."""
     return tuple(side_camera(side, bounds_m, width, height, margin) for side in Side)
 
+
+ISOMETRIC_DEG = float(np.degrees(np.arctan(1 / np.sqrt(2))))
+"""Elevation from which the three axes are equally short (ISO 5456-3): 35.3 degrees."""
 
 CORNERS: tuple[tuple[int, int, int], ...] = tuple(
     (x, y, z)
@@ -122,12 +131,11 @@ def corner_camera(
     height: int,
     margin: float = MARGIN,
     focus_m: ArrayLike | None = None,
+    elevation_deg: float = ISOMETRIC_DEG,
 ) -> Camera:
-    """Which camera looks at the model along a diagonal of the axes, z upwards? Parameters as for `side_camera`.
-
-    Isometric (ISO 5456-3): the three axes are equally short, so the elevation is atan(1/sqrt(2)), 35.3 degrees.
-    """
-    backward = np.array(corner, dtype=np.float64) / np.sqrt(3.0)
+    """Which camera looks at the model from this corner, z upwards, x and y alike? Parameters as for `side_camera`."""
+    level, rise = np.cos(np.radians(elevation_deg)) / np.sqrt(2.0), np.sin(np.radians(elevation_deg))
+    backward = np.array(corner, dtype=np.float64) * (level, level, rise)
     right = np.cross((0.0, 0.0, 1.0), backward)
     right /= np.linalg.norm(right)
     axes = (_vector(right), _vector(np.cross(backward, right)), _vector(backward))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+
+from PIL import Image
 
 from querycad_contracts import AnswerRecord
 from querycad_segworker.mesh import Mesh
@@ -12,8 +15,38 @@ from .pictures import Mark, annotate, save_png
 
 
 def draw_evidence(artefacts: Artefacts, record: AnswerRecord, path: Path) -> None:
-    """Draws what an answer rests on into a PNG file. Raises OSError when it cannot be written."""
+    """Draws what an answer rests on into a PNG file. Raises OSError when it cannot be written.
+
+    Where vision had a say, the sheets that show what it saw stand below.
+    """
     marks = [Mark(part.label, part.faces, part.opening or part.tip) for part in record.parts]
     answer = record.answer.text if record.answer is not None else (record.failure.message if record.failure else "")
     path.parent.mkdir(parents=True, exist_ok=True)
-    save_png(annotate(Mesh.load(artefacts.mesh), marks, record.question, answer), path)
+    picture = annotate(Mesh.load(artefacts.mesh), marks, record.question, answer)
+    names = dict.fromkeys(part.evidence.picture for part in record.parts if part.evidence.picture is not None)
+    save_png(_stacked([picture, *_sheets(artefacts, list(names))]), path)
+
+
+def _sheets(artefacts: Artefacts, names: Sequence[str]) -> list[Image.Image]:
+    """The sheets that are there: one may have been drawn on another machine."""
+    found = []
+    for name in names:
+        path = artefacts.sight(Path(name).name)
+        if path.is_file():
+            with Image.open(path) as sheet:
+                found.append(sheet.convert("RGB"))
+    return found
+
+
+def _stacked(pictures: Sequence[Image.Image]) -> Image.Image:
+    """One below the other, all as wide as the first."""
+    width = pictures[0].width
+    fitted = [
+        each if each.width == width else each.resize((width, each.height * width // each.width)) for each in pictures
+    ]
+    whole = Image.new("RGB", (width, sum(each.height for each in fitted)), "white")
+    top = 0
+    for each in fitted:
+        whole.paste(each, (0, top))
+        top += each.height
+    return whole

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .cameras import Camera
 from .raycast import IdImage
 
 NEUTRAL = (222, 224, 228)
@@ -42,6 +43,15 @@ def shade(image: IdImage, color_of: NDArray[np.uint8], ghost: IdImage | None = N
     return picture
 
 
+def light_on(normals: NDArray[np.float32], camera: Camera) -> NDArray[np.float32]:
+    """How bright are surfaces that point this way? (N, 3) unit, world frame in; (N,) float32 out, about 0.5 to 1.1."""
+    local = normals @ camera.axes.T.astype(np.float32)
+    light: NDArray[np.float32] = (
+        _AMBIENT + _KEY * np.clip(local @ _KEY_LIGHT, 0, None) + _HEAD * np.clip(local[:, 2], 0, None)
+    )
+    return light
+
+
 def _cut(image: IdImage, rows: slice) -> IdImage:
     """The image's rows alone; the camera is still that of the whole."""
     normals = None if image.normals is None else image.normals[rows]
@@ -53,12 +63,11 @@ def _shade(image: IdImage, color_of: NDArray[np.uint8], ghost: IdImage | None) -
     if image.normals is None:
         raise ValueError("shading needs an image with normals")
     shown = image.face_id_map >= 0
-    local = image.normals[shown] @ image.camera.axes.T.astype(np.float32)
-    light = _AMBIENT + _KEY * np.clip(local @ _KEY_LIGHT, 0, None) + _HEAD * np.clip(local[:, 2], 0, None)
     picture = np.full((*shown.shape, 3), 255, dtype=np.float32)
+    light = light_on(image.normals[shown], image.camera)
     picture[shown] = color_of[image.face_id_map[shown]] * light[:, None]
     facing = np.ones(shown.shape, dtype=np.float32)
-    facing[shown] = local[:, 2]
+    facing[shown] = image.normals[shown] @ np.array(image.camera.backward, dtype=np.float32)
     ink = _lines(image, image.normals, facing)
     if ghost is not None:
         _shine_through(picture, ink, image, ghost, color_of)

@@ -1,0 +1,1 @@
+"""SegCAD's vision path: render, detect, segment, align, prune, merge (QueryCAD paper, section SegCAD), then fuse."""

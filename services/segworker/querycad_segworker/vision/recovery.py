@@ -1,0 +1,59 @@
+"""How much of a part do align, prune and merge give back when detector and segmenter are perfect?"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from querycad_contracts import Part
+from querycad_segworker.render.renderer import Renderer
+
+from .find import look
+from .known import KnownParts
+from .merge import Find, merge
+from .ports import VisionOptions
+from .prune import FaceGraph, prune
+from .render import View, render
+
+
+def recovery(
+    renderer: Renderer, graph: FaceGraph, face_count: int, parts: Sequence[Part], options: VisionOptions
+) -> Mapping[str, float]:
+    """The face IoU of each part that comes back, by id. Parts of one kind are looked for together, as for a phrase.
+
+    Only faces that own a pixel in some view count, and only parts that the stages are meant to give back: that are
+    seen, hang together over common edges as far as they are seen, and are not most of the model in every view.
+    """
+    views = list(render(renderer, face_count, options))
+    shown = np.sum([view.visible for view in views], axis=0) > 0
+    kinds: dict[str, list[Part]] = defaultdict(list)
+    for part in parts:
+        kinds[part.kind].append(part)
+    found: dict[str, float] = {}
+    for alike in kinds.values():
+        models = KnownParts(face_count, [part.faces for part in alike], options.color_seed).models
+        finds = merge([find for view in views for find in look(view, graph, "", models, options).finds])
+        for part in alike:
+            faces = frozenset(face for face in part.faces if shown[face])
+            if _is_meant(faces, views, graph, options):
+                found[part.id] = max((_iou(faces, find) for find in finds), default=0.0)
+    return found
+
+
+def _is_meant(faces: frozenset[int], views: Sequence[View], graph: FaceGraph, options: VisionOptions) -> bool:
+    if not faces or prune(faces, min(faces), graph) != faces:
+        return False
+    shares = (_share(view.visible, faces) for view in views)
+    return any(0 < share <= options.largest_mask for share in shares)
+
+
+def _share(visible: NDArray[np.int64], faces: frozenset[int]) -> float:
+    """Which share of the model's pixels in this view is the faces'?"""
+    return float(visible[list(faces)].sum() / max(1, visible.sum()))
+
+
+def _iou(faces: frozenset[int], find: Find) -> float:
+    return len(faces & find.faces) / len(faces | find.faces)

@@ -1,0 +1,55 @@
+"""Masked faces that hang together, and finds of several views that are one part."""
+
+from __future__ import annotations
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+from querycad_segworker.vision.merge import Find, merge
+from querycad_segworker.vision.prune import FaceGraph, prune
+
+CHAIN = FaceGraph(np.array([(0, 1), (1, 2), (2, 3), (4, 5)], dtype=np.int32))
+
+
+def test_what_hangs_together_with_the_start_stays() -> None:
+    assert prune(frozenset({0, 1, 2, 4, 5}), 1, CHAIN) == {0, 1, 2}
+    assert prune(frozenset({0, 1, 2, 4, 5}), 5, CHAIN) == {4, 5}
+
+
+def test_the_way_goes_over_masked_faces_only() -> None:
+    assert prune(frozenset({0, 1, 3}), 0, CHAIN) == {0, 1}
+
+
+def test_a_face_without_neighbours_stays_alone() -> None:
+    nothing = FaceGraph(np.zeros((0, 2), dtype=np.int32))
+    assert prune(frozenset({7, 8}), 7, nothing) == {7}
+
+
+def test_the_start_must_be_masked() -> None:
+    with pytest.raises(ValueError, match="face 3"):
+        prune(frozenset({0, 1}), 3, CHAIN)
+
+
+def find(*faces: int, view: str = "top", score: float = 0.5) -> Find:
+    return Find(frozenset(faces), (view,), score)
+
+
+def test_finds_that_share_a_face_are_one_part_with_the_best_score() -> None:
+    (part,) = merge([find(1, 2, view="top", score=0.4), find(2, 3, view="left", score=0.7)])
+    assert part == Find(frozenset({1, 2, 3}), ("top", "left"), 0.7)
+
+
+def test_finds_without_common_faces_stay_apart() -> None:
+    assert [sorted(part.faces) for part in merge([find(5, 6), find(1, 2, view="left")])] == [[1, 2], [5, 6]]
+
+
+def test_sharing_goes_through_others_whatever_the_order() -> None:
+    finds = [find(1, 2), find(3, 4, view="left"), find(2, 3, view="back"), find(9)]
+    for order in permutations(finds):
+        assert [sorted(part.faces) for part in merge(order)] == [[1, 2, 3, 4], [9]]
+
+
+def test_nothing_merges_to_nothing() -> None:
+    assert merge([]) == ()
