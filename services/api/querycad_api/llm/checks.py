@@ -1,0 +1,93 @@
+"""What is wrong with a program that would run: a result that is not computed, or not in metres. Before it runs."""
+
+from __future__ import annotations
+
+import ast
+import math
+import re
+
+_TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 39.37, 39.3701, 39.37007874)
+"""Factors from metres (m2, m3) to millimetres and inches."""
+_UNITS_IN_METRES = (0.001, 1e-6, 1e-9, 0.0254)
+_ROUGH_DIGITS = 5
+"""Digits after the point below which rounding metres loses what a drawing tells: 0.01 mm."""
+
+
+_AMOUNT = re.compile(
+    r"(?<![\w.,])(\d+(?:[.,]\d+)?)(?=(?:\s*(?:to|and|or|-|–)\s*\d+(?:[.,]\d+)?)*\s*(mm|cm|inch(?:es)?|in\b(?!\s+\w)|\"))"
+)
+"""A number of the question with its unit, which may stand behind the last number of a range."""
+_METRES = {"mm": 1e-3, "cm": 1e-2}
+_INCH_M = 0.0254
+
+
+def problems(code: str, question: str = "") -> tuple[str, ...]:
+    """What has the writer to repair, a sentence each? What Python cannot read is left to the run, which says why."""
+    try:
+        tree = ast.parse(code)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ()
+    found = [problem for node in ast.walk(tree) if (problem := _problem(node))]
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    if not names & {"find_parts", "shape"}:
+        found.append("The program uses neither find_parts nor shape: compute the answer from the model.")
+    found += _slips(tree, question)
+    return tuple(dict.fromkeys(found))
+
+
+def _slips(tree: ast.Module, question: str) -> list[str]:
+    """Lengths of the question that the program has by a power of ten too large or too small."""
+    literals = [number for node in ast.walk(tree) if isinstance(node, ast.Constant) and (number := _number(node))]
+    found = []
+    for amount, unit in _AMOUNT.findall(question):
+        given = float(amount.replace(",", "."))
+        metres = given * _METRES.get(unit, _INCH_M)
+        converts = any(_is(literal, factor) for literal in literals for factor in (1e3, 1e-3, 1e2, 1e-2, _INCH_M))
+        if not given or any(_is(literal, metres) or (converts and _is(literal, given)) for literal in literals):
+            continue
+        powers = [literal for literal in literals if any(_is(literal, metres * 10.0**k) for k in range(-4, 7))]
+        found += [f"{amount} {unit} is {metres:.6g} in metres, and not {literal:g}." for literal in powers[:1]]
+    return found
+
+
+def _is(number: float, other: float) -> bool:
+    return math.isclose(number, other, rel_tol=1e-6)
+
+
+def _problem(node: ast.AST) -> str | None:
+    match node:
+        case ast.BinOp(left=left, op=ast.Mult(), right=right) if _converts(left, right) or _converts(right, left):
+            return f"`{ast.unparse(node)}` converts the result: leave it in metres."
+        case ast.BinOp(left=left, op=ast.Div(), right=right) if (
+            _number(left) is None and _number(right) in _UNITS_IN_METRES
+        ):
+            return f"`{ast.unparse(node)}` converts the result: leave it in metres."
+        case ast.Call(func=ast.Name(id="round"), args=[value, digits]) if _is_rough(digits) and _number(value) is None:
+            return f"`{ast.unparse(node)}` loses digits, as values are in metres: do not round."
+        case ast.Call(func=ast.Attribute(attr="degrees") | ast.Name(id="degrees")):
+            return f"`{ast.unparse(node)}` converts the result: leave angles in radians."
+    return None
+
+
+def _converts(value: ast.expr, factor: ast.expr) -> bool:
+    return _number(value) is None and _number(factor) in _TO_SMALLER_UNITS and _is_measure(value)
+
+
+def _is_measure(value: ast.expr) -> bool:
+    """Is it something that may be a length: not a count?"""
+    is_count = isinstance(value, ast.Call) and isinstance(value.func, ast.Name) and value.func.id == "len"
+    return not is_count
+
+
+def _is_rough(digits: ast.expr) -> bool:
+    number = _number(digits)
+    return number is not None and number < _ROUGH_DIGITS
+
+
+def _number(node: ast.expr) -> float | None:
+    """The number that an expression of constants stands for; None for anything else."""
+    try:
+        value = ast.literal_eval(node)
+    except (ValueError, TypeError, SyntaxError, MemoryError, RecursionError):
+        return None
+    return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None

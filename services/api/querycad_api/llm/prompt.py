@@ -1,0 +1,129 @@
+"""What is sent to a language model for a question. What never changes comes first, so that servers can keep it read."""
+
+from __future__ import annotations
+
+from functools import cache
+from string import Template
+
+from pydantic import TypeAdapter
+
+from querycad_contracts import AnswerType, Expectation, Frozen, ModelSummary
+
+from .facts import facts
+from .files import prompt_data, prompt_text
+from .messages import Message, Role
+from .nearest import Nearest
+from .reference import reference
+from .settings import PromptExamples
+
+EXAMPLES = 3
+"""Shown for a question: enough forms to follow, and little to read for a small model on a slow machine."""
+
+_IN_WORDS = {
+    AnswerType.COUNT: "a whole number",
+    AnswerType.NUMBER: "one number",
+    AnswerType.NUMBERS: "a list of numbers",
+    AnswerType.LENGTH: "one length in metres",
+    AnswerType.LENGTHS: "a list of lengths in metres",
+    AnswerType.AREA: "one area in m2",
+    AnswerType.AREAS: "a list of areas in m2",
+    AnswerType.VOLUME: "one volume in m3",
+    AnswerType.VOLUMES: "a list of volumes in m3",
+    AnswerType.ANGLE: "one angle in radians",
+    AnswerType.ANGLES: "a list of angles in radians",
+    AnswerType.POINT: "one point [x, y, z] in metres",
+    AnswerType.POINTS: "a list of points [x, y, z] in metres",
+    AnswerType.DIRECTION: "one unit vector [x, y, z]",
+    AnswerType.DIRECTIONS: "a list of unit vectors [x, y, z]",
+    AnswerType.SIZE: "one size [x, y, z] in metres",
+    AnswerType.SIZES: "a list of sizes [x, y, z] in metres",
+    AnswerType.TEXT: "one text",
+    AnswerType.TEXTS: "a list of texts",
+    AnswerType.BOOLEAN: "True or False",
+    AnswerType.PARTS: "a list of parts",
+}
+
+
+class Example(Frozen):
+    """A question about a model in examples/, with a program that answers it."""
+
+    model: str
+    question: str
+    thought: str
+    code: str
+    answer: object
+
+    @property
+    def reply(self) -> str:
+        """What a language model should say to the question."""
+        return f"{self.thought}\n```python\n{self.code.strip()}\n```"
+
+
+_EXAMPLES = TypeAdapter(tuple[Example, ...])
+
+
+def in_words(kind: AnswerType) -> str:
+    """What is a value of this type, said to whom writes the program?"""
+    return _IN_WORDS[kind]
+
+
+@cache
+def examples() -> tuple[Example, ...]:
+    """All worked examples."""
+    return _EXAMPLES.validate_python(prompt_data("examples.toml")["example"])
+
+
+def examples_for(question: str, number: int = EXAMPLES) -> tuple[Example, ...]:
+    """The worked examples most like a question, the nearest last: what was read last is followed most."""
+    ranked = _nearest().ranked(question)[:number]
+    return tuple(examples()[i] for i in reversed(ranked))
+
+
+def shown_examples(question: str, which: PromptExamples) -> tuple[Example, ...]:
+    """The worked examples that go with a question."""
+    if which is PromptExamples.NONE:
+        return ()
+    if which is PromptExamples.SAME:
+        return examples()[:: -(-len(examples()) // EXAMPLES)]
+    return examples_for(question)
+
+
+def conversation(
+    question: str,
+    summary: ModelSummary | None = None,
+    expect: Expectation | None = None,
+    which: PromptExamples = PromptExamples.NEAREST,
+) -> tuple[Message, ...]:
+    """What is sent for the question: the rules, the guest API and the model's facts; worked examples; the question."""
+    told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
+    shown = [
+        message
+        for example in shown_examples(question, which)
+        for message in (
+            Message(Role.USER, _text("question.md", question=example.question, expected="")),
+            Message(Role.ASSISTANT, example.reply),
+        )
+    ]
+    model = facts(summary) if summary is not None else "Nothing is known of it."
+    system = _text("system.md", reference=reference(), model=model)
+    asked = _text("question.md", question=" ".join(question.split()), expected=told)
+    return (Message(Role.SYSTEM, system), *shown, Message(Role.USER, asked))
+
+
+def repair(problem: str) -> Message:
+    """What is said to a program that is no answer?"""
+    return Message(Role.USER, _text("repair.md", problem=problem))
+
+
+def as_text(messages: tuple[Message, ...]) -> str:
+    """A conversation as a person reads it."""
+    return "\n\n".join(f"--- {message.role.value} ---\n{message.text}" for message in messages) + "\n"
+
+
+@cache
+def _nearest() -> Nearest:
+    return Nearest([example.question for example in examples()])
+
+
+def _text(name: str, **values: str) -> str:
+    return Template(prompt_text(name)).substitute(values).strip()

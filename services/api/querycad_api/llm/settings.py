@@ -1,0 +1,101 @@
+"""Which language model writes programs? From the environment; without an address none does."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from pydantic import Field, SecretStr, field_validator
+
+from querycad_contracts import Codegen, LlmOptions, Settings
+
+
+class LlmApi(StrEnum):
+    """How is the language model spoken to?"""
+
+    OPENAI = "openai"
+    ANTHROPIC = "anthropic"
+
+
+class PromptExamples(StrEnum):
+    """Which worked examples are shown with a question?"""
+
+    NONE = "0"
+    SAME = "3"
+    """The same three with every question, from all over the collection."""
+    NEAREST = "nearest"
+    """The three most like the question."""
+
+
+class LlmOptionRefused(ValueError):
+    """A caller chose what the service does not allow; `str()` is the sentence for the user."""
+
+
+class LlmSettings(Settings):
+    """Of whatever writes programs: the question workers, or the embedded runtime."""
+
+    codegen: Codegen | None = Field(
+        None, description="Who writes programs where a question does not say: `parser`, `llm` or `both`."
+    )
+    llm_base_url: str = Field(
+        "", description="Address of the language model, such as `http://127.0.0.1:11434/v1`; empty: none is asked."
+    )
+    llm_api: LlmApi | None = Field(
+        None, description="`openai` (chat completions) or `anthropic` (messages); told by the address where not set."
+    )
+    llm_api_key: SecretStr = Field(SecretStr(""), description="Its key; sent to that address and nowhere else.")
+    llm_model: str = Field("", description="Its name; may stay empty for servers that have only one.")
+    llm_models: str = Field("", description="Other names that a question may ask for, parted by commas.")
+    llm_timeout_s: float = Field(
+        120.0, gt=0, description="Seconds for all that a language model does for one question; then the parser answers."
+    )
+    llm_retries: int = Field(3, ge=0, le=10, description="Times that a request is repeated when the server is busy.")
+    llm_repairs: int = Field(2, ge=0, le=5, description="Times that a program that fails is sent back for repair.")
+    llm_samples: int = Field(1, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
+    llm_temperature: float = Field(0.7, ge=0, le=2, description="Of the samples after the first, which is at 0.")
+    llm_tokens: int = Field(700, ge=50, le=16000, description="Longest reply, in tokens.")
+    llm_examples: PromptExamples = Field(
+        PromptExamples.NEAREST,
+        description="Worked examples shown with a question: `nearest`, the three most like it; `3`, always the same "
+        "three; `0`, none.",
+    )
+    llm_replies: Path | None = Field(
+        None, description="Folder that keeps replies; the same request is then answered from it, without being sent."
+    )
+
+    @field_validator("llm_base_url")
+    @classmethod
+    def _is_http(cls, url: str) -> str:
+        parts = urlsplit(url)
+        if url and (parts.scheme not in ("http", "https") or not parts.hostname):
+            raise ValueError("must begin with http:// or https://")
+        if parts.username or parts.password:
+            raise ValueError("must hold no password: the key has a setting of its own")
+        return url
+
+    @property
+    def is_configured(self) -> bool:
+        """Is there a language model to ask?"""
+        return bool(self.llm_base_url)
+
+    @property
+    def api(self) -> LlmApi:
+        """How is it spoken to: as set, else as its address tells?"""
+        host = urlsplit(self.llm_base_url).hostname or ""
+        told = LlmApi.ANTHROPIC if host == "anthropic.com" or host.endswith(".anthropic.com") else LlmApi.OPENAI
+        return self.llm_api or told
+
+    def chosen(self, options: LlmOptions | None) -> LlmSettings:
+        """These settings with what a caller chose. Raises LlmOptionRefused for a model that is not allowed.
+
+        A caller cannot choose the address: the key would go to whom he names.
+        """
+        if options is None:
+            return self
+        allowed = {self.llm_model, *(name.strip() for name in self.llm_models.split(","))} - {""}
+        if options.model is not None and options.model not in allowed:
+            listed = ", ".join(sorted(allowed)) or "only the one that is set up"
+            raise LlmOptionRefused(f"the language model {options.model!r} is not allowed here; allowed: {listed}")
+        given = {"llm_model": options.model, "llm_samples": options.samples, "llm_repairs": options.repairs}
+        return self.model_copy(update={name: value for name, value in given.items() if value is not None})
