@@ -9,10 +9,13 @@ from typing import Any
 import httpx
 import pytest
 from redis import Redis
+from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
 from querycad_api.app import make_app
+from querycad_api.ledger import Ledger
 from querycad_api.settings import ApiSettings
-from querycad_api.state import Ledger
+from querycad_api.worker import Questions
+from querycad_contracts import NO_ACCOUNTS, ModelSummary, TaskOutcome
 
 
 @pytest.fixture
@@ -35,3 +38,20 @@ def redis(settings: ApiSettings) -> Iterator[Redis]:
 @pytest.fixture
 def ledger(redis: Redis, settings: ApiSettings) -> Ledger:
     return Ledger(redis, settings.answers_days)
+
+
+@pytest.fixture
+def sandbox() -> FakeSandbox:
+    return FakeSandbox()
+
+
+@pytest.fixture
+def worker(settings: ApiSettings, ledger: Ledger, sandbox: FakeSandbox) -> Questions:
+    return Questions(settings, ledger, sandbox)  # type: ignore[arg-type]
+
+
+@pytest.fixture
+def model(client: httpx.Client, ledger: Ledger) -> str:
+    client.post("/v1/models", files={"file": ("box.step", STEP)})
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
+    return MODEL

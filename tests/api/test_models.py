@@ -11,10 +11,11 @@ import httpx
 import pytest
 from redis import Redis
 
+from querycad_api.ledger import Ledger
 from querycad_api.models.files import shown_name
 from querycad_api.settings import ApiSettings
-from querycad_api.state import Ledger
 from querycad_contracts import (
+    NO_ACCOUNTS,
     ModelSummary,
     Queue,
     Shape,
@@ -67,7 +68,7 @@ def test_the_same_file_twice_is_one_model_read_once(client: httpx.Client, redis:
 
 def test_a_model_that_was_read_says_what_it_holds(client: httpx.Client, ledger: Ledger) -> None:
     upload(client)
-    ledger.finish_model(SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
+    ledger.finish_model(NO_ACCOUNTS, SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
     found = client.get(f"/v1/models/{SHA256}").json()
     assert (found["status"], found["summary"]["part_counts"]) == ("ready", {"hole": 2})
     assert upload(client).status_code == 200
@@ -75,7 +76,7 @@ def test_a_model_that_was_read_says_what_it_holds(client: httpx.Client, ledger: 
 
 def test_an_upload_waits_until_its_file_is_read_when_that_is_preferred(client: httpx.Client, ledger: Ledger) -> None:
     read = TaskOutcome[ModelSummary](value=SUMMARY)
-    later = threading.Timer(0.3, ledger.finish_model, (SHA256, read))
+    later = threading.Timer(0.3, ledger.finish_model, (NO_ACCOUNTS, SHA256, read))
     later.start()
     response = upload(client, Prefer="wait=2")
     later.join()
@@ -94,7 +95,7 @@ def test_a_file_that_cannot_be_read_is_a_failed_model_which_may_be_uploaded_agai
 ) -> None:
     upload(client)
     failure = TaskFailure(kind=TaskFailureKind.FILE, message="it has no geometry")
-    ledger.finish_model(SHA256, TaskOutcome[ModelSummary](failure=failure))
+    ledger.finish_model(NO_ACCOUNTS, SHA256, TaskOutcome[ModelSummary](failure=failure))
     found = client.get(f"/v1/models/{SHA256}").json()
     assert (found["status"], found["failure"]["message"]) == ("failed", "it has no geometry")
     assert problem(client.get(f"/v1/models/{SHA256}/parts"), 422)["detail"] == "it has no geometry"

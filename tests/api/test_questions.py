@@ -2,71 +2,31 @@
 
 from __future__ import annotations
 
-import hashlib
 import threading
 from typing import Any
 
 import httpx
 import pytest
 from redis import Redis
+from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
+from querycad_api.keyspace import job_key
+from querycad_api.ledger import Ledger
 from querycad_api.sandbox import RunRefused, SandboxUnavailable
 from querycad_api.settings import ApiSettings
-from querycad_api.state import Ledger, job_key
 from querycad_api.worker import ATTEMPTS, RETRIES, Questions, make_app
 from querycad_contracts import (
+    NO_ACCOUNTS,
     AnswerRecord,
     Failure,
-    Grounding,
     ModelSummary,
-    Program,
     QuestionTask,
-    RunOutcome,
-    RunStatus,
-    Shape,
     Status,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
 )
-
-STEP = b"ISO-10303-21;\n"
-MODEL = hashlib.sha256(STEP).hexdigest()
-BOX = Shape(name="box", center=(0, 0, 0), extents=(0.1, 0.2, 0.3), volume=0.006, area=0.22, bodies=(), face_count=6)
-SUMMARY = ModelSummary(shape=BOX, body_count=1, part_counts={}, warnings=("it was tilted",), timings_ms={})
-NO_HOLE = Grounding(description="hole", sides=None, parts=(), understood=True, message="there is no hole")
-
-
-class FakeSandbox:
-    """Runs nothing: says that there are no holes, or raises what it is told to."""
-
-    def __init__(self, error: Exception | None = None) -> None:
-        self.error = error
-        self.runs = 0
-
-    def run(self, program: Program, model: str) -> RunOutcome:
-        self.runs += 1
-        if self.error is not None:
-            raise self.error
-        return RunOutcome(status=RunStatus.OK, value=0, groundings=(NO_HOLE,))
-
-
-@pytest.fixture
-def sandbox() -> FakeSandbox:
-    return FakeSandbox()
-
-
-@pytest.fixture
-def worker(settings: ApiSettings, ledger: Ledger, sandbox: FakeSandbox) -> Questions:
-    return Questions(settings, ledger, sandbox)  # type: ignore[arg-type]
-
-
-@pytest.fixture
-def model(client: httpx.Client, ledger: Ledger) -> str:
-    client.post("/v1/models", files={"file": ("box.step", STEP)})
-    ledger.finish_model(MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
-    return MODEL
 
 
 def ask(client: httpx.Client, model: str, question: str = "How many holes are there?", **headers: str) -> Any:
@@ -127,7 +87,7 @@ def test_a_job_is_answered_once(
     worker.answer(task)
     assert sandbox.runs == 1
     record = AnswerRecord.model_validate(first["record"])
-    ledger.finish_job(task.job, record.model_copy(update={"question": "another"}))
+    ledger.finish_job(task, record.model_copy(update={"question": "another"}), 1.0)
     assert client.get(f"/v1/jobs/{task.job}").json() == first
 
 
@@ -141,7 +101,7 @@ def test_a_question_waits_for_its_model(
         assert again_s is not None
         assert 0 < again_s <= 1
     assert client.get(f"/v1/jobs/{task.job}").json()["status"] == "queued"
-    ledger.finish_model(MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
     assert worker.answer(task, 11) is None
     assert client.get(f"/v1/jobs/{task.job}").json()["record"]["status"] == "answered"
 
@@ -151,7 +111,7 @@ def test_a_question_about_an_unreadable_file_fails_as_the_file_did(
 ) -> None:
     client.post("/v1/models", files={"file": ("box.step", STEP)})
     failure = TaskFailure(kind=TaskFailureKind.FILE, message="it has no geometry")
-    ledger.finish_model(MODEL, TaskOutcome[ModelSummary](failure=failure))
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](failure=failure))
     task = task_of(redis, ask(client, MODEL).json()["id"])
     worker.answer(task)
     record = client.get(f"/v1/jobs/{task.job}").json()["record"]
@@ -219,7 +179,7 @@ def test_whatever_happens_a_job_ends_with_a_record(
 def test_an_ingest_that_was_stopped_is_a_failed_model(client: httpx.Client, settings: ApiSettings) -> None:
     client.post("/v1/models", files={"file": ("box.step", STEP)})
     app = make_app(settings)
-    app.tasks[TaskName.MODEL_LOST.value].apply(["some-task"], {"model": MODEL})
+    app.tasks[TaskName.MODEL_LOST.value].apply(["some-task"], {"model": MODEL, "tenant": NO_ACCOUNTS})
     found = client.get(f"/v1/models/{MODEL}").json()
     assert (found["status"], found["failure"]["retryable"]) == ("failed", True)
     app.close()

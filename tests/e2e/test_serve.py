@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -152,6 +153,18 @@ def test_the_command_asks_a_running_service(service: Service, flange: Path, tmp_
     assert picture.read_bytes().startswith(b"\x89PNG")
 
 
+EXAMPLES = re.findall(r"^```python\n(.*?)^```", (ROOT / "docs/service.md").read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=["client", "asynchronous"])
+def test_an_example_of_the_documentation_works(service: Service, model: str, example: str) -> None:
+    code = example.replace("http://127.0.0.1:8000", service.url)
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "11" in done.stdout
+
+
 def test_what_is_no_step_file_is_a_problem(service: Service, client: Client, tmp_path: Path) -> None:
     bad = tmp_path / "bad.step"
     bad.write_bytes(b"<html>")
@@ -172,6 +185,93 @@ def test_a_file_that_is_cut_short_fails_and_says_why(client: Client, flange: Pat
     record = client.ask(uploaded.id, QUESTION)
     assert record.failure is not None
     assert (record.failure.category, record.failure.message) == ("bad_input", uploaded.failure.message)
+
+
+CONFORMANCE = """
+[parameters]
+"path.model_id" = "{model}"
+"header.Prefer" = "wait=1"
+
+[[operations]]
+include-name = "POST /v1/models"
+[operations.checks.positive_data_acceptance]
+expected-statuses = ["2xx", 413, 415] # of all texts, few are STEP files
+
+[[operations]]
+include-path-regex = "/questions"
+[operations.checks.positive_data_acceptance]
+expected-statuses = ["2xx", 422] # an idempotency key may have come with another question before
+"""
+
+
+def test_the_service_does_what_its_description_says(service: Service, model: str, tmp_path: Path) -> None:
+    (tmp_path / "schemathesis.toml").write_text(CONFORMANCE.format(model=model))
+    command = [str(Path(sys.executable).with_name("schemathesis")), "--config-file", "schemathesis.toml"]
+    command += [
+        "run",
+        f"{service.url}/openapi.json",
+        "--exclude-method",
+        "DELETE",
+        "--phases",
+        "examples,coverage,fuzzing",
+    ]
+    command += [
+        "--max-examples",
+        "3",
+        "--max-time",
+        "30",
+        "--seed",
+        "1",
+        "--no-shrink",
+        "--no-color",
+        "--warnings",
+        "off",
+    ]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=STEP_S * 2, check=False)
+    assert done.returncode == 0, done.stdout[-6000:]
+    assert "generated" in done.stdout
+
+
+def test_a_file_whose_workers_die_is_given_up_after_two_of_them(
+    service: Service, client: Client, flange: Path, tmp_path: Path
+) -> None:
+    poison = tmp_path / "poison.step"
+    poison.write_bytes(flange.read_bytes() + b"/* the one that kills */\n")
+    uploaded = client.upload(poison)
+
+    def reading() -> list[int]:
+        """The ingest workers' children that read the file, by the kernel's process that each has started."""
+        worker = service.pids(queue="ingest", module="querycad_segworker.worker")
+        kernels = service.pids(queue="ingest", module="querycad_segworker.ingest_child")
+        return [parent for parent in kernels.values() if worker.get(parent) in worker]
+
+    killed: set[int] = set()
+    for _ in range(2):
+        (child,) = until(lambda: [pid for pid in reading() if pid not in killed], STEP_S)
+        os.kill(child, signal.SIGKILL)
+        killed.add(child)
+    found = client.model(uploaded.id, STEP_S)
+    assert found.status is ModelStatus.FAILED
+    assert found.failure is not None
+    assert "2 workers died of this file" in found.failure.message
+    assert client.upload(flange, STEP_S).status is ModelStatus.READY
+
+
+def test_what_runs_for_a_cancelled_question_is_stopped(service: Service, client: Client, model: str) -> None:
+    jobs = client.submit_many(model, [QUESTION] * 30)
+    ended = [client.cancel(job.id) for job in jobs[::-1]]
+    assert {job.status for job in ended} == {"done"}
+    categories = [job.record.failure.category if job.record and job.record.failure else "" for job in ended]
+    assert "cancelled" in categories
+    assert set(categories) <= {"cancelled", ""}
+    assert client.ask(model, QUESTION).status is Status.ANSWERED
+    assert [client.job(job.id).record for job in ended] == [job.record for job in ended]
+
+
+def test_the_events_of_a_question_are_told_as_they_happen(client: Client, model: str) -> None:
+    job = client.submit(model, QUESTION)
+    kinds = [event.kind for event in client.events(job.id)]
+    assert kinds == ["queued", "started", "program", "ran", "done"]
 
 
 def test_questions_are_answered_after_a_segworker_s_child_was_killed(

@@ -13,6 +13,7 @@ import pytest
 import yaml
 
 from querycad.serve import Ports, commands
+from querycad_api.llm.settings import LlmSettings
 from querycad_api.settings import ApiSettings
 from querycad_contracts import Settings
 from querycad_sandbox.settings import SandboxSettings
@@ -268,3 +269,11 @@ def test_no_address_of_a_package_registry_is_named() -> None:
         hosts = re.findall(r"https?://([\w.-]+)", path.read_text(encoding="utf-8"))
         assert set(hosts) <= {"127.0.0.1", *SERVICES}
         assert "--index" not in path.read_text(encoding="utf-8")
+
+
+def test_a_language_model_opens_the_question_worker_alone_and_gives_it_settings_that_are_read() -> None:
+    beside = yaml.safe_load((ROOT / "docker-compose.llm.yml").read_text(encoding="utf-8"))
+    assert beside["services"].keys() == {"questions"}
+    added = beside["services"]["questions"]
+    assert added["networks"] == [*OWN["questions"]["networks"], "outside"]
+    assert added["environment"].keys() <= {LlmSettings.variable(field) for field in LlmSettings.model_fields}

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import logging
+import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -10,18 +14,25 @@ import httpx
 import uvicorn
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
+from prometheus_client import CollectorRegistry
+from pydantic.json_schema import models_json_schema
 from redis.asyncio import Redis
+from starlette.middleware.cors import CORSMiddleware
 
-from querycad_contracts import Problem
+from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
 
-from . import health
+from . import health, metrics, web
+from .access import Access
 from .broker import Broker
-from .dependencies import Services
+from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
+from .models import geometry
 from .models.limit import BodyLimit
-from .problems import PROBLEM_SCHEMA, add_handlers
+from .observe import REQUEST_ID, HttpMetrics, Observe
+from .problems import PROBLEM_SCHEMA, NotAllowed, NotAuthenticated, TooManyRequests, add_handlers, responses
 from .questions import endpoints as questions
+from .recovery import sweep
 from .settings import ApiSettings
 from .state import State
 
@@ -30,6 +41,11 @@ INTERFACE_VERSION = "1.0"
 CONNECT_S = 2.0
 CONNECTIONS = 1000
 """To Redis: one for each client that waits."""
+GRACE_S = 10
+"""What requests have to end when the process is told to."""
+EXIT_BAD_INPUT = 2
+
+log = logging.getLogger(__name__)
 
 
 def make_app(settings: ApiSettings) -> FastAPI:
@@ -45,9 +61,15 @@ def make_app(settings: ApiSettings) -> FastAPI:
             socket_timeout=None,
         )
         broker = Broker(settings.redis_url, redis)
-        app.state.services = Services(settings, State(redis, settings.answers_days), broker)
+        state = State(redis, settings.answers_days)
+        app.state.application = Application(settings, state, broker, file_store(settings))
+        app.state.access = Access(settings, redis)
+        sweeping = asyncio.create_task(sweep(app.state.application))
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield
+        sweeping.cancel()
+        with contextlib.suppress(asyncio.CancelledError):
+            await sweeping
         broker.close()
         await redis.aclose()
 
@@ -60,25 +82,48 @@ def make_app(settings: ApiSettings) -> FastAPI:
         redoc_url=None,
         generate_unique_id_function=lambda route: route.name,
     )
+    app.state.registry = CollectorRegistry()
     app.add_middleware(BodyLimit, upload_path="/v1/models", max_bytes=settings.upload_mib * 2**20)
+    if settings.origins:
+        app.add_middleware(
+            CORSMiddleware,
+            allow_origins=settings.origins,
+            allow_methods=["GET", "POST", "DELETE"],
+            allow_headers=["Authorization", "Content-Type", "Prefer", "Idempotency-Key", "Last-Event-ID", REQUEST_ID],
+            expose_headers=["Location", "Preference-Applied", "Retry-After", REQUEST_ID],
+        )
+    app.add_middleware(Observe, metrics=HttpMetrics(app.state.registry))
+    start_tracing("querycad-api", settings.traces, app)
     add_handlers(app)
-    for each in (models, questions, jobs, health):
-        app.include_router(each.router)
-    app.openapi = lambda: _openapi(app)  # type: ignore[method-assign]
+    for each in (models, geometry, questions, jobs, metrics):
+        app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
+    for public in (health, web):
+        app.include_router(public.router)
+    app.openapi = lambda: _openapi(app, settings.asks_for_keys)  # type: ignore[method-assign]
     return app
 
 
-def _openapi(app: FastAPI) -> dict[str, Any]:
-    """The interface's description, with every error as the problem that it is."""
+def _openapi(app: FastAPI, asks_for_keys: bool) -> dict[str, Any]:
+    """The interface's description, with every error as the problem that it is, and keys where they are asked for."""
     if app.openapi_schema is None:
         schema = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
         schemas = schema["components"]["schemas"]
         for framework_own in ("HTTPValidationError", "ValidationError"):
             schemas.pop(framework_own, None)
-        schemas["Problem"] = Problem.model_json_schema(ref_template="#/components/schemas/{model}")
+        wanted = [(Problem, "serialization"), (JobEvent, "serialization")]
+        _, described = models_json_schema(wanted, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
+        for name, described_schema in described["$defs"].items():
+            schemas.setdefault(name, described_schema)
         for path in schema["paths"].values():
             for operation in path.values():
                 _document_problems(operation["responses"])
+                if "security" in operation and not asks_for_keys:
+                    operation["security"].append({})  # as OpenAPI says that it may be left out
+        events = schema["paths"]["/v1/jobs/{job_id}/events"]["get"]["responses"]["200"]["content"]["text/event-stream"]
+        events["itemSchema"]["properties"]["data"] |= {
+            "contentMediaType": "application/json",
+            "contentSchema": {"$ref": "#/components/schemas/JobEvent"},
+        }
         app.openapi_schema = schema
     return app.openapi_schema
 
@@ -94,12 +139,17 @@ def _document_problems(documented: dict[str, Any]) -> None:
 def main() -> None:
     """Serves until told to stop."""
     settings = ApiSettings.read()
+    start_logging("api", settings.log_format)
+    if not settings.on_loopback and not settings.asks_for_keys:
+        log.error("QUERYCAD_AUTH is off, and QUERYCAD_API_HOST is not loopback: everybody could read everything")
+        sys.exit(EXIT_BAD_INPUT)
     uvicorn.run(
         make_app(settings),
         host=settings.api_host,
         port=settings.api_port,
         access_log=False,
-        timeout_graceful_shutdown=10,
+        log_config=None,
+        timeout_graceful_shutdown=GRACE_S,
     )
 
 

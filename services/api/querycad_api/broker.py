@@ -4,19 +4,33 @@ from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Awaitable
-from typing import Any, cast
+from collections.abc import Awaitable, Sequence
+from typing import Any, TypeVar, cast
 
 from celery import Celery
 from kombu.exceptions import OperationalError
+from pydantic import TypeAdapter
 from redis.asyncio import Redis as AsyncRedis
 from redis.exceptions import RedisError
 
-from querycad_contracts import IngestTask, ModelTask, QuestionTask, Queue, TaskName, reply_key
+from querycad_contracts import (
+    IngestTask,
+    ModelTask,
+    QuestionTask,
+    Queue,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+    reply_key,
+)
 
-from .problems import ServiceUnavailable
+from .problems import ModelUnreadable, ServiceUnavailable
 
 CONNECT_S = 2
+STOP_SIGNAL = "SIGUSR1"
+"""Celery's signal of a passed time limit: the question's process raises SoftTimeLimitExceeded, and lives on."""
+
+T = TypeVar("T")
 
 
 class Broker:
@@ -30,9 +44,9 @@ class Broker:
             task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
         )
 
-    async def ingest(self, task: IngestTask) -> None:
+    async def ingest(self, task: IngestTask, tenant: str) -> None:
         """Has an uploaded file read; the question workers are told what came of it."""
-        follow = {"model": task.model}
+        follow = {"model": task.model, "tenant": tenant}
         await self._send(
             TaskName.INGEST,
             task,
@@ -41,18 +55,33 @@ class Broker:
             link_error=self._app.signature(TaskName.MODEL_LOST.value, kwargs=follow, queue=Queue.QUESTIONS.value),
         )
 
-    async def question(self, task: QuestionTask) -> None:
-        """Has a question answered."""
-        await self._send(TaskName.QUESTION, task, Queue.QUESTIONS)
+    async def questions(self, tasks: Sequence[QuestionTask]) -> None:
+        """Has questions answered."""
+        for task in tasks:
+            await self._send(TaskName.QUESTION, task, Queue.QUESTIONS, task_id=task.job)
 
-    async def call(self, name: TaskName, task: ModelTask, timeout_s: float) -> Any:
-        """What does a segworker say to this, as JSON data?"""
+    async def stop(self, jobs: Sequence[str]) -> None:
+        """Has what is done for jobs that were ended from outside stopped, if it was begun. Never raises."""
+        if not jobs:
+            return
+        try:
+            await asyncio.to_thread(self._app.control.revoke, list(jobs), terminate=True, signal=STOP_SIGNAL)
+        except (OperationalError, RedisError):
+            return  # what is answered for nothing is passed over when it is done
+
+    async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
+        """What does a segworker say to this? Raises ModelUnreadable too."""
         sent = await self._send(name, task, Queue.SEGCAD, expires=timeout_s)
         waiting = self._redis.blpop([reply_key(sent)], timeout_s)
         reply = await cast("Awaitable[tuple[str, str] | None]", waiting)
         if reply is None:
             raise ServiceUnavailable("no segworker answered; try again in a moment")
-        return json.loads(reply[1])
+        outcome = value.validate_python(json.loads(reply[1]))
+        if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.FILE:
+            raise ModelUnreadable(outcome.failure.message)
+        if outcome.value is None:
+            raise ServiceUnavailable("the segworker could not do this; its log says why")
+        return outcome.value
 
     async def _send(self, name: TaskName, task: ModelTask, queue: Queue, **options: Any) -> str:
         """Puts the task on the queue; its id."""

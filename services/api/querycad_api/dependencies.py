@@ -1,4 +1,4 @@
-"""What endpoints are given: state, queues, settings, and the wait that the client prefers."""
+"""What endpoints are given: state, queues, files, settings, who asks, and the wait that the client prefers."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ import re
 from dataclasses import dataclass
 from typing import Annotated, cast
 
-from fastapi import Depends, Header, Request
+from fastapi import Depends, Header, Query, Request
 
-from querycad_contracts import ModelResource
+from querycad_contracts import FileStore, Job, ModelResource, ModelStatus
 
+from .access import Caller, CallerDep
 from .broker import Broker
-from .problems import ModelNotFound
+from .problems import JobNotFound, ModelNotFound, ModelNotReady, ModelUnreadable
 from .settings import ApiSettings
 from .state import State
 
@@ -19,24 +20,53 @@ _WAIT = re.compile(r"(?:^|[,;\s])wait\s*=\s*(\d{1,6})\b")
 
 
 @dataclass(frozen=True, slots=True)
-class Services:
-    """What every endpoint may need."""
+class Application:
+    """What all requests share."""
 
     settings: ApiSettings
     state: State
     broker: Broker
+    files: FileStore
+
+
+@dataclass(frozen=True, slots=True)
+class Services:
+    """What every endpoint may need, for the one who asks: nothing of another tenant can be reached through it."""
+
+    settings: ApiSettings
+    state: State
+    broker: Broker
+    files: FileStore
+    caller: Caller
 
     async def model(self, model: str) -> ModelResource:
         """The uploaded model. Raises ModelNotFound."""
-        found = await self.state.model(model)
+        found = await self.state.model(self.caller.tenant, model)
         if found is None:
             raise ModelNotFound("there is no model with this id; upload its file first")
         return found
 
+    async def ready_model(self, model: str) -> ModelResource:
+        """The model, whose file has been read. Raises ModelNotFound, ModelNotReady and ModelUnreadable."""
+        found = await self.model(model)
+        if found.status is ModelStatus.READING:
+            raise ModelNotReady("the file is still being read")
+        if found.failure is not None:
+            raise ModelUnreadable(found.failure.message)
+        return found
 
-def services(request: Request) -> Services:
-    """The application's services."""
-    return cast("Services", request.app.state.services)
+    async def job(self, job: str) -> Job:
+        """The job. Raises JobNotFound."""
+        found = await self.state.job(self.caller.tenant, job)
+        if found is None:
+            raise JobNotFound("there is no job with this id, or it is no longer kept")
+        return found
+
+
+def services(request: Request, caller: CallerDep) -> Services:
+    """The application's services, for the caller."""
+    shared = cast("Application", request.app.state.application)
+    return Services(shared.settings, shared.state, shared.broker, shared.files, caller)
 
 
 ServicesDep = Annotated[Services, Depends(services)]
@@ -55,3 +85,5 @@ def preferred_wait_s(
 
 
 WaitDep = Annotated[int, Depends(preferred_wait_s)]
+OffsetDep = Annotated[int, Query(ge=0, le=2**31 - 1, description="How many to pass over.")]
+LimitDep = Annotated[int, Query(ge=1, le=1000, description="How many at most.")]

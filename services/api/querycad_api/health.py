@@ -8,7 +8,7 @@ from redis.exceptions import RedisError
 
 from querycad_contracts import Health, Queue, alive_key
 
-from .dependencies import ServicesDep
+from .dependencies import Application
 
 SANDBOX_S = 2.0
 
@@ -26,10 +26,11 @@ async def livez() -> Health:
     response_model=Health,
     responses={503: {"description": "Something is missing; `checks` says what.", "model": Health}},
 )
-async def readyz(services: ServicesDep, request: Request, response: Response) -> Health:
+async def readyz(request: Request, response: Response) -> Health:
     """Can questions be answered now? Store, sandbox, and a worker on each queue."""
+    application: Application = request.app.state.application
     try:
-        alive = await services.state.alive(*(alive_key(queue) for queue in Queue))
+        alive = await application.state.alive(*(alive_key(queue) for queue in Queue))
         checks = {"store": True} | {queue.value: there for queue, there in zip(Queue, alive, strict=True)}
     except (RedisError, OSError):
         checks = {"store": False} | {queue.value: False for queue in Queue}

@@ -1,9 +1,16 @@
 """What can be wrong with a request: each problem is an exception, and says in the interface's description what it is.
 
 ApiProblem
+├── Malformed            400
+├── NotAuthenticated     401
+├── NotAllowed           403
 ├── ModelNotFound        404
 ├── JobNotFound          404
 ├── PictureNotFound      404
+├── JobIsDone            409
+├── KeyReused            422
+├── TooManyRequests      429
+├── TooLarge             413
 ├── FileTooLarge         413
 ├── NotStepFile          415
 ├── ModelNotReady        409
@@ -38,6 +45,7 @@ class ApiProblem(Exception):
     status: ClassVar[HTTPStatus]
     title: ClassVar[str]
     retryable: ClassVar[bool] = False
+    headers: ClassVar[dict[str, str]] = {}
 
     def problem(self) -> Problem:
         """The body of the response."""
@@ -49,6 +57,35 @@ class ApiProblem(Exception):
             detail=str(self),
             retryable=self.retryable,
         )
+
+
+class Malformed(ApiProblem):
+    """The body is no JSON, or no multipart form."""
+
+    status = HTTPStatus.BAD_REQUEST
+    title = "Bad Request"
+
+
+class TooLarge(ApiProblem):
+    """The body is larger than any such request."""
+
+    status = HTTPStatus.REQUEST_ENTITY_TOO_LARGE
+    title = "Request too large"
+
+
+class NotAuthenticated(ApiProblem):
+    """There is no valid API key with the request."""
+
+    status = HTTPStatus.UNAUTHORIZED
+    title = "No valid API key"
+    headers: ClassVar[dict[str, str]] = {"WWW-Authenticate": "Bearer"}
+
+
+class NotAllowed(ApiProblem):
+    """The API key, or the page that the request comes from, is not allowed to do this."""
+
+    status = HTTPStatus.FORBIDDEN
+    title = "Not allowed"
 
 
 class ModelNotFound(ApiProblem):
@@ -70,6 +107,28 @@ class PictureNotFound(ApiProblem):
 
     status = HTTPStatus.NOT_FOUND
     title = "No such picture"
+
+
+class JobIsDone(ApiProblem):
+    """The question has its answer already."""
+
+    status = HTTPStatus.CONFLICT
+    title = "Job is done"
+
+
+class KeyReused(ApiProblem):
+    """The idempotency key was used for another request."""
+
+    status = HTTPStatus.UNPROCESSABLE_ENTITY
+    title = "Idempotency key reused"
+
+
+class TooManyRequests(ApiProblem):
+    """The API key makes too many requests, or has too many open questions."""
+
+    status = HTTPStatus.TOO_MANY_REQUESTS
+    title = "Too many requests"
+    retryable = True
 
 
 class FileTooLarge(ApiProblem):
@@ -131,7 +190,7 @@ def add_handlers(app: FastAPI) -> None:
 
     @app.exception_handler(ApiProblem)
     async def of_ours(_: Request, error: ApiProblem) -> Response:
-        return problem_response(error.problem())
+        return problem_response(error.problem(), error.headers)
 
     @app.exception_handler(RequestValidationError)
     async def of_input(_: Request, error: RequestValidationError) -> Response:
@@ -141,11 +200,15 @@ def add_handlers(app: FastAPI) -> None:
         return problem_response(problem)
 
     @app.exception_handler(HTTPException)
-    async def of_http(_: Request, error: HTTPException) -> Response:
+    async def of_http(request: Request, error: HTTPException) -> Response:
         title = HTTPStatus(error.status_code).phrase
         detail = error.detail if error.detail != title else ""
         problem = Problem(title=title, status=error.status_code, detail=detail)
-        return problem_response(problem, dict(error.headers or {}))
+        headers = dict(error.headers or {})
+        if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
+            # RFC 9110, 15.5.6: all of them
+            headers["Allow"] = ", ".join(_allowed(app, request.url.path)) or headers.get("Allow", "")
+        return problem_response(problem, headers)
 
     @app.exception_handler(RedisError)
     async def of_redis(_: Request, error: RedisError) -> Response:
@@ -155,3 +218,13 @@ def add_handlers(app: FastAPI) -> None:
     @app.exception_handler(Exception)
     async def of_flaws(_: Request, __: Exception) -> Response:
         return problem_response(Problem(title="Internal error", status=500, detail="the request failed; see the log"))
+
+
+def _allowed(app: FastAPI, path: str) -> list[str]:
+    """Which methods does this path take? The router tells only those of the first route that fits."""
+    fitting = (
+        set(operations)
+        for template, operations in app.openapi()["paths"].items()
+        if re.fullmatch(re.sub(r"\\{\w+\\}", "[^/]+", re.escape(template)), path)
+    )
+    return sorted({method.upper() for operations in fitting for method in operations})

@@ -9,7 +9,7 @@ from __future__ import annotations
 import httpx
 from pydantic import ValidationError
 
-from querycad_contracts import Failure, Problem, Program, RunOutcome, RunRequest
+from querycad_contracts import Failure, GroundedBy, Problem, Program, RunOutcome, RunRequest
 
 CONNECT_S = 3.0
 
@@ -32,9 +32,9 @@ class SandboxClient:
     def __init__(self, url: str, timeout_s: float) -> None:
         self._http = httpx.Client(base_url=url, timeout=httpx.Timeout(timeout_s, connect=CONNECT_S))
 
-    def run(self, program: Program, model: str) -> RunOutcome:
+    def run(self, program: Program, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> RunOutcome:
         """What comes of the program, run against the model? Raises SandboxUnavailable and RunRefused."""
-        request = RunRequest(code=program.code, model=model, expects=program.expects)
+        request = RunRequest(code=program.code, model=model, expects=program.expects, grounding=grounding)
         try:
             response = self._http.post(
                 "/runs", content=request.model_dump_json(), headers={"Content-Type": "application/json"}

@@ -15,7 +15,7 @@ from typing import Any, cast
 from celery import Celery, Task
 from celery.bootsteps import StartStopStep
 from celery.exceptions import SoftTimeLimitExceeded
-from celery.signals import heartbeat_sent
+from celery.signals import heartbeat_sent, setup_logging
 from kombu import Queue as KombuQueue
 from redis import Redis
 from redis.backoff import ExponentialBackoff
@@ -32,18 +32,22 @@ from querycad_contracts import (
     QuestionTask,
     Queue,
     RunOutcome,
-    Status,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
     alive_key,
+    start_logging,
+    start_worker_tracing,
+    working_for,
 )
 
+from .answered import failed
 from .answering import answer_question
+from .ledger import Ledger
+from .llm import LlmWriter
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .settings import ApiSettings
-from .state import Ledger
 
 ATTEMPTS = 2
 """A question that has taken its worker with it twice will do so again."""
@@ -62,7 +66,7 @@ RESTORE_S = 5
 UNACKED_INDEX = "querycad:questions:unacked_index"
 ALIVE_S = 10
 
-log = logging.getLogger(__name__)
+log = logging.getLogger("querycad_api.worker")  # it is run as __main__
 
 
 def make_app(settings: ApiSettings) -> Celery:
@@ -76,7 +80,6 @@ def make_app(settings: ApiSettings) -> Celery:
         worker_concurrency=settings.question_processes,
         worker_pool="prefork",
         worker_prefetch_multiplier=1,
-        worker_hijack_root_logger=False,
         worker_redirect_stdouts=False,
         worker_cancel_long_running_tasks_on_connection_loss=False,
         broker_connection_retry_on_startup=True,
@@ -104,24 +107,28 @@ def make_app(settings: ApiSettings) -> Celery:
     process = Questions(settings)
 
     def question(self: Task, payload: dict[str, Any]) -> None:
-        again_s = process.answer(QuestionTask.model_validate(payload), int(self.request.retries))
+        task = QuestionTask.model_validate(payload)
+        with working_for(task.request):
+            again_s = process.answer(task, int(self.request.retries))
         if again_s is not None:
             raise self.retry(countdown=again_s)
 
-    def model_read(outcome: dict[str, Any], model: str) -> None:
-        process.ledger.finish_model(model, TaskOutcome[ModelSummary].model_validate(outcome))
+    def model_read(outcome: dict[str, Any], model: str, tenant: str) -> None:
+        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary].model_validate(outcome))
 
-    def model_lost(_task_id: str, model: str) -> None:
+    def model_lost(_task_id: str, model: str, tenant: str) -> None:
         failure = TaskFailure(
             kind=TaskFailureKind.INTERNAL, message="the file could not be read: its worker was stopped", retryable=True
         )
-        process.ledger.finish_model(model, TaskOutcome[ModelSummary](failure=failure))
+        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary](failure=failure))
 
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
     app.task(model_read, name=TaskName.MODEL_READ.value)
     app.task(model_lost, name=TaskName.MODEL_LOST.value)
 
     heartbeat_sent.connect(lambda **_: redis.set(alive_key(Queue.QUESTIONS), 1, ex=ALIVE_S), weak=False)
+    setup_logging.connect(lambda **_: start_logging("questions", settings.log_format), weak=False)
+    start_worker_tracing("querycad-questions", settings.traces)
     if settings.sole_worker:
         app.steps["consumer"].add(_take_over(redis))
     return app
@@ -152,6 +159,7 @@ class Questions:
         self._settings = settings
         self._ledger = ledger
         self._sandbox = sandbox
+        self._llm = LlmWriter(settings)
 
     @property
     def ledger(self) -> Ledger:
@@ -171,17 +179,18 @@ class Questions:
 
     def answer(self, task: QuestionTask, retries: int = 0) -> float | None:
         """Ends the job with a record; or, where something is not ready, in how many seconds is it to be tried again?"""
-        job = self.ledger.job(task.job)
-        if job is None or job.record is not None:
-            return None
-        if self.ledger.begin_job(task.job) > ATTEMPTS:
+        attempt = self.ledger.begin_job(task.job)
+        job = self.ledger.job(task.job) if attempt else None
+        if job is None:
+            return None  # done, or deleted
+        if attempt > ATTEMPTS:
             message = f"given up: {ATTEMPTS} workers died while they answered this"
-            self.ledger.finish_job(task.job, failed(task.question, Failure(category="internal", message=message)))
+            self._finish(task, job, failed(task.question, Failure(category="internal", message=message)))
             return None
         start = time.perf_counter()
-        model = self.ledger.model(task.model)
+        model = self.ledger.model(task.tenant, task.model)
         if model is not None and model.status is ModelStatus.READING and _age_s(job) < READING_AT_MOST_S:
-            self.ledger.wait_job(task.job)
+            self.ledger.wait_job(task.job, "the model's file is being read")
             return READING_S * min(5, 1 + retries)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
         try:
@@ -189,12 +198,26 @@ class Questions:
         except SandboxUnavailable as error:
             log.warning("job %s: sandbox: %s", task.job, error)
             if retries < RETRIES:
-                self.ledger.wait_job(task.job)
+                self.ledger.wait_job(task.job, "the sandbox does not answer")
                 return PAUSE_S
             failure = Failure(category="internal", message="the sandbox does not answer; try again", retryable=True)
             record = failed(task.question, failure)
-        self.ledger.finish_job(task.job, record)
+        except SoftTimeLimitExceeded:
+            if (time.perf_counter() - start) < self._settings.question_s - 1:
+                log.info("job %s: stopped", task.job)  # called off; if another job was meant, this one begins again
+                self.ledger.wait_job(task.job, "interrupted")
+                return 0.0
+            message = f"not answered within {self._settings.question_s} s"
+            record = failed(task.question, Failure(category="limit", message=message, retryable=True))
+        self._finish(task, job, record)
         return None
+
+    def _finish(self, task: QuestionTask, job: Job, record: AnswerRecord) -> None:
+        took_s = _age_s(job)
+        self.ledger.finish_job(task, record, took_s)
+        category = record.failure.category if record.failure else ""
+        told = {"job": task.job, "status": record.status.value, "failure": category, "seconds": round(took_s, 3)}
+        log.info("question done", extra=told)
 
     def _record(self, task: QuestionTask, model: ModelResource | None, model_ms: float) -> AnswerRecord:
         if model is None or model.summary is None:
@@ -202,37 +225,22 @@ class Questions:
             return failed(task.question, (model.failure if model else None) or gone)
 
         def run(program: Program) -> RunOutcome:
-            return self.sandbox.run(program, task.model)
+            self.ledger.wrote(task.job, program.code, program.codegen)
+            outcome = self.sandbox.run(program, task.model, task.grounding)
+            self.ledger.ran(task.job, outcome.status, outcome.message)
+            return outcome
 
         try:
-            record = answer_question(task.question, run, task.unit)
+            record = answer_question(task.question, run, task.unit, task, summary=model.summary, llm=self._llm)
         except RunRefused as refused:
             return failed(task.question, refused.failure)
-        except SoftTimeLimitExceeded:
-            message = f"not answered within {self._settings.question_s} s"
-            return failed(task.question, Failure(category="limit", message=message, retryable=True))
-        except SandboxUnavailable:
+        except (SoftTimeLimitExceeded, SandboxUnavailable):
             raise
         except Exception:
             log.exception("job %s failed", task.job)
             return failed(task.question, Failure(category="internal", message="the question could not be answered"))
         warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
-
-
-def failed(question: str, failure: Failure) -> AnswerRecord:
-    """The record of a question that no program was run for."""
-    return AnswerRecord(
-        question=question,
-        status=Status.FAILED,
-        answer=None,
-        code=None,
-        codegen=None,
-        parts=(),
-        timings_ms={},
-        warnings=(),
-        failure=failure,
-    )
 
 
 def _age_s(job: Job) -> float:

@@ -1,17 +1,30 @@
-"""`/v1/jobs/{id}`: how far a question is; its answer's picture."""
+"""`/v1/jobs/{id}`: how far a question is, step by step; its answer's picture."""
 
 from __future__ import annotations
 
-from fastapi import APIRouter
+from collections.abc import AsyncIterator
+from typing import Annotated
+
+from fastapi import APIRouter, Depends, Header
 from fastapi.responses import FileResponse
-from pydantic import TypeAdapter
+from fastapi.sse import EventSourceResponse, ServerSentEvent
+from redis.exceptions import RedisError
 
+from querycad_api.answered import cancelled
 from querycad_api.dependencies import ServicesDep, WaitDep
-from querycad_api.problems import JobNotFound, ModelNotFound, PictureNotFound, ServiceUnavailable, responses
-from querycad_contracts import Job, JobId, ModelId, PictureTask, Status, TaskName, TaskOutcome
+from querycad_api.models.geometry import PNG, drawn
+from querycad_api.problems import (
+    JobIsDone,
+    JobNotFound,
+    ModelNotFound,
+    ModelUnreadable,
+    PictureNotFound,
+    ServiceUnavailable,
+    responses,
+)
+from querycad_contracts import Job, JobId, ModelId, PictureTask, Status, TaskName, picture_name
 
-PICTURE_S = 60.0
-_NAME = TypeAdapter(TaskOutcome[str])
+RECONNECT_MS = 1000
 
 router = APIRouter(prefix="/v1", tags=["jobs"])
 
@@ -19,34 +32,74 @@ router = APIRouter(prefix="/v1", tags=["jobs"])
 @router.get("/jobs/{job_id}", response_model=Job, responses=responses(JobNotFound, ServiceUnavailable))
 async def get_job(job_id: JobId, services: ServicesDep, wait_s: WaitDep) -> Job:
     """How far is the question? With `Prefer: wait=N`, once it is done or after N seconds."""
-    found = await services.state.job(job_id)
-    if found is not None and found.record is None and wait_s and await services.state.done(job_id, wait_s):
-        found = await services.state.job(job_id)
-    if found is None:
-        raise JobNotFound("there is no job with this id, or it is no longer kept")
+    found = await services.job(job_id)
+    if found.record is None and wait_s and await services.state.job_done(job_id, wait_s):
+        found = await services.job(job_id)
     return found
+
+
+async def _job(job_id: JobId, services: ServicesDep) -> Job:
+    """The job, looked up before the response begins."""
+    return await services.job(job_id)
+
+
+@router.get(
+    "/jobs/{job_id}/events",
+    response_class=EventSourceResponse,
+    responses={
+        **responses(JobNotFound, ServiceUnavailable),
+        200: {"description": "Server-sent events; `data` is a JobEvent, `event` its kind. `done` is the last."},
+    },
+)
+async def get_events(
+    job: Annotated[Job, Depends(_job)],
+    services: ServicesDep,
+    last_event_id: Annotated[
+        str,
+        Header(
+            alias="Last-Event-ID", pattern=r"^(\d{1,19}-\d{1,19})?$", description="Only what came after this event."
+        ),
+    ] = "",
+) -> AsyncIterator[ServerSentEvent]:
+    """What happens to the question, as it happens, from its start. Whoever comes later is told all of it, too."""
+    try:
+        async for number, event in services.state.events(job.id, last_event_id or "0"):
+            data = event.model_dump_json()
+            yield ServerSentEvent(raw_data=data, event=event.kind.value, id=number, retry=RECONNECT_MS)
+    except RedisError:
+        return  # the client connects again and goes on where it was
+
+
+@router.post(
+    "/jobs/{job_id}/cancel",
+    response_model=Job,
+    responses=responses(JobNotFound, JobIsDone, ServiceUnavailable),
+)
+async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
+    """Calls the question off: its job is done, with the failure `cancelled`, and what runs for it is stopped."""
+    found = await services.job(job_id)
+    task = await services.state.task(job_id)
+    if task is None or not await services.state.end_job(task, cancelled(found.question)):
+        raise JobIsDone("the question has its answer already")
+    await services.broker.stop([job_id])
+    return await services.job(job_id)
 
 
 @router.get(
     "/models/{model_id}/answers/{job_id}/picture",
     response_class=FileResponse,
     responses={
-        **responses(ModelNotFound, JobNotFound, PictureNotFound, ServiceUnavailable),
-        200: {"description": "The picture.", "content": {"image/png": {"schema": {"type": "string"}}}},
+        **responses(ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, ServiceUnavailable),
+        200: PNG,
     },
 )
 async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep) -> FileResponse:
     """The parts that an answer rests on, marked and numbered in a picture of the model."""
     await services.model(model_id)
-    job = await services.state.job(job_id)
-    if job is None or job.model != model_id:
-        raise JobNotFound("the model has no answer with this id, or it is no longer kept")
+    job = await services.job(job_id)
+    if job.model != model_id:
+        raise JobNotFound("the model has no answer with this id")
     if job.record is None or job.record.status is not Status.ANSWERED:
         raise PictureNotFound("the question has no answer to draw")
-    path = services.settings.pictures / f"{job_id}.png"
-    if not path.exists():
-        task = PictureTask(model=model_id, record=job.record, name=path.name)
-        outcome = _NAME.validate_python(await services.broker.call(TaskName.PICTURE, task, PICTURE_S))
-        if outcome.failure is not None or not path.exists():
-            raise PictureNotFound(outcome.failure.message if outcome.failure else "the picture could not be drawn")
-    return FileResponse(path, media_type="image/png")
+    task = PictureTask(model=model_id, record=job.record, name=picture_name(job_id))
+    return await drawn(services, TaskName.PICTURE, task, "image/png")

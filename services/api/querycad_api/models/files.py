@@ -1,4 +1,4 @@
-"""Takes an uploaded file: its head is looked at, its content hashed while it is copied into the store."""
+"""Takes an uploaded file: its head is looked at, its content hashed while it is copied to disk."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ import hashlib
 import os
 import tempfile
 import unicodedata
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from querycad_api.problems import FileTooLarge, NotStepFile
-from querycad_contracts import StorageSettings
 
 CHUNK_BYTES = 2**20
 NAME_CHARS = 120
@@ -29,16 +31,23 @@ def check_head(head: bytes) -> None:
         raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21")
 
 
-def keep_upload(upload: BinaryIO, store: StorageSettings, max_bytes: int) -> tuple[str, int]:
-    """Puts the file into the store; its SHA-256 and size in bytes. Raises FileTooLarge and NotStepFile.
+@dataclass(frozen=True, slots=True)
+class Received:
+    """An upload that is on disk, and not yet under its name."""
 
-    The file appears under its name all at once, and on disk: once a model is accepted, its file is not lost.
-    """
+    path: Path
+    sha256: str
+    size_bytes: int
+
+
+@contextmanager
+def received(upload: BinaryIO, home: Path, max_bytes: int) -> Iterator[Received]:
+    """The upload as a file in `home`, gone afterwards unless it was moved. Raises FileTooLarge and NotStepFile."""
     head = upload.read(_HEAD_BYTES)
     check_head(head)
-    store.home.mkdir(parents=True, exist_ok=True)
+    home.mkdir(parents=True, exist_ok=True)
     digest, size = hashlib.sha256(), 0
-    handle, name = tempfile.mkstemp(prefix="upload-", dir=store.home)
+    handle, name = tempfile.mkstemp(prefix="upload-", dir=home)
     unfinished = Path(name)
     try:
         with os.fdopen(handle, "wb") as target:
@@ -51,15 +60,11 @@ def keep_upload(upload: BinaryIO, store: StorageSettings, max_bytes: int) -> tup
                 target.write(chunk)
                 chunk = upload.read(CHUNK_BYTES)
             target.flush()
-            os.fsync(target.fileno())
-        sha256 = digest.hexdigest()
-        kept = store.upload(sha256)
-        kept.parent.mkdir(parents=True, exist_ok=True)
+            os.fsync(target.fileno())  # once a model is accepted, its file is not lost
         unfinished.chmod(0o644)  # mkstemp's 0600 would shut out a segworker of another user
-        unfinished.replace(kept)
+        yield Received(unfinished, digest.hexdigest(), size)
     finally:
         unfinished.unlink(missing_ok=True)
-    return sha256, size
 
 
 def shown_name(given: str | None) -> str:

@@ -1,0 +1,106 @@
+"""What is known of models and jobs, for the question workers: they finish what the web process began."""
+
+from __future__ import annotations
+
+from typing import Any, cast
+
+from redis import Redis
+
+from querycad_contracts import (
+    AnswerRecord,
+    Job,
+    JobEvent,
+    JobEventKind,
+    ModelResource,
+    QuestionTask,
+    RunStatus,
+    TaskOutcome,
+)
+
+from .keyspace import (
+    BEGIN_JOB,
+    DAY_S,
+    FINISH_JOB,
+    FINISH_MODEL,
+    PENDING,
+    READING,
+    TOTALS,
+    WAIT_JOB,
+    entry,
+    job_events_key,
+    job_key,
+    job_of,
+    model_events_key,
+    model_key,
+    model_of,
+    now,
+    open_key,
+)
+
+BUCKETS_S = (0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
+"""Bounds of the histogram of how long questions take, from being accepted to being answered."""
+
+
+class Ledger:
+    """Raises RedisError when Redis does not answer."""
+
+    def __init__(self, redis: Redis, answers_days: int) -> None:
+        self._redis = redis
+        self._kept_s = answers_days * DAY_S
+        self._finish_model = redis.register_script(FINISH_MODEL)
+        self._finish_job = redis.register_script(FINISH_JOB)
+        self._begin_job = redis.register_script(BEGIN_JOB)
+        self._wait_job = redis.register_script(WAIT_JOB)
+
+    def model(self, tenant: str, model: str) -> ModelResource | None:
+        """What is known of the model? None when it was never uploaded, or was deleted."""
+        return model_of(cast("dict[str, str]", self._redis.hgetall(model_key(tenant, model))))
+
+    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[Any]) -> None:
+        """Keeps what came of reading the model's file."""
+        keys = [model_key(tenant, model), model_events_key(tenant, model), READING]
+        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}"])
+
+    def job(self, job: str) -> Job | None:
+        """What is known of the job? None when there is none, or not any more."""
+        return job_of(cast("dict[str, str]", self._redis.hgetall(job_key(job))))
+
+    def begin_job(self, job: str) -> int:
+        """Notes that somebody works on it; how often was it begun? 0: it is done, or not there any more."""
+        started = entry(JobEvent(kind=JobEventKind.STARTED, at=now()))["event"]
+        return int(
+            self._begin_job([job_key(job), job_events_key(job)], [now().isoformat(), started, now().timestamp()])
+        )
+
+    def wait_job(self, job: str, message: str) -> None:
+        """Notes that it waits again, without fault of its own."""
+        waiting = entry(JobEvent(kind=JobEventKind.WAITING, at=now(), message=message))["event"]
+        self._wait_job([job_key(job), job_events_key(job)], [waiting, now().timestamp()])
+
+    def wrote(self, job: str, code: str, codegen: str) -> None:
+        """Tells that a program has been written."""
+        self._tell(job, JobEvent(kind=JobEventKind.PROGRAM, at=now(), code=code, codegen=codegen))
+
+    def ran(self, job: str, outcome: RunStatus, message: str) -> None:
+        """Tells how a program ended."""
+        self._tell(job, JobEvent(kind=JobEventKind.RAN, at=now(), outcome=outcome, message=message))
+
+    def finish_job(self, task: QuestionTask, record: AnswerRecord, took_s: float) -> None:
+        """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
+        done = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
+        keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING]
+        kept: list[str | float] = [record.model_dump_json(), now().isoformat(), self._kept_s, done, task.job]
+        added = [each for pair in _totals(record, took_s).items() for each in pair]
+        self._finish_job(keys, [*kept, *added])
+
+    def _tell(self, job: str, event: JobEvent) -> None:
+        """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""
+        self._redis.xadd(job_events_key(job), cast("Any", entry(event)), nomkstream=True)
+
+
+def _totals(record: AnswerRecord, took_s: float) -> dict[str, float]:
+    """What one question adds to the counters."""
+    category = record.failure.category if record.failure else ""
+    added = {f"questions:{record.status.value}:{category}": 1.0, "seconds": took_s}
+    added |= {f"seconds_le:{bound:g}": 1.0 for bound in BUCKETS_S if took_s <= bound}
+    return added | {f"step_ms:{step}": ms for step, ms in record.timings_ms.items()}

@@ -1,0 +1,102 @@
+"""`/v1/models/{id}/…`: parts, pictures, triangles, and which parts a phrase means."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Annotated
+
+from fastapi import APIRouter, Query
+from fastapi.responses import FileResponse
+from pydantic import TypeAdapter
+
+from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
+from querycad_api.problems import (
+    Malformed,
+    ModelNotFound,
+    ModelNotReady,
+    ModelUnreadable,
+    ServiceUnavailable,
+    TooLarge,
+    responses,
+)
+from querycad_contracts import (
+    FindPartsTask,
+    GroundedBy,
+    Grounding,
+    ModelId,
+    ModelTask,
+    PartsPage,
+    PartsTask,
+    SegmentRequest,
+    TaskName,
+    TaskOutcome,
+    ViewName,
+    ViewTask,
+)
+
+CALL_S = 20.0
+DRAW_S = 60.0
+_PARTS = TypeAdapter(TaskOutcome[PartsPage])
+_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
+FILE_NAME = TypeAdapter(TaskOutcome[str])
+
+PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
+BODY_PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
+_BINARY = {"schema": {"type": "string", "format": "binary"}}
+PNG = {"description": "The picture.", "content": {"image/png": _BINARY}}
+GLB = {"description": "The model.", "content": {"model/gltf-binary": _BINARY}}
+
+router = APIRouter(prefix="/v1/models/{model_id}", tags=["geometry"])
+
+
+@router.get("/parts", response_model=PartsPage, responses=PROBLEMS)
+async def list_parts(
+    model_id: ModelId,
+    services: ServicesDep,
+    kind: Annotated[str | None, Query(description="Only this kind: 'hole', 'boss' …", max_length=100)] = None,
+    offset: OffsetDep = 0,
+    limit: LimitDep = 100,
+) -> PartsPage:
+    """Which parts were recognised in the model?"""
+    await services.ready_model(model_id)
+    task = PartsTask(model=model_id, kind=kind, offset=offset, limit=limit)
+    return await services.broker.call(TaskName.PARTS, task, _PARTS, CALL_S)
+
+
+@router.post("/segment", response_model=Grounding, responses=BODY_PROBLEMS)
+async def segment(model_id: ModelId, asked: SegmentRequest, services: ServicesDep) -> Grounding:
+    """Which parts of the model does a phrase mean? A word that is not known is said to be, with the nearest known."""
+    await services.ready_model(model_id)
+    task = FindPartsTask(model=model_id, description=asked.description, sides=asked.sides, grounding=asked.grounding)
+    wait_s = CALL_S if asked.grounding is GroundedBy.GEOMETRY else DRAW_S
+    return await services.broker.call(TaskName.FIND_PARTS, task, _GROUNDING, wait_s)
+
+
+@router.get("/views/{view}", response_class=FileResponse, responses={**PROBLEMS, 200: PNG})
+async def get_view(
+    model_id: ModelId,
+    view: ViewName,
+    services: ServicesDep,
+    width: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 800,
+    height: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 600,
+) -> FileResponse:
+    """How does the model look from there? Orthographic; a side's camera stands one degree off its axis."""
+    await services.ready_model(model_id)
+    task = ViewTask(model=model_id, view=view, width=width, height=height)
+    return await drawn(services, TaskName.VIEW, task, "image/png")
+
+
+@router.get("/glb", response_class=FileResponse, responses={**PROBLEMS, 200: GLB})
+async def get_glb(model_id: ModelId, services: ServicesDep) -> FileResponse:
+    """The model's triangles as binary glTF 2.0, metres; the vertex attribute `_FACE_ID` holds the id of the face."""
+    await services.ready_model(model_id)
+    return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary")
+
+
+async def drawn(services: Services, name: TaskName, task: ModelTask, media_type: str) -> FileResponse:
+    """The file that a segworker makes, or has made before. Raises ModelUnreadable and ServiceUnavailable."""
+    made = await services.broker.call(name, task, FILE_NAME, DRAW_S)
+    path = await asyncio.to_thread(services.files.fetch, made)
+    if path is None:
+        raise ServiceUnavailable("the file was made, and is gone again; try again in a moment")
+    return FileResponse(path, media_type=media_type)
