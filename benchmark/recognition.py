@@ -22,10 +22,11 @@ from querycad_segworker.brep.extract import extract
 from querycad_segworker.brep.step import read_step
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import recognise
+from querycad_segworker.features.tunnels import tunnel_of
 from querycad_segworker.features.walls import REVOLVED, Axis
 from querycad_segworker.render.raycast import Scene
-from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import cross, dist, norm
+from querycad_segworker.topology import Brep, EdgeConvexity
+from querycad_segworker.vectors import cross, dist, dot, norm
 
 MIN_OVERLAP = 0.5
 """More than half: then no part lies in two instances, and what answers for an instance is more right than wrong."""
@@ -95,6 +96,9 @@ CLASS_ORDER = {
 instances of number 11 have seven faces, the six walls and the floor of a hexagonal pocket; of 5, three faces, the two
 walls and the floor of a slot; of 1 and 3, three and six walls without a floor."""
 
+SIDES = {"triangular": 3, "rectangular": 4, "6sides": 6}
+"""Walls of a pocket or passage, by the beginning of its class's name."""
+
 FAMILIES: dict[str, tuple[str, ...]] = {
     "holes": ("through_hole", "blind_hole"),
     "pockets": tuple(name for name in CLASSES if name.endswith(("_pocket", "_passage"))),
@@ -110,12 +114,12 @@ FAMILIES: dict[str, tuple[str, ...]] = {
 class Labelled:
     """One model with its truth, `instances`: (class, faces) for each connected group of faces of one class.
 
-    `remnants` are set aside: labelled as holes, but less than half of their wall is left.
+    `set_aside`: instances whose geometry contradicts their label, with what was measured.
     """
 
     file: str
     instances: tuple[tuple[str, frozenset[int]], ...]
-    remnants: tuple[tuple[str, frozenset[int]], ...]
+    set_aside: tuple[tuple[str, frozenset[int], str], ...]
     parts: tuple[Part, ...]
 
 
@@ -141,8 +145,8 @@ class Score:
         return self.right / self.parts if self.parts else 1.0
 
 
-def read_set(folder: Path, name: str) -> Iterator[Labelled]:
-    """The models of one set with what is recognised on them."""
+def read_set(folder: Path, name: str, *, all_labels: bool = False) -> Iterator[Labelled]:
+    """The models of one set with what is recognised on them. `all_labels`: only remnants of holes are set aside."""
     truth = json.loads((folder / name / "ground_truth.json").read_text(encoding="utf-8"))
     names = CLASS_ORDER.get(name) or truth["class_names"]
     for entry in truth["models"]:
@@ -153,11 +157,13 @@ def read_set(folder: Path, name: str) -> Iterator[Labelled]:
         scene = Scene(tessellate(extracted.faces, dist(*brep.box)))
         labels = [names[label] for label in entry["face_labels"]]
         parts = recognise(brep, scene.is_clear).parts
-        instances = list(_instances(brep, labels))
+        doubts = [(*found, contradiction(brep, *found)) for found in _instances(brep, labels)]
+        if all_labels:
+            doubts = [(label, faces, why if label in FAMILIES["holes"] else None) for label, faces, why in doubts]
         yield Labelled(
             f"{name}/{Path(entry['file']).name}",
-            tuple(found for found in instances if not _is_remnant(brep, *found)),
-            tuple(found for found in instances if _is_remnant(brep, *found)),
+            tuple((label, faces) for label, faces, why in doubts if why is None),
+            tuple((label, faces, why) for label, faces, why in doubts if why is not None),
             parts,
         )
 
@@ -195,16 +201,48 @@ def _axis(brep: Brep, face: int) -> Axis | None:
     return Axis(record.origin, record.axis) if record.kind in REVOLVED else None
 
 
-def _is_remnant(brep: Brep, label: str, faces: Iterable[int]) -> bool:
-    """Is it labelled a hole although less than half of its wall is left? What remains is a notch, not a hole."""
-    sweeps = [brep.faces[i].sweep for i in faces if brep.faces[i].kind in REVOLVED]
-    return label in FAMILIES["holes"] and sum(sweeps) < math.pi
+def contradiction(brep: Brep, label: str, faces: frozenset[int]) -> str | None:
+    """What about the faces contradicts their label? None when nothing does. Recognition has no say in this."""
+    if label in FAMILIES["holes"]:
+        sweeps = [brep.faces[i].sweep for i in faces if brep.faces[i].kind in REVOLVED]
+        return f"{math.degrees(sum(sweeps)):.0f} of 360 degrees of the wall are left" if sum(sweeps) < math.pi else None
+    lengths = {kind: _edge_length(brep, faces, kind) for kind in EdgeConvexity}
+    convex, concave = lengths[EdgeConvexity.CONVEX], lengths[EdgeConvexity.CONCAVE]
+    if label == "chamfer" and concave > convex:
+        return f"of its edges {concave * 1e3:.1f} mm are concave and {convex * 1e3:.1f} mm convex: it breaks no edge"
+    if label.endswith("_slot") and (tunnel := tunnel_of(brep, faces)) is not None and tunnel.closed:
+        return f"its {len(faces)} walls close a ring without a floor: a passage"
+    if label in ("rectangular_through_step", "2sides_through_step") and not concave:
+        return "none of its edges is concave: nothing stands on it"
+    if label.endswith(("_pocket", "_passage")):
+        return _walls_left(brep, label, faces)
+    return None
+
+
+def _edge_length(brep: Brep, faces: Iterable[int], convexity: EdgeConvexity) -> float:
+    return sum(edge.length for face in faces for edge, _ in brep.neighbours(face) if edge.convexity is convexity)
+
+
+def _walls_left(brep: Brep, label: str, faces: frozenset[int]) -> str | None:
+    """Has a pocket or passage with a polygon as outline lost walls to other features?"""
+    wanted = next((sides for name, sides in SIDES.items() if label.startswith(name)), 0)
+    floors = 1 if label.endswith("_pocket") else 0
+    walls = len(_planes(brep, faces)) - floors
+    return f"{walls} of its {wanted} walls are left" if walls < wanted else None
+
+
+def _planes(brep: Brep, faces: Iterable[int]) -> set[tuple[float, ...]]:
+    """The different planes that the faces lie in, by normal and offset, to a thousandth of the model."""
+    step = 1e-3 * dist(*brep.box)
+    records = [brep.faces[i] for i in faces]
+    return {(*(round(c, 2) + 0.0 for c in f.axis), round(dot(f.point, f.axis) / step)) for f in records}
 
 
 def score(models: Iterable[Labelled], classes: Sequence[str]) -> Score:
     """How well are the instances of these classes recognised, taken together?
 
-    A part of the classes' kinds is right when it lies in an instance of any class that accepts it.
+    A part of the classes' kinds is right when it lies in an instance of any class that accepts it. Parts that lie in an
+    instance whose label is contradicted are not judged.
     """
     result = Score()
     for model in models:
@@ -215,8 +253,10 @@ def score(models: Iterable[Labelled], classes: Sequence[str]) -> Score:
                     result.found += 1
                 else:
                     result.missed.append(_missed(model, name, faces))
-        truth = (*model.instances, *model.remnants)
+        truth = (*model.instances, *((label, faces) for label, faces, _ in model.set_aside))
         for part in model.parts:
+            if any(_lies_in(part, faces) for _, faces, _ in model.set_aside):
+                continue
             if any(CLASSES[name].holds(part) for name in classes):
                 result.parts += 1
                 if any(CLASSES[name].accepts(part) and _lies_in(part, faces) for name, faces in truth):
@@ -278,6 +318,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     default = Path(__file__).parents[2] / "shared/features-dev"
     parser.add_argument("folder", nargs="?", type=Path, default=default, help="holds mfcadpp/ and mfcad/")
     parser.add_argument("--show", metavar="FAMILY", help="print what was missed and what is wrong in a family")
+    parser.add_argument("--all-labels", action="store_true", help="keep labels that the geometry contradicts")
     options = parser.parse_args(arguments)
     if not options.folder.is_dir():
         print(f"no labelled models at {options.folder}", file=sys.stderr)
@@ -285,11 +326,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.show is not None and options.show not in FAMILIES:
         parser.error(f"the families are {', '.join(FAMILIES)}")
     for name in SETS:
-        models = list(read_set(options.folder, name))
+        models = list(read_set(options.folder, name, all_labels=options.all_labels))
         print(f"{name}: {len(models)} models\n{table(models)}\n")
         for model in models:
-            for label, faces in model.remnants:
-                print(f"set aside: {model.file} {label} {sorted(faces)}: less than half of the wall is left")
+            for label, faces, why in model.set_aside:
+                print(f"set aside: {model.file} {label} {sorted(faces)}: {why}")
         if options.show is not None:
             found = score(models, FAMILIES[options.show])
             print("\n".join([*(f"missed {line}" for line in found.missed), *(f"wrong {line}" for line in found.wrong)]))

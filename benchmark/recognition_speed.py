@@ -3,6 +3,7 @@
 `python -m benchmark.recognition_speed versus [DIR]` times QueryCAD and quiddity on every STEP file below DIR (default:
 the development half of CAD-Q&A), each file and system in a process of its own that may crash or run out of time.
 `python -m benchmark.recognition_speed scaling [PICTURE]` times solids of 100 to 20,000 faces and draws the growth.
+`querycad bench perf` has both, on fewer and smaller files.
 
 Processor seconds are compared, as they hardly depend on what else the machine does. Ours is everything after the file
 is read: the face table with canonical surfaces, tessellation, the ray scene, thickness and recognition. Quiddity's is
@@ -20,7 +21,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
 DEFAULT_FILES = Path(__file__).parents[2] / "shared" / "cad-qa-dev"
 TIMEOUT_S = 300.0
+FACES_A_TILE = 92
 TILES = (1, 3, 8, 24, 72, 220)  # 92 to about 20,000 faces
 
 
@@ -151,10 +153,11 @@ def terrace(tiles: int, file: Path) -> Path:
     return file
 
 
-def scaling() -> list[Run]:
-    """Ours on one solid of a growing number of faces."""
+def scaling(most: int = TILES[-1] * FACES_A_TILE) -> list[Run]:
+    """Ours on one solid of a growing number of faces, up to `most`."""
     with tempfile.TemporaryDirectory(prefix="querycad-scaling-") as scratch:
-        return [run("querycad", terrace(tiles, Path(scratch) / f"{tiles}.step")) for tiles in TILES]
+        sizes = [tiles for tiles in TILES if tiles * FACES_A_TILE <= most]
+        return [run("querycad", terrace(tiles, Path(scratch) / f"{tiles}.step")) for tiles in sizes]
 
 
 def exponent(runs: Sequence[Run], power: Callable[[float], float] = lambda n: n * math.log(n)) -> float:
@@ -187,6 +190,10 @@ def draw(runs: Sequence[Run], picture: Path) -> None:
     figure.savefig(picture, metadata={"Date": None})
 
 
+def _as_json(one: Run) -> str:
+    return json.dumps({**asdict(one), "seconds": 0.0 if one.failure else one.seconds})
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Prints the table that was asked for; 1 when a file of ours did not come through."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -195,12 +202,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     versus_parser.add_argument("folder", type=Path, nargs="?", default=DEFAULT_FILES)
     scaling_parser = commands.add_parser("scaling", help="as models grow")
     scaling_parser.add_argument("picture", type=Path, nargs="?", help="an SVG file")
+    scaling_parser.add_argument("--most", type=int, default=TILES[-1] * FACES_A_TILE, help="faces (default: all)")
+    scaling_parser.add_argument("--json", action="store_true", help="the figures as one JSON object")
+    time_parser = commands.add_parser("time", help="one file and system, as one JSON object")
     child_parser = commands.add_parser("child", help="one file, used by the other two")
-    child_parser.add_argument("system")
-    child_parser.add_argument("file", type=Path)
+    for each in (time_parser, child_parser):
+        each.add_argument("system", choices=("querycad", "quiddity"))
+        each.add_argument("file", type=Path)
     options = parser.parse_args(arguments)
     if options.command == "child":
         child(options.system, options.file)
+        return 0
+    if options.command == "time":
+        print(_as_json(run(options.system, options.file)))
         return 0
     if options.command == "versus":
         if not options.folder.is_dir():
@@ -208,7 +222,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         runs = versus(options.folder)
         print(versus_table(runs))
         return int(any(one.failure for one in runs if one.system == "querycad"))
-    runs = scaling()
+    runs = scaling(options.most)
+    if options.json:
+        print(f'{{"runs": [{", ".join(map(_as_json, runs))}], "exponent": {exponent(runs)}}}')
+        return 0
     for one in runs:
         print(f"{one.faces:6} faces {one.seconds:8.2f} s {one.failure}")
     print(f"time grows as (n log n)^{exponent(runs):.2f}")

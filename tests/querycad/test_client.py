@@ -2,15 +2,28 @@
 
 from __future__ import annotations
 
+import asyncio
+import inspect
 from collections.abc import Callable
 from pathlib import Path
 
 import httpx
 import pytest
+from pydantic import BaseModel
 
-from querycad import client as module
-from querycad.client import Client, ServerProblem, ServerUnreachable
-from querycad_contracts import AnswerRecord, Job, JobStatus, LengthUnit, Problem, Status
+from querycad import flows as module
+from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
+from querycad_contracts import (
+    AnswerRecord,
+    Job,
+    JobEvent,
+    JobEventKind,
+    JobStatus,
+    LengthUnit,
+    ModelResource,
+    Problem,
+    Status,
+)
 
 MODEL, JOB = "a" * 64, "b" * 32
 RECORD = AnswerRecord(
@@ -23,7 +36,7 @@ DONE = QUEUED.model_copy(update={"record": RECORD, "status": JobStatus.DONE})
 AWAY = Problem(title="Service unavailable", status=503, detail="away", retryable=True)
 
 
-def json(body: AnswerRecord | Job | Problem, status: int = 200) -> httpx.Response:
+def json(body: BaseModel, status: int = 200) -> httpx.Response:
     return httpx.Response(status, content=body.model_dump_json(), headers={"Content-Type": "application/json"})
 
 
@@ -37,7 +50,7 @@ def client(*answers: httpx.Response | Exception) -> tuple[Client, list[httpx.Req
             raise following
         return following
 
-    return Client("http://service", httpx.MockTransport(answer)), requests
+    return Client("http://service", transport=httpx.MockTransport(answer)), requests
 
 
 @pytest.fixture(autouse=True)
@@ -72,10 +85,94 @@ def test_a_request_that_changes_nothing_is_tried_again(trouble: Callable[[], htt
     assert len(made[1]) == 3
 
 
-def test_a_question_is_not_asked_twice() -> None:
-    with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
+def test_a_question_that_is_sent_again_is_the_same_question() -> None:
+    with (made := client(json(AWAY, 503), httpx.ReadError("cut off"), json(RECORD)))[0] as asking:
+        assert asking.ask(MODEL, "?") == RECORD
+    keys = {request.headers["idempotency-key"] for request in made[1]}
+    assert (len(made[1]), len(keys)) == (3, 1)
+
+
+def test_two_questions_are_two_questions() -> None:
+    with (made := client(json(RECORD), json(RECORD)))[0] as asking:
         asking.ask(MODEL, "?")
+        asking.ask(MODEL, "?")
+    assert len({request.headers["idempotency-key"] for request in made[1]}) == 2
+
+
+def test_a_phrase_is_asked_for_once() -> None:
+    with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
+        asking.segment(MODEL, "hole")
     assert len(made[1]) == 1
+
+
+def test_the_key_goes_with_every_request() -> None:
+    requests: list[httpx.Request] = []
+
+    def answer(request: httpx.Request) -> httpx.Response:
+        requests.append(request)
+        return json(RECORD)
+
+    with Client("http://service", "qc_1_2", httpx.MockTransport(answer)) as asking:
+        asking.ask(MODEL, "?")
+    assert requests[0].headers["authorization"] == "Bearer qc_1_2"
+
+
+def test_an_upload_tells_how_far_it_is_and_begins_anew_when_it_is_sent_again(tmp_path: Path) -> None:
+    file = tmp_path / "a.step"
+    file.write_bytes(b"x" * 200_000)
+    model = ModelResource.model_validate(
+        {"id": MODEL, "file_name": "a", "size_bytes": 1, "created": "2026-01-01T00:00:00Z", "status": "ready"}
+    )
+    told: list[tuple[int, int]] = []
+    with (made := client(json(AWAY, 503), json(model)))[0] as asking:
+        assert asking.upload(file, progress=lambda sent, size: told.append((sent, size))) == model
+    assert {size for _, size in told} == {200_000}
+    assert [sent for sent, _ in told].count(65536) == 2
+    assert max(told) == told[-1] == (200_000, 200_000)
+    assert all(request.read().count(b"x" * 200_000) == 1 for request in made[1])
+
+
+def stream(*events: JobEvent) -> httpx.Response:
+    blocks = [f"id: {each.kind}-1\nevent: {each.kind}\ndata: {each.model_dump_json()}\n\n" for each in events]
+    return httpx.Response(200, text=": ping\n\n" + "".join(blocks), headers={"Content-Type": "text/event-stream"})
+
+
+STEPS = [
+    JobEvent(kind=kind, at=QUEUED.created, record=RECORD if kind is JobEventKind.DONE else None)
+    for kind in (JobEventKind.QUEUED, JobEventKind.STARTED, JobEventKind.DONE)
+]
+
+
+def test_events_go_on_where_the_connection_broke() -> None:
+    with (made := client(stream(STEPS[0]), httpx.ReadError("cut off"), stream(*STEPS[1:])))[0] as asking:
+        assert list(asking.events(JOB)) == STEPS
+    assert [request.headers.get("last-event-id") for request in made[1]] == [None, "queued-1", "queued-1"]
+
+
+def test_events_of_no_job_are_refused() -> None:
+    problem = Problem(title="No such job", status=404)
+    with client(json(problem, 404))[0] as asking, pytest.raises(ServerProblem, match="No such job"):
+        list(asking.events(JOB))
+
+
+def test_the_asynchronous_client_does_the_same() -> None:
+    left = [json(AWAY, 503), json(QUEUED, 202), json(DONE), stream(*STEPS)]
+    asynchronous = AsyncClient("http://service", transport=httpx.MockTransport(lambda _: left.pop(0)))
+
+    async def ask() -> tuple[AnswerRecord, list[JobEvent]]:
+        async with asynchronous as asking:
+            return await asking.ask(MODEL, "?"), [event async for event in asking.events(JOB)]
+
+    assert asyncio.run(ask()) == (RECORD, STEPS)
+
+
+def test_both_clients_have_the_same_methods() -> None:
+    def methods(kind: type) -> dict[str, list[str]]:
+        public = {name: value for name, value in vars(kind).items() if callable(value) and not name.startswith("_")}
+        return {name: list(inspect.signature(value).parameters) for name, value in public.items()}
+
+    assert methods(Client) == methods(AsyncClient)
+    assert len(methods(Client)) > 15
 
 
 def test_trouble_that_stays_is_told() -> None:

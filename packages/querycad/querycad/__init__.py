@@ -5,18 +5,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from .client import Client
+    from .client import AsyncClient, Client
     from .runtime import EmbeddedRuntime
 
-__all__ = ["Client", "EmbeddedRuntime"]
+__all__ = ["AsyncClient", "Client", "EmbeddedRuntime"]
 
 
 def __getattr__(name: str) -> Any:
     """Each public name is loaded when it is asked for: the client needs no runtime, the runtime no HTTP."""
-    if name == "Client":
-        from .client import Client
+    if name in ("AsyncClient", "Client"):
+        from . import client
 
-        return Client
+        return getattr(client, name)
     if name == "EmbeddedRuntime":
         from .runtime import EmbeddedRuntime
 

@@ -7,16 +7,19 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
+from pydantic import ValidationError
+
 from querycad_contracts import AnswerRecord, Failure, LengthUnit, Status
 from querycad_segworker.errors import FileProblem
 
+from .llm_arguments import answer_options, llm_settings, not_of_a_service
 from .runtime import EmbeddedRuntime
 
 if TYPE_CHECKING:
     from .ask_server import ServerRuntime
 
 EXIT_ANSWERED, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
-_BAD_INPUT = ("bad_input", "not_grounded", "not_understood")
+_BAD_INPUT = ("bad_input", "not_grounded", "not_understood", "unexpected")
 _STAGES = {
     "read": "reading the STEP file",
     "measure": "measuring faces and edges",
@@ -32,21 +35,46 @@ def ask(options: argparse.Namespace) -> int:
         questions = _questions(options)
     except ValueError as error:
         return _complain(str(error))
+    if options.server and (refused := not_of_a_service(options)):
+        return _complain(f"{refused} is for this machine: with --server the service asks its own language model")
     if options.server:
         from .ask_server import ask_server  # here: no HTTP client is loaded where nothing is sent
 
         return ask_server(options, lambda runtime: _ask_each(runtime, options, questions))
-    return _ask_each(EmbeddedRuntime(), options, questions)
+    try:
+        llm = llm_settings(options)
+    except ValidationError as error:
+        return _complain(_first(error))
+    return _ask_each(EmbeddedRuntime(llm=llm), options, questions)
+
+
+def prompt(options: argparse.Namespace) -> int:
+    """Prints what a language model would be sent for a question; returns the exit code."""
+    from querycad_api.llm import LlmSettings
+    from querycad_api.llm.prompt import as_text, conversation
+
+    with EmbeddedRuntime() as runtime:
+        try:
+            summary = runtime.summary(options.file)
+        except FileProblem as problem:
+            return _complain(f"{options.file}: {problem}")
+    which = LlmSettings.read().llm_examples
+    print(as_text(conversation(options.question, summary, which=which)), end="")
+    return EXIT_ANSWERED
 
 
 def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, questions: list[str]) -> int:
     unit = LengthUnit(options.unit)
+    try:
+        how = answer_options(options)
+    except ValidationError as error:
+        return _complain(_first(error))
     worst = EXIT_ANSWERED
     with runtime:
         for number, question in enumerate(questions):
             with _ProgressLine(sys.stderr) as progress:
                 try:
-                    record = runtime.ask(options.file, question, unit, progress.stage)
+                    record = runtime.ask(options.file, question, unit, progress.stage, how)
                 except FileProblem as problem:
                     progress.clear()
                     if options.json:
@@ -101,11 +129,26 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
         print(f"querycad: {status}: {record.failure.message}{nearest}", file=sys.stderr)
     for warning in record.warnings if record.answer is not None else ():
         print(f"  note: {warning}")
+    if record.agreement is not None:
+        print(f"  agreement: {record.agreement.agreeing} of {record.agreement.programs} programs")
     if options.show_code and record.code is not None:
-        print(f"  program, written by the {record.codegen}:")
-        print("\n".join(f"    {line}" for line in record.code.splitlines()))
+        _print_program(record.codegen, record.code)
+        for other in record.alternatives:
+            _print_program(other.codegen, other.code, f", which gives {other.answer.text}")
     if options.show_code:
         print("  timings: " + ", ".join(f"{step} {ms:.1f} ms" for step, ms in record.timings_ms.items()))
+
+
+def _print_program(codegen: str | None, code: str, remark: str = "") -> None:
+    writer = "the parser" if codegen == "parser" else f"a language model ({codegen})"
+    print(f"  program, written by {writer}{remark}:")
+    print("\n".join(f"    {line}" for line in code.splitlines()))
+
+
+def _first(error: ValidationError) -> str:
+    """The first thing that is wrong with options or environment variables, for a person."""
+    first = error.errors()[0]
+    return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
 
 
 def _faces(ids: tuple[int, ...]) -> str:

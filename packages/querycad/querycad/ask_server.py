@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Callable
 from pathlib import Path
@@ -10,11 +11,13 @@ from typing import Self
 
 import httpx
 
-from querycad_contracts import AnswerRecord, LengthUnit, ModelStatus
+from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelStatus
 
 from .client import Client, ClientError, ServerProblem
 
 READ_S = 300.0
+KEY_VARIABLE = "QUERYCAD_API_KEY"
+"""Not an option: the command line is there for all to see."""
 
 EXIT_FAILED, EXIT_BAD_INPUT = 1, 2
 
@@ -38,7 +41,7 @@ class ServerRuntime:
     """Answers questions about files on this machine by uploading them to a service. Raises ClientError and OSError."""
 
     def __init__(self, url: str) -> None:
-        self._client = Client(url)
+        self._client = Client(url, os.environ.get(KEY_VARIABLE))
         self._models: dict[str, str] = {}
         self._job = ""
 
@@ -54,6 +57,7 @@ class ServerRuntime:
         question: str,
         unit: LengthUnit = LengthUnit.MM,
         progress: Callable[[str], None] | None = None,
+        options: AnswerOptions | None = None,
     ) -> AnswerRecord:
         """What is the answer to the question about this file?"""
         if str(file) not in self._models:
@@ -63,7 +67,7 @@ class ServerRuntime:
             if model.status is ModelStatus.READING:
                 raise TimeoutError(f"the service did not read the file within {READ_S:g} s")
             self._models[str(file)] = model.id
-        job = self._client.submit(self._models[str(file)], question, unit)
+        job = self._client.submit(self._models[str(file)], question, unit, options)
         self._job = job.id
         return self._client.wait(job.id)
 

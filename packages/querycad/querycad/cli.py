@@ -14,7 +14,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_ask(commands)
+    _add_prompt(commands)
+    _add_run(commands)
+    _add_segment(commands)
     _add_serve(commands)
+    _add_keys(commands)
+    _add_models(commands)
     _add_bench(commands)
     options = parser.parse_args(arguments)
     try:
@@ -28,6 +33,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _add_ask(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from .llm_arguments import add_codegen, add_expect, add_grounding, add_llm
+
     ask = commands.add_parser("ask", help="answer a question about a STEP file")
     ask.add_argument("file", metavar="FILE", help="a STEP file")
     ask.add_argument("question", nargs="?", metavar="QUESTION", help="the question, in English")
@@ -37,6 +44,10 @@ def _add_ask(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
     ask.add_argument("--picture", metavar="OUT.png", help="draw the parts that the answer rests on")
     ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
     ask.add_argument("--server", metavar="URL", help="let a running service answer, such as http://127.0.0.1:8000")
+    add_codegen(ask)
+    add_expect(ask)
+    add_grounding(ask)
+    add_llm(ask)
     ask.set_defaults(run=_ask)
 
 
@@ -46,9 +57,46 @@ def _ask(options: argparse.Namespace) -> int:
     return ask(options)
 
 
+def _add_prompt(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    prompt = commands.add_parser("prompt", help="print what a language model would be sent for a question")
+    prompt.add_argument("file", metavar="FILE", help="a STEP file")
+    prompt.add_argument("question", metavar="QUESTION", help="the question, in English")
+    prompt.set_defaults(run=_prompt)
+
+
+def _prompt(options: argparse.Namespace) -> int:
+    from .ask import prompt
+
+    return prompt(options)
+
+
+def _add_run(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from querycad_sandbox.arguments import add_run_arguments
+
+    run = commands.add_parser("run", help="run a program of the guest API against a STEP file")
+    add_run_arguments(run)
+    run.add_argument("--model", required=True, metavar="FILE.step", help="a STEP file")
+    run.set_defaults(run=_run)
+
+
+def _run(options: argparse.Namespace) -> int:
+    from .run import run
+
+    return run(options)
+
+
+def _add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from .segment_arguments import add_segment
+
+    add_segment(commands)
+
+
 def _add_serve(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     serve = commands.add_parser("serve", help="run all services on this machine")
     serve.add_argument("--port", type=int, default=8000, help="port of the HTTP interface (default: 8000; 0: any free)")
+    serve.add_argument(
+        "--host", default="127.0.0.1", help="address to listen on (default: %(default)s); any other asks for API keys"
+    )
     serve.add_argument("--workers", type=_positive, default=1, metavar="N", help="SegCAD processes (default: 1)")
     serve.set_defaults(run=_serve)
 
@@ -59,11 +107,31 @@ def _serve(options: argparse.Namespace) -> int:
     return serve(options)
 
 
+def _add_keys(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from querycad_api.keys import add_arguments
+
+    keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
+    add_arguments(keys)
+    keys.set_defaults(run=_keys)
+
+
+def _keys(options: argparse.Namespace) -> int:
+    from querycad_api.keys import run
+
+    return run(options)
+
+
 def _positive(text: str) -> int:
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError("at least 1")
     return number
+
+
+def _add_models(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from .models_arguments import add_models
+
+    add_models(commands)
 
 
 def _add_bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -1,78 +1,60 @@
-"""The client of a running service.
-
-ClientError
-├── ServerProblem      the service refused; `problem` says why (RFC 9457)
-└── ServerUnreachable  no answer
-"""
+"""The clients of a running service: `Client`, and `AsyncClient` with the same methods for asynchronous programs."""
 
 from __future__ import annotations
 
+import asyncio
 import time
+from collections.abc import AsyncIterator, Iterator, Sequence
 from pathlib import Path
-from types import TracebackType
 from typing import Self, TypeVar
 
 import httpx
-from pydantic import BaseModel, ValidationError
+from httpx_sse import EventSource
 
 from querycad_contracts import (
+    AnswerOptions,
     AnswerRecord,
+    GroundedBy,
+    Grounding,
     Health,
     Job,
+    JobEvent,
+    JobsPage,
     LengthUnit,
     ModelResource,
-    ModelStatus,
+    ModelsPage,
     PartsPage,
-    Problem,
-    QuestionRequest,
+    Side,
+    ViewName,
 )
 
-WAIT_S = 30
-"""How long the service is asked to wait in one request; longer waits are several requests."""
-MARGIN_S = 10.0
-CONNECT_RETRIES = 3
-TRIES = 5
-"""Of a request that changes nothing, while the service has trouble; with the pauses, a restart is survived."""
-PAUSE_S = 1.0
+from . import flows
+from .flows import ClientError, Flow, Following, Pause, Progress, ServerProblem, ServerUnreachable
 
-M = TypeVar("M", bound=BaseModel)
+__all__ = ["AsyncClient", "Client", "ClientError", "ServerProblem", "ServerUnreachable"]
 
-
-class ClientError(Exception):
-    """Something went wrong between client and service."""
-
-
-class ServerProblem(ClientError):
-    """The service refused a request."""
-
-    def __init__(self, problem: Problem) -> None:
-        super().__init__(problem.detail or problem.title)
-        self.problem = problem
-
-
-class ServerUnreachable(ClientError):
-    """The service did not answer, or not as a QueryCAD service does."""
+T = TypeVar("T")
 
 
 class Client:
     """Uploads models to a service and asks about them. Use it as a context manager, or call `close`.
 
-    All methods raise ServerProblem and ServerUnreachable. `transport` replaces the network.
+    All methods raise ServerProblem and ServerUnreachable; a request that may be repeated is, while the service has
+    trouble. `key` is an API key, `transport` replaces the network.
     """
 
-    def __init__(self, url: str, transport: httpx.BaseTransport | None = None) -> None:
+    def __init__(self, url: str, key: str | None = None, transport: httpx.BaseTransport | None = None) -> None:
         self._http = httpx.Client(
             base_url=url,
-            timeout=WAIT_S + MARGIN_S,
-            transport=transport or httpx.HTTPTransport(retries=CONNECT_RETRIES),
+            headers=_identified(key),
+            timeout=flows.WAIT_S + flows.MARGIN_S,
+            transport=transport or httpx.HTTPTransport(retries=flows.CONNECT_RETRIES),
         )
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:
@@ -80,90 +62,285 @@ class Client:
         self._http.close()
 
     def health(self) -> Health:
-        """Is the service ready?"""
-        response = self._send("GET", "/readyz", accepted=(503,))
-        return _parsed(Health, response)
+        """Can questions be answered now, and if not, what is missing?"""
+        return self._run(flows.health())
 
-    def upload(self, file: Path | str, wait_s: float = 0.0) -> ModelResource:
-        """Uploads a file, the same one as often as wanted, and waits up to `wait_s` until it is read."""
-        path = Path(file)
-        deadline = time.monotonic() + wait_s
-        with path.open("rb") as stream:
-            response = self._send("POST", "/v1/models", files={"file": (path.name, stream)}, headers=_prefer(deadline))
-        model = _parsed(ModelResource, response)
-        while model.status is ModelStatus.READING and time.monotonic() < deadline:
-            model = self.model(model.id, deadline - time.monotonic())
-        return model
+    def upload(self, path: Path | str, wait_s: float = 0.0, progress: Progress | None = None) -> ModelResource:
+        """Uploads a STEP file; with `wait_s`, returns when it has been read, or after so many seconds. Raises OSError.
+
+        The same file twice is one model. `progress` is told how many bytes were sent, of how many.
+        """
+        return self._run(flows.upload(Path(path), wait_s, progress))
 
     def model(self, model: str, wait_s: float = 0.0) -> ModelResource:
-        """What is known of the model?"""
-        headers = _prefer(time.monotonic() + wait_s)
-        return _parsed(ModelResource, self._send("GET", f"/v1/models/{model}", headers=headers))
+        """What is known of the model? With `wait_s`, when its file has been read, or after so many seconds."""
+        return self._run(flows.model(model, wait_s))
+
+    def models(self, offset: int = 0, limit: int = 100) -> ModelsPage:
+        """Which models are there? The newest first."""
+        return self._run(flows.models(offset, limit))
+
+    def delete(self, model: str) -> None:
+        """Deletes a model with its file, questions and answers."""
+        self._run(flows.delete(model))
 
     def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
         """Which parts were recognised in the model?"""
-        query: dict[str, str | int] = {"offset": offset, "limit": limit} | ({"kind": kind} if kind else {})
-        return _parsed(PartsPage, self._send("GET", f"/v1/models/{model}/parts", params=query))
+        return self._run(flows.parts(model, kind, offset, limit))
 
-    def submit(self, model: str, question: str, unit: LengthUnit = LengthUnit.MM) -> Job:
+    def segment(
+        self,
+        model: str,
+        description: str,
+        sides: Sequence[Side] | None = None,
+        grounding: GroundedBy = GroundedBy.GEOMETRY,
+    ) -> Grounding:
+        """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
+        return self._run(flows.segment(model, description, sides, grounding))
+
+    def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
+        """The PNG file that shows the model from there."""
+        return self._run(flows.view(model, view, width, height))
+
+    def glb(self, model: str) -> bytes:
+        """The model's triangles as binary glTF, with the id of its face at every vertex."""
+        return self._run(flows.glb(model))
+
+    def submit(
+        self, model: str, question: str, unit: LengthUnit = LengthUnit.MM, options: AnswerOptions | None = None
+    ) -> Job:
         """Asks a question about an uploaded model, and does not wait for the answer."""
-        return _parsed(Job, self._ask(model, question, unit, {}))
+        return self._run(flows.submit(model, question, unit, options))
+
+    def submit_many(
+        self,
+        model: str,
+        questions: Sequence[str],
+        unit: LengthUnit = LengthUnit.MM,
+        options: AnswerOptions | None = None,
+    ) -> tuple[Job, ...]:
+        """Asks several questions at once, up to 100: all are accepted, or none. Their jobs, in the same order."""
+        return self._run(flows.submit_many(model, questions, unit, options))
+
+    def ask(
+        self,
+        model: str,
+        question: str,
+        unit: LengthUnit = LengthUnit.MM,
+        timeout_s: float = 300.0,
+        options: AnswerOptions | None = None,
+    ) -> AnswerRecord:
+        """What is the answer to the question about an uploaded model? Raises TimeoutError."""
+        return self._run(flows.ask(model, question, unit, timeout_s, options))
+
+    def job(self, job: str) -> Job:
+        """How far is the question?"""
+        return self._run(flows.job(job))
 
     def wait(self, job: str, timeout_s: float = 300.0) -> AnswerRecord:
         """What came of the question? Raises TimeoutError when it is not done in time."""
-        deadline = time.monotonic() + timeout_s
-        while True:
-            found = _parsed(Job, self._send("GET", f"/v1/jobs/{job}", headers=_prefer(deadline)))
-            if found.record is not None:
-                return found.record
-            if time.monotonic() >= deadline:
-                raise TimeoutError(f"the question was not answered within {timeout_s:g} s")
+        return self._run(flows.wait(job, timeout_s))
 
-    def ask(
-        self, model: str, question: str, unit: LengthUnit = LengthUnit.MM, timeout_s: float = 300.0
-    ) -> AnswerRecord:
-        """What is the answer to the question about an uploaded model? Raises TimeoutError."""
-        deadline = time.monotonic() + timeout_s
-        response = self._ask(model, question, unit, _prefer(deadline))
-        if response.status_code == httpx.codes.OK:
-            return _parsed(AnswerRecord, response)
-        return self.wait(_parsed(Job, response).id, deadline - time.monotonic())
+    def cancel(self, job: str) -> Job:
+        """Calls a question off, unless it has its answer already."""
+        return self._run(flows.cancel(job))
+
+    def answers(self, model: str, offset: int = 0, limit: int = 100) -> JobsPage:
+        """What was asked about the model, and what came of it? The newest first."""
+        return self._run(flows.answers(model, offset, limit))
 
     def picture(self, model: str, job: str) -> bytes:
         """The PNG file that shows what the answer rests on."""
-        return self._send("GET", f"/v1/models/{model}/answers/{job}/picture").content
+        return self._run(flows.picture(model, job))
 
-    def _ask(self, model: str, question: str, unit: LengthUnit, headers: dict[str, str]) -> httpx.Response:
-        asked = QuestionRequest(question=question, unit=unit).model_dump(mode="json")
-        return self._send("POST", f"/v1/models/{model}/questions", json=asked, headers=headers)
-
-    def _send(self, method: str, path: str, accepted: tuple[int, ...] = (), **options: object) -> httpx.Response:
-        tries = TRIES if method == "GET" else 1  # asking twice would be two questions
-        for attempt in range(1, tries + 1):
+    def events(self, job: str) -> Iterator[JobEvent]:
+        """What happens to the question, step by step, from its start; the last event holds the record."""
+        following = Following(job)
+        while not following.done:
             try:
-                response = self._http.request(method, path, **options)  # type: ignore[arg-type]
+                with self._http.stream("GET", following.path, headers=following.headers) as response:
+                    if response.is_success:
+                        for event in EventSource(response).iter_sse():
+                            yield following.told(event)
+                    else:
+                        response.read()
+                        following.refused(response)
             except httpx.HTTPError as error:
-                failure: ClientError = ServerUnreachable(f"{self._http.base_url} does not answer: {error}")
-                retryable = True
+                time.sleep(following.broken(error))
             else:
-                if response.is_success or response.status_code in accepted:
-                    return response
-                problem = _parsed(Problem, response)
-                failure, retryable = ServerProblem(problem), problem.retryable
-            if not retryable or attempt == tries:
-                raise failure
-            time.sleep(PAUSE_S)
-        raise AssertionError("the last try returns or raises")
+                if not following.done:
+                    time.sleep(following.broken())
+
+    def _run(self, flow: Flow[T]) -> T:
+        """Does what the flow says, step by step."""
+        try:
+            step = next(flow)
+            while True:
+                came: httpx.Response | httpx.HTTPError | None = None
+                if isinstance(step, Pause):
+                    time.sleep(step.seconds)
+                else:
+                    try:
+                        came = self._http.request(step.method, step.path, headers=dict(step.headers), **step.options)
+                    except httpx.HTTPError as error:
+                        came = error
+                step = flow.send(came)
+        except StopIteration as end:
+            result: T = end.value
+            return result
 
 
-def _prefer(deadline: float) -> dict[str, str]:
-    left_s = int(min(WAIT_S, deadline - time.monotonic() + 0.5))
-    return {"Prefer": f"wait={left_s}"} if left_s > 0 else {}
+class AsyncClient:
+    """`Client` for asynchronous programs: the same methods, to be awaited; `events` with `async for`."""
+
+    def __init__(self, url: str, key: str | None = None, transport: httpx.AsyncBaseTransport | None = None) -> None:
+        self._http = httpx.AsyncClient(
+            base_url=url,
+            headers=_identified(key),
+            timeout=flows.WAIT_S + flows.MARGIN_S,
+            transport=transport or httpx.AsyncHTTPTransport(retries=flows.CONNECT_RETRIES),
+        )
+
+    async def __aenter__(self) -> Self:
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        await self.close()
+
+    async def close(self) -> None:
+        """Closes the connections."""
+        await self._http.aclose()
+
+    async def health(self) -> Health:
+        """Can questions be answered now, and if not, what is missing?"""
+        return await self._run(flows.health())
+
+    async def upload(self, path: Path | str, wait_s: float = 0.0, progress: Progress | None = None) -> ModelResource:
+        """Uploads a STEP file; with `wait_s`, returns when it has been read, or after so many seconds. Raises OSError.
+
+        The same file twice is one model. `progress` is told how many bytes were sent, of how many.
+        """
+        return await self._run(flows.upload(Path(path), wait_s, progress))
+
+    async def model(self, model: str, wait_s: float = 0.0) -> ModelResource:
+        """What is known of the model? With `wait_s`, when its file has been read, or after so many seconds."""
+        return await self._run(flows.model(model, wait_s))
+
+    async def models(self, offset: int = 0, limit: int = 100) -> ModelsPage:
+        """Which models are there? The newest first."""
+        return await self._run(flows.models(offset, limit))
+
+    async def delete(self, model: str) -> None:
+        """Deletes a model with its file, questions and answers."""
+        await self._run(flows.delete(model))
+
+    async def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
+        """Which parts were recognised in the model?"""
+        return await self._run(flows.parts(model, kind, offset, limit))
+
+    async def segment(
+        self,
+        model: str,
+        description: str,
+        sides: Sequence[Side] | None = None,
+        grounding: GroundedBy = GroundedBy.GEOMETRY,
+    ) -> Grounding:
+        """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
+        return await self._run(flows.segment(model, description, sides, grounding))
+
+    async def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
+        """The PNG file that shows the model from there."""
+        return await self._run(flows.view(model, view, width, height))
+
+    async def glb(self, model: str) -> bytes:
+        """The model's triangles as binary glTF, with the id of its face at every vertex."""
+        return await self._run(flows.glb(model))
+
+    async def submit(
+        self, model: str, question: str, unit: LengthUnit = LengthUnit.MM, options: AnswerOptions | None = None
+    ) -> Job:
+        """Asks a question about an uploaded model, and does not wait for the answer."""
+        return await self._run(flows.submit(model, question, unit, options))
+
+    async def submit_many(
+        self,
+        model: str,
+        questions: Sequence[str],
+        unit: LengthUnit = LengthUnit.MM,
+        options: AnswerOptions | None = None,
+    ) -> tuple[Job, ...]:
+        """Asks several questions at once, up to 100: all are accepted, or none. Their jobs, in the same order."""
+        return await self._run(flows.submit_many(model, questions, unit, options))
+
+    async def ask(
+        self,
+        model: str,
+        question: str,
+        unit: LengthUnit = LengthUnit.MM,
+        timeout_s: float = 300.0,
+        options: AnswerOptions | None = None,
+    ) -> AnswerRecord:
+        """What is the answer to the question about an uploaded model? Raises TimeoutError."""
+        return await self._run(flows.ask(model, question, unit, timeout_s, options))
+
+    async def job(self, job: str) -> Job:
+        """How far is the question?"""
+        return await self._run(flows.job(job))
+
+    async def wait(self, job: str, timeout_s: float = 300.0) -> AnswerRecord:
+        """What came of the question? Raises TimeoutError when it is not done in time."""
+        return await self._run(flows.wait(job, timeout_s))
+
+    async def cancel(self, job: str) -> Job:
+        """Calls a question off, unless it has its answer already."""
+        return await self._run(flows.cancel(job))
+
+    async def answers(self, model: str, offset: int = 0, limit: int = 100) -> JobsPage:
+        """What was asked about the model, and what came of it? The newest first."""
+        return await self._run(flows.answers(model, offset, limit))
+
+    async def picture(self, model: str, job: str) -> bytes:
+        """The PNG file that shows what the answer rests on."""
+        return await self._run(flows.picture(model, job))
+
+    async def events(self, job: str) -> AsyncIterator[JobEvent]:
+        """What happens to the question, step by step, from its start; the last event holds the record."""
+        following = Following(job)
+        while not following.done:
+            try:
+                async with self._http.stream("GET", following.path, headers=following.headers) as response:
+                    if response.is_success:
+                        async for event in EventSource(response).aiter_sse():
+                            yield following.told(event)
+                    else:
+                        await response.aread()
+                        following.refused(response)
+            except httpx.HTTPError as error:
+                await asyncio.sleep(following.broken(error))
+            else:
+                if not following.done:
+                    await asyncio.sleep(following.broken())
+
+    async def _run(self, flow: Flow[T]) -> T:
+        """Does what the flow says, step by step."""
+        try:
+            step = next(flow)
+            while True:
+                came: httpx.Response | httpx.HTTPError | None = None
+                if isinstance(step, Pause):
+                    await asyncio.sleep(step.seconds)
+                else:
+                    try:
+                        came = await self._http.request(
+                            step.method, step.path, headers=dict(step.headers), **step.options
+                        )
+                    except httpx.HTTPError as error:
+                        came = error
+                step = flow.send(came)
+        except StopIteration as end:
+            result: T = end.value
+            return result
 
 
-def _parsed(kind: type[M], response: httpx.Response) -> M:
-    try:
-        return kind.model_validate_json(response.content)
-    except ValidationError as error:
-        message = f"{response.request.url} answered {response.status_code}, not as a QueryCAD service does"
-        raise ServerUnreachable(message) from error
+def _identified(key: str | None) -> dict[str, str]:
+    return {"Authorization": f"Bearer {key}"} if key else {}

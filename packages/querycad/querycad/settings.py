@@ -18,3 +18,8 @@ def home() -> Path:
 def model_store() -> Path:
     """Where are the artefacts of known models?"""
     return home() / "models"
+
+
+def weights_folder() -> Path:
+    """Where are the weights of the vision path?"""
+    return home() / "weights"

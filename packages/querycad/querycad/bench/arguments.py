@@ -6,6 +6,9 @@ import argparse
 import os
 from typing import TYPE_CHECKING
 
+SET_UP = ("codegen", "grounding", "views", "box_threshold", "prompt_examples")
+"""The fields of `SystemOptions` that have arguments of the same name."""
+
 if TYPE_CHECKING:
     Commands = argparse._SubParsersAction[argparse.ArgumentParser]
 
@@ -29,6 +32,8 @@ def add_bench(commands: Commands) -> None:
     _add_ablate(inner)
     _add_compare(inner)
     _add_perf(inner)
+    _add_service(inner)
+    _add_networks(inner)
 
 
 def _add_run(commands: Commands) -> None:
@@ -36,7 +41,7 @@ def _add_run(commands: Commands) -> None:
     run.add_argument("folder", metavar="DIR", help="holds <set>/<id>/cad.step …, or questions/*.json")
     _add_models(run)
     run.add_argument("--resume", action="store_true", help="do not ask again what OUT has results of")
-    _add_common(run, out="bench-results")
+    _add_common(run, out="bench-results", has_pictures=True)
     run.set_defaults(run=_run, bench="run")
 
 
@@ -54,8 +59,9 @@ def _add_ablate(commands: Commands) -> None:
     ablate = commands.add_parser("ablate", help="run a benchmark once for every value of an option, one table")
     ablate.add_argument("folder", metavar="DIR", help="the benchmark folder")
     _add_models(ablate)
-    ablate.add_argument("--option", required=True, metavar="NAME", help="the option that varies, such as codegen")
-    ablate.add_argument("--values", required=True, nargs="+", metavar="VALUE", help="its values")
+    ablate.add_argument("--option", metavar="NAME", help="the option that varies, such as codegen (default: each)")
+    ablate.add_argument("--values", nargs="+", metavar="VALUE", help="its values (default: the usual ones)")
+    ablate.add_argument("--resume", action="store_true", help="do not ask again what OUT has results of")
     _add_common(ablate, out="bench-ablation")
     ablate.set_defaults(run=_run, bench="ablate")
 
@@ -72,23 +78,81 @@ def _add_perf(commands: Commands) -> None:
     perf.add_argument("models", nargs="*", metavar="FILE", help="STEP files (default: those in examples/)")
     perf.add_argument("--questions", type=_positive, default=200, metavar="N", help="questions asked (default: 200)")
     perf.add_argument("--repeat", type=_positive, default=3, metavar="N", help="readings of each file (default: 3)")
+    perf.add_argument(
+        "--only",
+        type=lambda text: tuple(text.split(",")),
+        default=(),
+        metavar="PART,…",
+        help="of: questions, sandbox, ingest, memory, recognition, rendering, faces, workers (default: all)",
+    )
+    perf.add_argument(
+        "--limit", type=_positive, default=600, metavar="S", help="begin no figure after so long (default: 600 s)"
+    )
     perf.add_argument("--out", metavar="FILE.json", help="write the figures there")
+    perf.add_argument("--plots", metavar="DIR", help="draw the figures there, as PNG files; needs matplotlib")
     perf.set_defaults(run=_run, bench="perf")
 
 
-def _add_common(parser: argparse.ArgumentParser, out: str) -> None:
+def _add_service(commands: Commands) -> None:
+    service = commands.add_parser("service", help="measure the service over HTTP, and kill its processes under load")
+    service.add_argument("model", nargs="?", default="examples/flange.step", metavar="FILE", help="a STEP file")
+    service.add_argument("--questions", type=_positive, default=200, metavar="N", help="of each kind (default: 200)")
+    service.add_argument("--chaos", type=int, default=500, metavar="N", help="questions under load (default: 500)")
+    service.add_argument("--out", metavar="FILE.json", help="write the figures there")
+    service.set_defaults(run=_run, bench="service")
+
+
+def _add_networks(commands: Commands) -> None:
+    networks = commands.add_parser("networks", help="measure the detector and the segmenter of the vision path")
+    networks.add_argument("--weights", metavar="DIR", help="their weights (default: QUERYCAD_HOME/weights)")
+    networks.add_argument("--boxes", type=_positive, default=20, metavar="N", help="in one view (default: 20)")
+    networks.add_argument("--repeat", type=_positive, default=3, metavar="N", help="times (default: 3)")
+    networks.set_defaults(run=_run, bench="networks")
+
+
+def _add_common(parser: argparse.ArgumentParser, out: str, *, has_pictures: bool = False) -> None:
     parser.add_argument("--out", metavar="DIR", default=out, help="where results go (default: %(default)s)")
     parser.add_argument(
         "--jobs", type=_positive, default=_cores(), metavar="N", help="models at a time (default: cores)"
     )
-    parser.add_argument("--codegen", default="parser", metavar="NAME", help="who writes the code (default: parser)")
     parser.add_argument("--system", metavar="MODULE:CLASS", help="measure another system through this adapter")
-    parser.add_argument("--timeout", type=_positive, default=60, metavar="S", help="of one question (default: 60 s)")
-    parser.add_argument("--pictures", action="store_true", help="put pictures of what was found into the report")
+    parser.add_argument(
+        "--timeout", type=_positive, metavar="S", help="of one question (default: 60 s; 600 s with vision or a model)"
+    )
+    parser.add_argument(
+        "--pictures",
+        action=argparse.BooleanOptionalAction,
+        default=has_pictures,
+        help=f"put pictures of what was found into the report (default: {'yes' if has_pictures else 'no'})",
+    )
     parser.add_argument(
         "--reuse-models", action="store_true", help="use models read before; without it every file is read anew"
     )
     parser.add_argument("--overrides", metavar="FILE", help="classes of failure by hand (default: OUT/overrides.json)")
+    _add_set_up(parser)
+
+
+def _add_set_up(parser: argparse.ArgumentParser) -> None:
+    """The options of `SystemOptions`; not given is its default."""
+    group = parser.add_argument_group("how the system is set up")
+    group.add_argument("--codegen", choices=("parser", "llm", "both"), help="who writes programs (default: parser)")
+    group.add_argument(
+        "--grounding", choices=("geometry", "vision", "fused"), help="what turns words into parts (default: geometry)"
+    )
+    group.add_argument("--views", choices=("6", "8"), help="looked at by vision (default: 6)")
+    group.add_argument(
+        "--box-threshold", type=_share, metavar="SHARE", help="score that vision's boxes must exceed (default: 0.30)"
+    )
+    group.add_argument(
+        "--prompt-examples", choices=("0", "3", "nearest"), help="shown to a language model (default: nearest)"
+    )
+
+
+def _share(text: str) -> float:
+    value = float(text)
+    if not 0 < value < 1:
+        raise argparse.ArgumentTypeError("must be between 0 and 1")
+    return value
 
 
 def _add_models(parser: argparse.ArgumentParser) -> None:

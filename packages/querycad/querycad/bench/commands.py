@@ -10,13 +10,15 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from pydantic import ValidationError
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeElapsedColumn
 
+from .ablation import Ablations, Row, ablations, table
 from .answers import score_answers
-from .compare import print_comparison, side_by_side
+from .arguments import SET_UP
+from .compare import print_comparison
 from .failures import read_overrides
 from .floor import falls, read_floor, record
 from .items import BadBenchmark, Benchmark, read_benchmark
@@ -27,6 +29,9 @@ from .running import RESULTS, run_benchmark
 from .systems import EMBEDDED, SystemOptions, UnknownSystem
 from .tables import print_results
 
+if TYPE_CHECKING:
+    from .perf import Measurements
+
 EXIT_DONE, EXIT_BELOW_FLOOR, EXIT_BAD_INPUT = 0, 1, 2
 OWN = Path("benchmark")
 THEIRS = Path("../shared/cad-qa-dev")
@@ -35,7 +40,8 @@ OVERRIDES = "overrides.json"
 
 def bench(options: argparse.Namespace) -> int:
     """Does the command `options.bench`; returns its exit code."""
-    commands = {"all": _all, "run": _run, "score": _score, "ablate": _ablate, "compare": _compare, "perf": _perf}
+    commands = {"all": _all, "run": _run, "score": _score, "ablate": _ablate, "compare": _compare}
+    commands |= {"perf": _perf, "service": _service, "networks": _networks}
     console = Console(highlight=False, width=None if sys.stdout.isatty() else 140)
     try:
         return commands[options.bench](options, console)
@@ -83,16 +89,24 @@ def _score(options: argparse.Namespace, console: Console) -> int:
 
 
 def _ablate(options: argparse.Namespace, console: Console) -> int:
-    """One run for every value, kept in a folder of its own, and one table."""
-    benchmark = _read(options)
-    runs = []
-    for value in options.values:
-        name = f"{options.option}-{re.sub(r'[^A-Za-z0-9.]+', '_', value)}"
-        setup = _system_options(options, {options.option: value})
-        results = _asked(benchmark, setup, Path(options.out) / name, options)
-        runs.append((f"{options.option} {value}", results))
-    console.print(side_by_side(runs))
-    return EXIT_DONE
+    """One run for every value, kept in a folder of its own, and one table an option."""
+    asked = ablations(options.option, options.values)
+    benchmark, base = _read(options), _system_options(options)
+    all_rows: list[Row] = []
+    with _model_store(options, base) as ready:
+
+        def measure(setup: SystemOptions, name: str) -> Results:
+            out = Path(options.out) / re.sub(r"[^A-Za-z0-9.-]+", "_", name)
+            return _asked(benchmark, setup, out, options, resume=options.resume)
+
+        runs = Ablations(ready, measure)
+        for ablation in asked:
+            rows = runs.rows(ablation)
+            all_rows += rows
+            console.print(table(ablation, rows, ready))
+    if any(row.results is not None for row in all_rows):
+        return EXIT_DONE
+    raise UnknownSystem("nothing was measured: " + "; ".join(dict.fromkeys(row.refused for row in all_rows)))
 
 
 def _compare(options: argparse.Namespace, console: Console) -> int:
@@ -112,7 +126,7 @@ def _perf(options: argparse.Namespace, console: Console) -> int:
     if missing is not None or not models:
         raise BadBenchmark(f"{missing}: no such file" if missing else "name a STEP file: there is none in examples/")
     found = measure(
-        PerfOptions(models, options.questions, options.repeat),
+        PerfOptions(models, options.questions, options.repeat, options.only, options.limit),
         lambda name: print(f"measuring: {name} …", file=sys.stderr),
     )
     print_measurements(found, console)
@@ -120,6 +134,48 @@ def _perf(options: argparse.Namespace, console: Console) -> int:
         Path(options.out).parent.mkdir(parents=True, exist_ok=True)
         Path(options.out).write_text(found.model_dump_json(indent=1) + "\n", encoding="utf-8")
         console.print(f"figures: {options.out}")
+    return _drawn(found, Path(options.plots), console) if options.plots else EXIT_DONE
+
+
+def _drawn(found: Measurements, folder: Path, console: Console) -> int:
+    from .figures import NotMeasured
+    from .plots import draw
+
+    parts = [(part.name, part.measurements) for part in found.parts]
+    try:
+        written = draw(parts, [series for part in found.parts for series in part.series], folder)
+    except NotMeasured as absent:
+        print(f"querycad: no plots: {absent}", file=sys.stderr)
+        return EXIT_BAD_INPUT
+    console.print("plots: " + ", ".join(str(path) for path in written))
+    return EXIT_DONE
+
+
+def _service(options: argparse.Namespace, console: Console) -> int:
+    from .perf_service import ServiceOptions, measure, print_report
+
+    found = measure(
+        ServiceOptions(Path(options.model), options.questions, options.chaos),
+        lambda name: print(f"measuring: {name} …", file=sys.stderr),
+    )
+    print_report(found, console)
+    if options.out:
+        Path(options.out).parent.mkdir(parents=True, exist_ok=True)
+        Path(options.out).write_text(found.model_dump_json(indent=1) + "\n", encoding="utf-8")
+        console.print(f"figures: {options.out}")
+    return EXIT_DONE
+
+
+def _networks(options: argparse.Namespace, console: Console) -> int:
+    from querycad.settings import weights_folder
+
+    from .perf import Measurements, PartMeasurements, print_measurements
+    from .perf_networks import NetworkOptions, network_measurements
+
+    weights = Path(options.weights) if options.weights else weights_folder()
+    found = network_measurements(NetworkOptions(weights, boxes=options.boxes, repeat=options.repeat))
+    part = PartMeasurements(name="networks", measurements=tuple(found))
+    print_measurements(Measurements(python=sys.version.split()[0], parts=(part,)), console)
     return EXIT_DONE
 
 
@@ -130,7 +186,8 @@ def _read(options: argparse.Namespace) -> Benchmark:
 def _measure(
     benchmark: Benchmark, out: Path, options: argparse.Namespace, console: Console, *, resume: bool = False
 ) -> Results:
-    results = _asked(benchmark, _system_options(options), out, options, resume=resume)
+    with _model_store(options, _system_options(options)) as setup:
+        results = _asked(benchmark, setup, out, options, resume=resume)
     _show(results, out, console)
     return results
 
@@ -139,9 +196,9 @@ def _asked(
     benchmark: Benchmark, setup: SystemOptions, out: Path, options: argparse.Namespace, *, resume: bool = False
 ) -> Results:
     overrides = read_overrides(_overrides(options, out))
-    with _model_store(options, setup) as ready, _progress(len(benchmark.items), benchmark.name) as progress:
+    with _progress(len(benchmark.items), benchmark.name) as progress:
         return run_benchmark(
-            benchmark, ready, out, jobs=options.jobs, resume=resume, overrides=overrides, progress=progress
+            benchmark, setup, out, jobs=options.jobs, resume=resume, overrides=overrides, progress=progress
         )
 
 
@@ -160,14 +217,10 @@ def _overrides(options: argparse.Namespace, out: Path) -> Path:
     return path
 
 
-def _system_options(options: argparse.Namespace, changed: dict[str, str] | None = None) -> SystemOptions:
-    given = {"system": options.system or EMBEDDED, "codegen": options.codegen}
-    given |= {"pictures": options.pictures, "timeout_s": options.timeout}
-    try:
-        return SystemOptions.model_validate(given | (changed or {}))
-    except ValidationError as error:
-        names = ", ".join(sorted(set(SystemOptions.model_fields) - {"store", "pictures", "system", "timeout_s"}))
-        raise UnknownSystem(f"{options.option} is no option of the system; there are: {names}") from error
+def _system_options(options: argparse.Namespace) -> SystemOptions:
+    given = {"system": options.system or EMBEDDED, "pictures": options.pictures, "timeout_s": options.timeout}
+    given |= {name: value for name in SET_UP if (value := getattr(options, name)) is not None}
+    return SystemOptions.model_validate(given)
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -78,20 +79,35 @@ def print_comparison(before: Results, after: Results, names: tuple[str, str], co
             console.print(f"only in {escape(name)}: {len(keys)}, {escape(shown)}")
 
 
-def side_by_side(runs: Sequence[tuple[str, Results]]) -> Table:
-    """How many are right in each run, by set? One row a run: the table of an ablation."""
-    sets = sorted({result.set for _, run in runs for result in run.results})
-    table = Table("run", title="right, strict / tolerant, of all", title_justify="left")
+def side_by_side(runs: Sequence[tuple[str, Results | str]], title: str = "", heading: str = "run") -> Table:
+    """How many are right in each run, by set? One row a run. A text in the place of results: why there are none."""
+    measured = [run for _, run in runs if isinstance(run, Results)]
+    sets = sorted({result.set for run in measured for result in run.results})
+    title = f"{title}: right, strict / tolerant, of all".removeprefix(": ")
+    table = Table(heading, title=title, title_justify="left")
     for name in (*sets, "total", "tolerant", "median s"):
         table.add_column(escape(name), justify="right")
+    table.add_column("programs by", overflow="fold")
     for name, run in runs:
+        if isinstance(run, str):
+            table.add_row(escape(name), *["–"] * (len(sets) + 3), f"[red]not measured:[/red] {escape(run)}")
+            continue
         groups = [[result for result in run.results if result.set == group] for group in sets]
         total, _, tolerant = counts(run.results)
-        seconds = sorted(result.seconds for result in run.results if result.seconds is not None)
-        median = f"{seconds[len(seconds) // 2]:.3f}" if seconds else ""
         cells = [_cell(group) for group in (*groups, run.results)]
-        table.add_row(escape(name), *cells, share(tolerant, total), median)
+        table.add_row(escape(name), *cells, share(tolerant, total), _median(run.results), escape(_writers(run.results)))
     return table
+
+
+def _median(results: Sequence[Result]) -> str:
+    seconds = sorted(result.seconds for result in results if result.seconds is not None)
+    return f"{seconds[len(seconds) // 2]:.3f}" if seconds else ""
+
+
+def _writers(results: Sequence[Result]) -> str:
+    """Whose programs were they? Where a language model is not reached, the parser answers in its place."""
+    written = Counter(result.codegen for result in results if result.codegen is not None)
+    return ", ".join(f"{name}: {count}" for name, count in sorted(written.items()))
 
 
 def _cell(results: Sequence[Result]) -> str:

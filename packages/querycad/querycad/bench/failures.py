@@ -61,6 +61,7 @@ _BY_CATEGORY = {
     "program": FailureClass.SYNTAX,
     "not_understood": FailureClass.REASONING,
     "not_grounded": FailureClass.MASKS,
+    "unexpected": FailureClass.REASONING,
 }
 _MEASURES = ("radius", "diameter", "depth", "height", "width", "length", "thickness", "edge_distance")
 _VECTORS = ("center", "extents", "opening", "tip", "local_size")

@@ -1,6 +1,6 @@
 """One timing in a process of its own, start and imports not counted: `perf_child kernel|ingest FILE FOLDER`.
 
-Prints one JSON object: seconds, and the largest resident memory of the process in bytes.
+Prints one JSON object: seconds, processor seconds, and the largest resident memory of the process in bytes.
 """
 
 from __future__ import annotations
@@ -24,9 +24,11 @@ def main(what: str, file: Path, folder: Path) -> None:
     os.dup2(2, 1)  # the kernel and the stages write to standard output
     for package in PACKAGES:
         _import_all(f"querycad_segworker.{package}")
+    used = time.process_time()
     seconds = _kernel_s(file) if what == "kernel" else _ingest_s(file, folder)
+    cpu_seconds = time.process_time() - used
     memory_bytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024  # Linux counts in KiB
-    json.dump({"seconds": seconds, "memory_bytes": memory_bytes}, report)
+    json.dump({"seconds": seconds, "cpu_seconds": cpu_seconds, "memory_bytes": memory_bytes}, report)
     report.close()
 
 

@@ -49,6 +49,8 @@ class Result(BaseModel):
     measure: str = ""
     code: str | None = None
     codegen: str | None = None
+    attempts: int = 0
+    """Programs that a language model wrote; with `codegen` 'parser', none of them answered."""
     parts: tuple[PartFound, ...] = ()
     seconds: float | None = None
     status: str
@@ -122,6 +124,7 @@ def result_of(item: Item, reply: Reply, overrides: Mapping[str, Override], pictu
         measure=item.measure,
         code=reply.code,
         codegen=reply.codegen,
+        attempts=reply.attempts,
         parts=tuple(PartFound(id=part.id, label=part.label, faces=part.faces) for part in reply.parts),
         seconds=reply.seconds,
         status=reply.failure or ("answered" if answer is not None else "no answer"),

@@ -109,7 +109,7 @@ def ask_model(
         for item in items:
             start = perf_counter()
             try:
-                with time_limit(options.timeout_s):
+                with time_limit(options.limit_s):
                     reply = _reply(system, item)
             except TookTooLong as error:
                 reply = Reply(failure="limit", message=str(error))

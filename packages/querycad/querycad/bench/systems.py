@@ -10,11 +10,12 @@ import importlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol, cast
+from typing import Annotated, Any, Literal, Protocol, cast
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from querycad_contracts import AnswerRecord, AnswerType, Part
+from querycad_api.llm import PromptExamples
+from querycad_contracts import AnswerRecord, AnswerType, GroundedBy, Part
 
 EMBEDDED = "querycad.bench.embedded:EmbeddedSystem"
 
@@ -26,11 +27,28 @@ class SystemOptions(BaseModel):
 
     system: str = EMBEDDED
     codegen: str = "parser"
+    """'parser', 'llm' or 'both'; which language model that is, the environment says: QUERYCAD_LLM_…"""
+    llm_samples: int = 1
+    llm_repairs: int = 2
+    prompt_examples: PromptExamples = PromptExamples.NEAREST
+    """Worked examples shown to a language model."""
+    grounding: GroundedBy = GroundedBy.GEOMETRY
+    views: Annotated[Literal[6, 8], BeforeValidator(int)] = 6
+    """Looked at where `grounding` is vision or fused, from the sides or from the corners."""
+    box_threshold: float = Field(0.30, gt=0, lt=1)
+    """Score of a box below which the detector has seen nothing."""
     store: Path | None = None
     """Folder with the artefacts of models read before; None for the user's own."""
     pictures: bool = False
-    timeout_s: float = 60.0
-    """Of one question, reading its model included the first time: a thousand times what a question should take."""
+    timeout_s: float | None = None
+    """Of one question, reading its model included the first time; see `limit_s`."""
+
+    @property
+    def limit_s(self) -> float:
+        """How long may a question take? A thousand times what it should; networks and language models take minutes."""
+        if self.timeout_s is not None:
+            return self.timeout_s
+        return 60.0 if (self.codegen, self.grounding) == ("parser", GroundedBy.GEOMETRY) else 600.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +63,8 @@ class Reply:
     text: str = ""
     code: str | None = None
     codegen: str | None = None
+    attempts: int = 0
+    """Programs that a language model wrote."""
     parts: tuple[Part, ...] = ()
     seconds: float | None = None
     failure: str | None = None
@@ -90,6 +110,7 @@ def reply_of(record: AnswerRecord, seconds: float | None = None, picture_png: by
         text=answer.text if answer else "",
         code=record.code,
         codegen=record.codegen,
+        attempts=len(record.attempts),
         parts=record.parts,
         seconds=seconds,
         failure=failure.category if failure else None,

@@ -1,0 +1,71 @@
+"""`querycad segment`: what every stage of the vision path makes of a model, as pictures."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from querycad_contracts import Face
+from querycad_segworker.errors import FileProblem
+from querycad_segworker.ingest import ingest
+from querycad_segworker.model import Artefacts, Model, ModelStore
+from querycad_segworker.segcad.ground import ground
+
+from .settings import model_store, weights_folder
+
+EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+
+
+def segment(options: argparse.Namespace) -> int:
+    """Looks for the phrase and writes the pictures; returns the exit code: 2 where there is nothing to look with."""
+    try:
+        artefacts = ingest(Path(options.file), ModelStore(model_store()))
+    except FileProblem as problem:
+        print(f"querycad: {options.file}: {problem}", file=sys.stderr)
+        return EXIT_BAD_INPUT
+    try:
+        return _segment(options, artefacts, artefacts.load_model(), artefacts.load_faces())
+    except OSError as error:
+        print(f"querycad: {options.out}: {error.strerror}", file=sys.stderr)
+        return EXIT_FAILED
+
+
+def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, faces: tuple[Face, ...]) -> int:
+    from querycad_segworker.vision.blind import BLIND
+    from querycad_segworker.vision.fuse import sightings
+    from querycad_segworker.vision.known import KnownParts
+    from querycad_segworker.vision.ports import VisionOptions, WeightsAbsent
+    from querycad_segworker.vision.show import SHEET, look_and_draw, save_views
+
+    numbers = VisionOptions(
+        views=options.views,
+        width=options.size[0],
+        height=options.size[1],
+        shaded=options.shaded,
+        box_threshold=options.box_threshold,
+    )
+    absent = ""
+    if options.known:
+        meant = ground(model.parts, options.phrase, None)
+        if not meant.parts:
+            print(f"querycad: not grounded: {meant.message}", file=sys.stderr)
+            return EXIT_BAD_INPUT
+        models = KnownParts(len(faces), [part.faces for part in meant.parts], numbers.color_seed).models
+    else:
+        from querycad_segworker.vision.sessions import UnknownLayout
+        from querycad_segworker.vision.weights import load_models
+
+        try:
+            models = load_models(weights_folder(), numbers.box_threshold)
+        except (WeightsAbsent, UnknownLayout) as state:
+            models, absent = BLIND, str(state)
+    out = Path(options.out)
+    seen = look_and_draw(artefacts, len(faces), options.phrase, models, out / SHEET, numbers, save_views(out))
+    for one in sightings(seen, options.phrase, model.parts, faces):
+        ids = ", ".join(map(str, one.part.faces[:8])) + (" …" if len(one.part.faces) > 8 else "")
+        print(f"{one.part.id}: {one.part.label} (faces {ids}; {one.reason})")
+    print(f"pictures: {out}")
+    if absent:
+        print(f"querycad: only rendered: {absent}", file=sys.stderr)
+    return EXIT_BAD_INPUT if absent else EXIT_DONE
