@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from querycad_contracts import AnswerRecord, Status, TaskName
+from querycad_contracts import AnswerRecord, Status, TaskName, picture_name
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import make_tasks
 from querycad_segworker.worker import ATTEMPTS, make_app
@@ -66,6 +66,16 @@ def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, tabl
     assert table[TaskName.SHAPE]({"model": model})["value"] == local.shape().model_dump(mode="json")
     faces = table[TaskName.FACES]({"model": model, "ids": [3, 1]})["value"]
     assert [face["id"] for face in faces] == [3, 1]
+
+
+def test_vision_without_weights_finds_nothing_and_says_why(table: Table, model: str) -> None:
+    asked = {"model": model, "description": "hole"}
+    alone = table[TaskName.FIND_PARTS]({**asked, "grounding": "vision"})["value"]
+    assert alone["parts"] == []
+    assert alone["message"].startswith("vision cannot look: no weights")
+    both = table[TaskName.FIND_PARTS]({**asked, "grounding": "fused"})["value"]
+    assert both["parts"] == table[TaskName.FIND_PARTS](asked)["value"]["parts"]
+    assert both["warnings"][-1].startswith("grounded on geometry alone: no weights")
 
 
 def test_a_distance_is_measured(table: Table, model: str) -> None:
@@ -131,11 +141,11 @@ def test_a_picture_is_drawn_under_its_name(settings: SegworkerSettings, table: T
     record = AnswerRecord(
         question="?", status=Status.ANSWERED, answer=None, code=None, codegen=None, parts=(), timings_ms={}, warnings=()
     )
-    name = "1" * 32 + ".png"
+    name = picture_name("1" * 32)
     outcome = table[TaskName.PICTURE]({"model": model, "record": record.model_dump(mode="json"), "name": name})
     assert outcome == {"value": name, "failure": None}
-    assert (settings.pictures / name).read_bytes().startswith(b"\x89PNG")
-    assert [path.name for path in settings.pictures.iterdir()] == [name]
+    assert (settings.home / name).read_bytes().startswith(b"\x89PNG")
+    assert not list(settings.home.glob("draw-*"))
 
 
 def test_a_file_whose_workers_die_is_given_up(redis_url: str, settings: SegworkerSettings, model: str) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import resource
 import sys
@@ -16,6 +17,7 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
     """Writes the artefacts and `outcome.json` into `folder`. Dies by signal where the kernel does."""
     resource.setrlimit(resource.RLIMIT_AS, (memory_bytes, memory_bytes))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    gc.disable()  # what is made here lives as long as the process: looking through it for garbage finds none
     try:
         _ingest(source, file_name, sha256, Artefacts(folder))
         outcome: dict[str, str] = {}
@@ -29,6 +31,8 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
 def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> None:
     clock = _Clock()
     clock.begin("read")
+    import numpy as np
+
     from .brep.extract import extract
     from .brep.measure import save_faces
     from .brep.step import read_step
@@ -39,6 +43,7 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
     extracted = extract(content)
     brep = extracted.brep
     save_faces(extracted.faces, artefacts.kernel_faces)
+    np.save(artefacts.face_pairs, np.array(brep.face_pairs, dtype=np.int32).reshape(-1, 2))
     clock.begin("tessellate")
     from .vectors import dist
 
@@ -55,7 +60,7 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
     from .features.thickness import material_thickness
     from .segcad.sides import with_sides
 
-    found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene))
+    found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene), mesh)
     parts = with_sides(found.parts, brep, scene, visibility)
     clock.end()
     model = Model(

@@ -13,7 +13,7 @@ from pydantic import TypeAdapter
 
 from querycad_contracts import Face, Frozen, Part, Shape
 
-ARTEFACT_VERSION = 9
+ARTEFACT_VERSION = 10
 """Raise it whenever recognition or the files below change: older artefacts are then made anew."""
 
 _FACES = TypeAdapter(tuple[Face, ...])
@@ -52,6 +52,15 @@ class Artefacts:
         return self.folder / "mesh.npz"
 
     @property
+    def face_pairs(self) -> Path:
+        """Which faces meet: (E, 2) int32 ids as an array, each pair once."""
+        return self.folder / "face_pairs.npy"
+
+    def sight(self, name: str) -> Path:
+        """A sheet that shows how a phrase was seen; there once vision has looked for it."""
+        return self.folder / "sight" / name
+
+    @property
     def kernel_faces(self) -> Path:
         """The faces in the kernel's binary format, for measurements that need exact surfaces."""
         return self.folder / "faces.bin"
@@ -78,7 +87,7 @@ class ModelStore:
 
     def find(self, sha256: str) -> Artefacts | None:
         """Which artefacts are kept for this file? None when there are none of this version."""
-        artefacts = Artefacts(self._folder(sha256))
+        artefacts = Artefacts(self.folder(sha256))
         return artefacts if artefacts.model.exists() else None
 
     def scratch(self) -> Path:
@@ -88,7 +97,7 @@ class ModelStore:
 
     def keep(self, sha256: str, scratch: Path) -> Artefacts:
         """Puts a finished scratch folder in place, all at once; where another process was faster, its result stays."""
-        target = self._folder(sha256)
+        target = self.folder(sha256)
         target.parent.mkdir(parents=True, exist_ok=True)
         try:
             scratch.rename(target)
@@ -96,7 +105,8 @@ class ModelStore:
             shutil.rmtree(scratch, ignore_errors=True)
         return Artefacts(target)
 
-    def _folder(self, sha256: str) -> Path:
+    def folder(self, sha256: str) -> Path:
+        """Where are this file's artefacts, or would be? In the folder of this version."""
         return self.root / sha256[:2] / sha256 / f"v{ARTEFACT_VERSION}"
 
 

@@ -7,7 +7,9 @@ ours or of the machine is.
 from __future__ import annotations
 
 import logging
-from collections import Counter, OrderedDict
+import tempfile
+import time
+from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +21,6 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
-    Frozen,
     Grounding,
     IngestTask,
     ModelSummary,
@@ -32,19 +33,22 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    ViewTask,
+    file_store,
+    upload_name,
+    working_for,
 )
 
 from .errors import FileProblem
 from .ingest import IngestLimits, ingest
-from .model import Artefacts, Model, ModelStore
+from .model import Artefacts, ModelStore
 from .segcad.local import LocalSegCad
+from .segcad.sight import networks_in
 from .settings import SegworkerSettings
-
-BODIES_LISTED = 100
-"""Of an assembly with thousands of bodies; the summary is to stay short."""
+from .summary import summary
 
 log = logging.getLogger(__name__)
-P = TypeVar("P", bound=Frozen)
+P = TypeVar("P", bound=ModelTask)
 
 
 class UnknownModelError(FileProblem):
@@ -56,6 +60,7 @@ class ModelCache:
 
     def __init__(self, settings: SegworkerSettings) -> None:
         self._settings = settings
+        self.files = file_store(settings)
         self._store = ModelStore(settings.models)
         self._kept: OrderedDict[str, LocalSegCad] = OrderedDict()
 
@@ -64,16 +69,39 @@ class ModelCache:
         known = self._store.find(model)
         if known is not None:
             return known
-        upload = self._settings.upload(model)
-        if not upload.is_file():
+        folder = self._name(self._store.folder(model))
+        if self.files.fetch_folder(folder) and (known := self._store.find(model)) is not None:
+            return known
+        upload = self.files.fetch(upload_name(model))
+        if upload is None:
             raise UnknownModelError("no such model: upload its file first")
         limits = IngestLimits(duration_s=float(self._settings.ingest_s))
-        return ingest(upload, self._store, limits, file_name=file_name)
+        made = ingest(upload, self._store, limits, file_name=file_name)
+        self.files.keep_folder(folder)
+        return made
+
+    def made_of(self, model: str, file_name: str, make: Callable[[Artefacts, Path], None]) -> str:
+        """The name, in the store, of a file that is made of the model's artefacts, now if it is not there yet."""
+        artefacts = self.artefacts(model)
+        name = self._name(artefacts.folder / "drawn" / file_name)
+        return self.made(name, lambda path: make(artefacts, path))
+
+    def made(self, name: str, make: Callable[[Path], None]) -> str:
+        """The name, in the store, of a file that is made now if it is not there yet: all at once, or not at all."""
+        if self.files.fetch(name) is None:
+            with tempfile.TemporaryDirectory(prefix="draw-", dir=self.files.home) as scratch:
+                unfinished = Path(scratch) / Path(name).name
+                make(unfinished)
+                self.files.keep(name, unfinished)
+        return name
+
+    def _name(self, path: Path) -> str:
+        return path.relative_to(self.files.home).as_posix()
 
     def segcad(self, model: str) -> LocalSegCad:
         """The recognised model. Raises FileProblem."""
         if model not in self._kept:
-            self._kept[model] = LocalSegCad(self.artefacts(model))
+            self._kept[model] = LocalSegCad(self.artefacts(model), networks=networks_in(self._settings.weights))
         self._kept.move_to_end(model)
         while len(self._kept) > self._settings.segworker_models:
             self._kept.popitem(last=False)
@@ -85,7 +113,6 @@ class Tasks:
     """Every task, on the models of one process."""
 
     cache: ModelCache
-    pictures: Path
 
     def ingest(self, task: IngestTask) -> ModelSummary:
         """What does the uploaded file hold? Read once; known content is answered at once."""
@@ -97,7 +124,7 @@ class Tasks:
 
     def find_parts(self, task: FindPartsTask) -> Grounding:
         """Which parts does the description mean?"""
-        return self.cache.segcad(task.model).find_parts(task.description, task.sides)
+        return self.cache.segcad(task.model).grounded_by(task.grounding).find_parts(task.description, task.sides)
 
     def faces(self, task: FacesTask) -> tuple[Face, ...]:
         """What are these faces?"""
@@ -118,14 +145,27 @@ class Tasks:
         return PartsPage(items=tuple(wanted[task.offset : task.offset + task.limit]), total=len(wanted))
 
     def picture(self, task: PictureTask) -> str:
-        """Draws the parts that an answer rests on; the name of the file in the folder of pictures."""
+        """Draws the parts that an answer rests on; the name of the file in the store."""
         from .render.evidence import draw_evidence  # here: most tasks draw nothing, and numpy's import is not free
 
-        self.pictures.mkdir(parents=True, exist_ok=True)
-        unfinished = self.pictures / f"unfinished-{task.name}"
-        draw_evidence(self.cache.artefacts(task.model), task.record, unfinished)
-        unfinished.rename(self.pictures / task.name)
-        return task.name
+        return self.cache.made(
+            task.name, lambda path: draw_evidence(self.cache.artefacts(task.model), task.record, path)
+        )
+
+    def view(self, task: ViewTask) -> str:
+        """Draws the model as it is seen from there; the name of the file in the store."""
+        from .render.plain import draw_view  # here: as above
+
+        def draw(artefacts: Artefacts, path: Path) -> None:
+            draw_view(artefacts, task.view, (task.width, task.height), path)
+
+        return self.cache.made_of(task.model, f"{task.view.value}-{task.width}x{task.height}.png", draw)
+
+    def glb(self, task: ModelTask) -> str:
+        """Writes the model's triangles as binary glTF; the name of the file in the store."""
+        from .render.glb import write_glb  # here: as above
+
+        return self.cache.made_of(task.model, "model.glb", write_glb)
 
     def table(self) -> dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]:
         """Every task by its name, from JSON to JSON."""
@@ -138,32 +178,27 @@ class Tasks:
             TaskName.EDGE_DISTANCE: _as_data(EdgeDistanceTask, self.edge_distance),
             TaskName.PARTS: _as_data(PartsTask, self.parts),
             TaskName.PICTURE: _as_data(PictureTask, self.picture),
+            TaskName.VIEW: _as_data(ViewTask, self.view),
+            TaskName.GLB: _as_data(ModelTask, self.glb),
         }
 
 
 def make_tasks(settings: SegworkerSettings) -> Tasks:
     """The tasks of a process with these settings."""
-    return Tasks(ModelCache(settings), settings.pictures)
-
-
-def summary(model: Model) -> ModelSummary:
-    """What does the model hold, in short?"""
-    shape = model.shape
-    return ModelSummary(
-        shape=shape.model_copy(update={"bodies": shape.bodies[:BODIES_LISTED]}),
-        body_count=len(shape.bodies),
-        part_counts=dict(sorted(Counter(part.kind for part in model.parts).items())),
-        warnings=model.warnings,
-        timings_ms=model.timings_ms,
-    )
+    return Tasks(ModelCache(settings))
 
 
 def _as_data(payload: type[P], work: Callable[[P], Any]) -> Callable[[dict[str, Any]], dict[str, Any]]:
     """The task with its payload, value and failures as JSON data, which is what the queue carries."""
 
     def task(data: dict[str, Any]) -> dict[str, Any]:
-        outcome = _outcome(lambda: work(payload.model_validate(data)))
-        return outcome.model_dump(mode="json")
+        asked = payload.model_validate(data)
+        start = time.perf_counter()
+        with working_for(asked.request):
+            outcome = _outcome(lambda: work(asked)).model_dump(mode="json")
+            ms = round((time.perf_counter() - start) * 1e3, 1)
+            log.info("%s done", payload.__name__, extra={"model": asked.model, "ms": ms})
+            return outcome
 
     return task
 

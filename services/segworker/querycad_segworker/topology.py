@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
+from itertools import combinations
 
 from querycad_contracts import Convexity, SurfaceKind, Vector
 
@@ -136,6 +137,12 @@ class Brep:
     def face_edges(self) -> tuple[tuple[int, ...], ...]:
         """Which edges bound each face? Indexed by face id."""
         return tuple(tuple(edge for loop in face.loops for edge in loop.edges) for face in self.faces)
+
+    @cached_property
+    def face_pairs(self) -> tuple[tuple[int, int], ...]:
+        """Which faces meet along an edge? Each pair once, the lower id first."""
+        met = {pair for edge in self.edges for pair in combinations(sorted(set(edge.faces)), 2)}
+        return tuple(sorted(met))
 
     def neighbours(self, face: int) -> list[tuple[EdgeRecord, int]]:
         """Which faces meet this face, and along which edge? One entry an edge; seam edges left out."""

@@ -14,13 +14,23 @@ from typing import Any, cast
 
 from celery import Celery, Task
 from celery.bootsteps import StartStopStep
-from celery.signals import heartbeat_sent
+from celery.signals import heartbeat_sent, setup_logging
 from kombu import Queue as KombuQueue
 from redis import Redis
 from redis.backoff import ExponentialBackoff
 from redis.retry import Retry
 
-from querycad_contracts import Queue, TaskFailure, TaskFailureKind, TaskName, TaskOutcome, alive_key, reply_key
+from querycad_contracts import (
+    Queue,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+    alive_key,
+    reply_key,
+    start_logging,
+    start_worker_tracing,
+)
 
 from .settings import SegworkerSettings
 from .tasks import Tasks, make_tasks
@@ -65,7 +75,6 @@ def make_app(settings: SegworkerSettings) -> Celery:
         worker_prefetch_multiplier=1,
         worker_max_memory_per_child=settings.segworker_memory_mib * 1024,
         worker_cancel_long_running_tasks_on_connection_loss=False,
-        worker_hijack_root_logger=False,
         worker_redirect_stdouts=False,
         broker_connection_retry_on_startup=True,
         broker_transport_options={
@@ -91,6 +100,9 @@ def make_app(settings: SegworkerSettings) -> Celery:
         limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
         app.task(_task(name, process.work(name), replies), bind=True, name=name.value, time_limit=limit_s)
     heartbeat_sent.connect(lambda **_: _say_alive(redis, queues), weak=False)
+    service = "+".join(sorted(queue.value for queue in queues))
+    setup_logging.connect(lambda **_: start_logging(service, settings.log_format), weak=False)
+    start_worker_tracing("querycad-segworker", settings.traces)
     if settings.sole_worker:
         app.steps["consumer"].add(_take_over(redis, f"{undone}:unacked_index"))
     return app

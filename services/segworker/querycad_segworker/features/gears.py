@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
+from querycad_segworker.vectors import dist, sub
 
 from .walls import Axis, Wall
 
@@ -78,19 +79,30 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
 
 
 def _axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
-    """The axes on which the most round faces lie, at most three: teeth stand around a main axis of their body."""
-    groups: list[tuple[Axis, float]] = []
-    for wall in walls:
-        if not wall.encloses:
-            continue
-        for i, (axis, weight) in enumerate(groups):
-            if axis.same_line(wall.axis, tolerances):
-                groups[i] = (axis, weight + wall.height * wall.radius)
-                break
-        else:
-            groups.append((wall.axis, wall.height * wall.radius))
-    groups.sort(key=lambda group: -group[1])
-    return [axis for axis, _ in groups[:3]]
+    """The axes on which the most round faces lie, at most three: teeth stand around a main axis of their body.
+
+    Axes are compared only when they pass a fixed point at about the same distance, as equal ones must.
+    """
+    full = [wall for wall in walls if wall.encloses]
+    if not full:
+        return []
+    point = sub(full[0].axis.origin, (1.0, 1.7, 2.3))  # off any grid of holes
+    reach = max(dist(wall.axis.origin, point) for wall in full)
+    cell = 3 * (tolerances.length + tolerances.angle * reach)
+    axes: list[Axis] = []
+    weights: list[float] = []
+    near: dict[int, list[int]] = defaultdict(list)
+    for wall in full:
+        key = round(wall.axis.radius_of(point) / cell)
+        known = (i for k in (key - 1, key, key + 1) for i in near[k] if axes[i].same_line(wall.axis, tolerances))
+        index = next(known, len(axes))
+        if index == len(axes):
+            axes.append(wall.axis)
+            weights.append(0.0)
+            near[key].append(index)
+        weights[index] += wall.height * wall.radius
+    heaviest = sorted(range(len(axes)), key=lambda i: -weights[i])
+    return [axes[i] for i in heaviest[:3]]
 
 
 def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
