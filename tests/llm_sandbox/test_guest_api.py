@@ -12,6 +12,7 @@ from tests.llm_sandbox.conftest import make_body, make_face, make_part, make_sha
 
 from querycad_contracts import Face, Part, RunLimits, RunStatus, Side, SurfaceKind
 from querycad_sandbox import Sandbox
+from querycad_sandbox.control import RunControl
 from querycad_sandbox.guest import PART_METHODS, Guest
 from querycad_sandbox.measures import body_measures, face_measures, part_measures, shape_measures
 
@@ -303,3 +304,11 @@ def test_faces_come_as_values_and_enums_as_their_words() -> None:
     assert (measures["kind"], measures["convexity"]) == ("cone", "concave")
     assert isinstance(make_face(3), Face)
     assert not any(isinstance(value, Side) for value in part_measures(full_part())["sides"])
+
+
+def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(segcad: FakeSegCad) -> None:
+    circle = make_part("pattern-1", children=("hole-1",), extents=(0.1, 0.1, 0.01))
+    guest = Guest(segcad, RunControl())
+    assert guest.is_in(make_part("hole-1"), circle)
+    assert not guest.is_in(make_part("hole-2"), circle)
+    assert guest.is_in(make_part("boss-1"), circle)

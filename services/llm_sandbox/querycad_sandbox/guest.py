@@ -149,7 +149,12 @@ class Guest:
         return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
 
     def is_in(self, part: Part, other: Part) -> bool:
-        """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?"""
+        """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?
+
+        In a pattern of such parts is what belongs to it.
+        """
+        if other.kind == "pattern" and any(child.startswith(f"{part.kind}-") for child in other.children):
+            return part.id in other.children
         points = [part.center] if part.opening is None else [part.center, part.opening]
         return part.id in other.children or any(
             all(abs(c - m) <= e / 2 + BOX_SLACK_M for c, m, e in zip(point, other.center, other.extents, strict=True))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from tests.segworker.shapes import box, compound, cut, cylinder, find, fuse, nurbs, plate, turned
 
-from querycad_contracts import Part
+from querycad_contracts import Part, Side
 
 MM = 1e-3
 
@@ -106,6 +106,44 @@ def test_fins_are_counted_by_their_number_and_not_by_their_faces() -> None:
     found = find(fuse(plate(), *fins))
     assert len([rib for rib in found.of("rib") if "fin" in rib.tags]) == 4
     assert {round((rib.thickness or 0) / MM, 6) for rib in found.of("rib")} == {2.0}
+
+
+def test_the_outermost_fins_of_a_row_may_be_flush_with_the_base() -> None:
+    fins = [box((60, 2, 15), (-30, y, -0.001)) for y in (-20, -10, -1, 8, 18)]
+    ribs = [rib for rib in find(fuse(plate(), *fins)).of("rib") if "fin" in rib.tags]
+    assert len(ribs) == 5
+    assert {round((rib.height or 0) / MM, 2) for rib in ribs} == {15.0}
+    assert {round((rib.length or 0) / MM, 6) for rib in ribs} == {60.0}
+
+
+def test_the_wall_of_an_angle_is_no_rib() -> None:
+    assert find(fuse(plate(), box((60, 2, 15), (-30, -20, -0.001)))).of("rib") == []
+
+
+def test_bars_between_the_openings_of_a_grid_are_no_ribs() -> None:
+    openings = [box((30, 5, 30), (-15, y, -25)) for y in (-14, -5, 4)]
+    assert find(cut(plate(), *openings)).of("rib") == []
+
+
+def test_square_legs_between_two_plates_are_no_ribs() -> None:
+    legs = [box((6, 6, 40), (x, y, -0.001)) for x in (-25, 19) for y in (-16, 10)]
+    assert find(fuse(plate(), box((60, 40, 5), (-30, -20, 39.999)), *legs)).of("rib") == []
+
+
+def test_the_gap_between_two_lugs_on_a_tube_is_a_slot_that_opens_away_from_it() -> None:
+    lugs = [box((4, 16, 14), (x, 0, 10)) for x in (-6, 2)]
+    tube = cut(fuse(cylinder(8, 40), *lugs), cylinder(6, 60, (0, 0, -10)))
+    slot = only([part for part in find(tube).seen_parts if part.kind == "slot"])
+    assert slot.width == pytest.approx(4 * MM)
+    assert slot.length == pytest.approx(14 * MM)
+    assert slot.sides == (Side.BACK,)
+
+
+@pytest.mark.parametrize("second", [20, 2], ids=["far apart", "joined by a web"])
+def test_lugs_far_apart_or_joined_leave_no_slot(second: float) -> None:
+    lugs = [box((4, 16, 14), (x, 0, 10)) for x in (-6, second)]
+    web = [box((6, 16, 14), (-3, 0, 10))] if second < 10 else []
+    assert find(fuse(cylinder(30, 40, (0, -30, 0)), *lugs, *web)).of("slot") == []
 
 
 def test_two_bodies_that_touch_keep_their_own_features() -> None:

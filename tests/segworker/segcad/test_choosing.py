@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from querycad_contracts import Evidence, Grounding, Part, Side
+from querycad_segworker.segcad.choosing import is_inside
 from querycad_segworker.segcad.ground import ground
 
 
@@ -175,3 +176,42 @@ def test_what_lies_between_around_and_next_to_parts() -> None:
     assert found(parts, "tube between the flanges") == "t"
     assert found(parts, "tube near the flanges") == "t"
     assert found(parts, "flange around the tube") == "fg"
+
+
+def test_where_no_hole_has_a_bevel_the_widened_ones_are_meant_and_the_answer_is_unsure() -> None:
+    holes = [hole("p", 0.0, 0.0, 0.005), hole("q", 0.02, 0.0, 0.005, "through counterbored stepped")]
+    assert found([*PLATE[:2], *holes], "hole with a bevel") == "q"
+    assert unsure(ground([*PLATE[:2], *holes], "hole with a bevel", None))
+    assert found([*PLATE[:2], *holes], "hole without a bevel") == "pq"
+    assert ground([*PLATE[:2], *holes], "chamfered hole", None).parts == ()
+
+
+def test_a_body_that_stands_out_of_a_larger_one_is_a_protrusion() -> None:
+    plate = part("a", "body", "solid plate", name="Plate", extents=(0.1, 0.1, 0.01), faces=(1, 2, 3))
+    disc: dict[str, Any] = {"diameter": 0.06, "radius": 0.03, "axis": (0.0, 0.0, 1.0), "center": (0.0, 0.0, -0.01)}
+    size = (0.06, 0.06, 0.01)
+    body = part("b", "body", "solid disc", name="Flange", faces=(4, 5, 6), extents=size, **disc)
+    boss = part("c", "boss", "cylindrical", faces=(4, 5), extents=size, **disc)
+    alone = part("m", "model", name="unit")
+    assert (
+        found([alone, plate, body, boss, part("d", "boss", "cylindrical", diameter=0.01)], "circular protrusion")
+        == "cd"
+    )
+    assert found([alone, body, boss, part("d", "boss", "cylindrical", diameter=0.01)], "circular protrusion") == "d"
+
+
+def test_gaps_between_letters_are_meant_only_where_nothing_else_is() -> None:
+    cover = part("a", "body", "solid plate", name="Cover", faces=(1, 2, 3))
+    logo = part("b", "body", "solid", name="Logo", faces=(4, 5, 6))
+    slots = [part("c", "slot", "open elongated", faces=(1, 2)), part("d", "slot", "open elongated", faces=(5, 6))]
+    model = part("m", "model", name="unit")
+    assert found([model, cover, logo, *slots], "slot") == "c"
+    assert found([model, cover, logo, slots[1]], "slot") == "d"
+
+
+def test_on_a_bolt_circle_is_what_belongs_to_it() -> None:
+    circle = part("z", "pattern", "bolt_circle", children=("hole-1",), extents=(0.1, 0.1, 0.01), diameter=0.08)
+    member = hole("p", 0.04, 0.0, 0.005).model_copy(update={"id": "hole-1"})
+    other = hole("q", 0.01, 0.0, 0.005).model_copy(update={"id": "hole-2"})
+    assert is_inside(member, circle)
+    assert not is_inside(other, circle)

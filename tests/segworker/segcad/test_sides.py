@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import DOWN, box, cut, cylinder, find, fuse, plate, turned
+from tests.segworker.shapes import DOWN, box, compound, cone, cut, cylinder, find, fuse, plate, turned
 
 from querycad_contracts import Part, Side
 
@@ -74,3 +74,20 @@ def test_a_post_exactly_behind_another_one_is_not_visible_from_the_front() -> No
     assert Side.FRONT in front.sides
     assert Side.FRONT not in rear.sides
     assert Side.BACK in rear.sides
+
+
+def test_a_boss_glimpsed_through_the_holes_of_what_covers_it_is_not_visible() -> None:
+    boss = fuse(plate(), cylinder(12, 2, (0, 0, -0.001)), cone(12, 11, 1, (0, 0, 1.999)))
+    holes = [cylinder(1.5, 20, (11.5 * math.cos(a), 11.5 * math.sin(a), 2)) for a in (0.3, 1.9, 3.5)]
+    cover = cut(cylinder(15, 10), cylinder(12.5, 3.5, (0, 0, -0.2)), *holes)
+    hidden, lid = (part for part in seen(compound(boss, cover), "boss") if part.radius and part.radius > 0.01)
+    assert Side.TOP not in hidden.sides
+    assert Side.TOP in lid.sides
+
+
+def test_the_end_of_a_shaft_that_sticks_out_of_its_housing_is_visible_from_beside() -> None:
+    housing = cut(box((60, 40, 40), (-30, -20, -20)), cylinder(6, 50, (-25, 0, 0), (1, 0, 0)))
+    shaft = fuse(cylinder(5.9, 40, (-20, 0, 0), (1, 0, 0)), cylinder(4, 26, (19.99, 0, 0), (1, 0, 0)))
+    ends = [part for part in seen(compound(housing, shaft), "boss") if part.radius and part.radius < 0.005]
+    assert ends
+    assert all({Side.TOP, Side.FRONT, Side.RIGHT} <= set(part.sides) for part in ends)

@@ -17,6 +17,7 @@ from .blends import recognise_blends
 from .block_parts import gear_part, prism_part, protrusion_part, tooth_parts
 from .bodies import body, body_part, model_part
 from .bosses import Boss, recognise_bosses
+from .clevises import recognise_clevises
 from .depression_parts import blend_part, depression_part, turned_groove_part
 from .depressions import recognise_depressions
 from .dimples import recognise_dimples
@@ -63,10 +64,11 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, m
     hole_faces = {face for hole in holes for face in hole.faces}
     blends = recognise_blends(brep, round_faces, tolerances)
     blend_faces = {face for blend in blends for face in blend.faces}
-    ribs = recognise_ribs(brep)
+    ribs = recognise_ribs(brep, tolerances)
     gears = recognise_gears(brep, found_walls, tolerances)
     fin_indices = fins(ribs, tolerances)
     depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
+    depressions += recognise_clevises(brep, ribs, depressions, is_clear)
     volumes = Volumes(brep, mesh)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own.
     toothed = [frozenset(gear.faces) for gear in gears]

@@ -16,6 +16,10 @@ from .protrusions import RIB_RATIO
 
 RIGHT_ANGLE = (math.radians(75.0), math.radians(105.0))
 """The flanks of a rib stand about square on its top; casting drafts are below 15 degrees."""
+MAX_RISE = math.sin(math.radians(45.0))
+"""A foot runs along the top; concave edges that rise towards it are the corners of a cut beside it."""
+FINS = 3
+"""So many ribs alike, side by side, are fins."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +34,8 @@ class Rib:
     center: Vector
     tip: Vector
     top: int
-    flanks: tuple[int, int]
+    flanks: tuple[int, ...]
+    """Those that end at its foot: two, or the inner one of an outermost fin."""
     body: int
 
     @property
@@ -39,40 +44,49 @@ class Rib:
         return tuple(sorted((self.top, *self.flanks)))
 
 
-def recognise_ribs(brep: Brep) -> list[Rib]:
+def recognise_ribs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
     """Which ribs does the model have? Sorted by lowest face id.
 
     A rib is a plane top face with two parallel flanks that face away from each other, each meeting the top in a
-    convex edge and the material below in a concave one, thin against its height and length.
+    convex edge and the material below in a concave one, thin against its height and length. The outermost fins of a
+    row may be flush with what they stand on: there the outer flank has no foot of its own.
     """
-    found = []
+    standing, flush = [], []
     for top in brep.faces:
         if top.kind is not SurfaceKind.PLANE:
             continue
-        flanks = _flanks(brep, top)
-        if flanks is None:
-            continue
-        a, b = flanks
-        thickness = dot(sub(a.point, b.point), a.axis)
-        frame = frame_of(brep, {top.id, a.id, b.id}, top.axis, None, _along(a, top))
-        length, _, height = frame.size
-        if thickness <= 0 or height < thickness or length < RIB_RATIO * thickness:
-            continue
-        found.append(
-            Rib(
-                thickness=thickness,
-                height=height,
-                length=length,
-                normal=top.axis,
-                direction=frame.u,
-                center=frame.point(0.5, 0.5, 0.5),
-                tip=frame.point(0.5, 0.5, 1.0),
-                top=top.id,
-                flanks=(a.id, b.id),
-                body=top.body,
-            )
-        )
-    return sorted(_widest_tops(brep, found), key=lambda rib: rib.faces[0])
+        sides = _sides(brep, top)
+        if (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 2)) is not None:
+            standing.append(_rib(brep, top, flanks, {flanks[0].id, flanks[1].id}))
+        elif (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 1)) is not None:
+            flush.append(_rib(brep, top, flanks, {face.id for face in flanks if _stands(brep, face, top)}))
+    ribs = _widest_tops(brep, [rib for rib in standing if rib is not None])
+    ends = [end for end in flush if end is not None and any(_same_row(brep, end, rib, tolerances) for rib in ribs)]
+    row = [*ribs, *ends]
+    ends = [end for end in ends if sum(_same_row(brep, end, rib, tolerances) for rib in row) >= FINS]
+    return sorted([*ribs, *ends], key=lambda rib: rib.faces[0])
+
+
+def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own: set[int]) -> Rib | None:
+    """The rib under a top face, or None where it is not thin. `own`: those of its flanks that end at its foot."""
+    a, b = flanks
+    thickness = dot(sub(a.point, b.point), a.axis)
+    frame = frame_of(brep, {top.id, *own}, top.axis, None, _along(a, top))
+    length, _, height = frame.size
+    if thickness <= 0 or height < thickness or length < RIB_RATIO * thickness:
+        return None
+    return Rib(
+        thickness=thickness,
+        height=height,
+        length=length,
+        normal=top.axis,
+        direction=frame.u,
+        center=frame.point(0.5, 0.5, 0.5),
+        tip=frame.point(0.5, 0.5, 1.0),
+        top=top.id,
+        flanks=tuple(sorted(own)),
+        body=top.body,
+    )
 
 
 def _widest_tops(brep: Brep, ribs: Sequence[Rib]) -> list[Rib]:
@@ -89,26 +103,34 @@ def _along(flank: FaceRecord, top: FaceRecord) -> Vector:
     return unit(cross(flank.axis, top.axis))
 
 
-def _flanks(brep: Brep, top: FaceRecord) -> tuple[FaceRecord, FaceRecord] | None:
-    """The two longest parallel flanks of a top face that both stand on something."""
-    sides: list[tuple[EdgeRecord, FaceRecord]] = []
-    for edge, other in brep.neighbours(top.id):
-        face = brep.faces[other]
-        low, high = RIGHT_ANGLE
-        if edge.convexity is EdgeConvexity.CONVEX and low <= edge.angle <= high and face.kind is SurfaceKind.PLANE:
-            sides.append((edge, face))
-    sides.sort(key=lambda side: -side[0].length)
+def _sides(brep: Brep, top: FaceRecord) -> list[tuple[EdgeRecord, FaceRecord]]:
+    """The plane faces that a top face ends at, about square, with the edges there; longest first."""
+    low, high = RIGHT_ANGLE
+    sides = [
+        (edge, brep.faces[other])
+        for edge, other in brep.neighbours(top.id)
+        if edge.convexity is EdgeConvexity.CONVEX
+        and low <= edge.angle <= high
+        and brep.faces[other].kind is SurfaceKind.PLANE
+    ]
+    return sorted(sides, key=lambda side: -side[0].length)
+
+
+def _opposed(
+    sides: Sequence[tuple[EdgeRecord, FaceRecord]], standing: set[int], feet: int
+) -> tuple[FaceRecord, FaceRecord] | None:
+    """The two longest parallel sides that face away from each other, `feet` of them among those standing."""
     for i, (edge, a) in enumerate(sides):
         for other_edge, b in sides[i + 1 :]:
             opposed = dot(a.axis, b.axis) < -0.99 and dot(sub(a.point, b.point), a.axis) > 0
             alike = other_edge.length > 0.3 * edge.length
-            if a.id != b.id and opposed and alike and all(_stands(brep, f, top) for f in (a, b)):
+            if a.id != b.id and opposed and alike and len(standing & {a.id, b.id}) == feet:
                 return a, b
     return None
 
 
 def _stands(brep: Brep, flank: FaceRecord, top: FaceRecord) -> bool:
-    """Does the flank end in a concave edge below the top?"""
+    """Does the flank end in a concave edge below the top, and along it?"""
     level = dot(top.point, top.axis)
     return any(
         (
@@ -116,19 +138,27 @@ def _stands(brep: Brep, flank: FaceRecord, top: FaceRecord) -> bool:
             or (edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].outward < 0)
         )
         and dot(edge.mid, top.axis) < level
+        and abs(dot(sub(edge.end, edge.start), top.axis)) < MAX_RISE * edge.length
         for edge, other in brep.neighbours(flank.id)
     )
 
 
+def _alike(a: Rib, b: Rib, tolerances: Tolerances) -> bool:
+    return (
+        a.body == b.body
+        and abs(a.thickness - b.thickness) <= 0.02 * a.thickness + tolerances.length
+        and parallel(a.direction, b.direction, 0.02)
+        and dot(a.normal, b.normal) > 0.99
+    )
+
+
+def _same_row(brep: Brep, a: Rib, b: Rib, tolerances: Tolerances) -> bool:
+    """Alike, on one level and of one height?"""
+    level = abs(dot(sub(brep.faces[a.top].point, brep.faces[b.top].point), a.normal))
+    near = 0.02 * a.height + tolerances.length
+    return _alike(a, b, tolerances) and level <= near and abs(a.height - b.height) <= near
+
+
 def fins(ribs: Sequence[Rib], tolerances: Tolerances) -> set[int]:
     """Which ribs (by index) are fins, that is three or more alike that stand parallel in one body?"""
-
-    def alike(a: Rib, b: Rib) -> bool:
-        return (
-            a.body == b.body
-            and abs(a.thickness - b.thickness) <= 0.02 * a.thickness + tolerances.length
-            and parallel(a.direction, b.direction, 0.02)
-            and dot(a.normal, b.normal) > 0.99
-        )
-
-    return {i for i, a in enumerate(ribs) if sum(alike(a, b) for b in ribs) >= 3}
+    return {i for i, a in enumerate(ribs) if sum(_alike(a, b, tolerances) for b in ribs) >= FINS}

@@ -42,6 +42,7 @@ _IMPLIED = {
 }
 """Attributes that all parts of a kind have."""
 _DIRECTIONS = frozenset(("vertical", "horizontal"))
+_FASTENERS = frozenset(("screw", "nut"))
 _STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
 
 
@@ -54,6 +55,10 @@ class Parts:
         self.bodies = [part for part in parts if part.kind == "body"]
         self.alone = len(self.bodies) == 1
         self.model = next((part for part in parts if part.kind == "model"), None)
+        lettering = [body for body in self.bodies if _name_holds(body.name, words.terms["logo"].choices[0].name)]
+        self._lettering = (
+            frozenset(face for body in lettering for face in body.faces) if not self.alone else frozenset()
+        )
         self._cores = [diameters[0] for diameters in words.threads.values()]
 
     def named(self, reading: Reading, sides: Sequence[Side] | None) -> list[Part]:
@@ -82,6 +87,7 @@ class Parts:
             if choice.alone and not self.alone:
                 continue
             found = [part for part in self.all if self._fits(part, choice)]
+            found = found if reading.places else self._but_letters(found)
             found = self._narrowed(found, reading, loose)
             found = self._picked(seen_from(found, sides) or found, choice.pick) if choice.pick else found
             for place in reading.places:  # 'the plate without the boss' is the plate: traits are looked at last
@@ -141,15 +147,25 @@ class Parts:
                 continue  # corners and flat parts have no axis that could be vertical
             if adjective.tags and (not adjective.order or self._tagged(found, adjective.tags)):
                 kept = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
-                found = kept or [part for part in found if not self.tags(part).isdisjoint(adjective.fallback)]
+                wider = [part for part in found if not self.tags(part).isdisjoint(adjective.fallback)]
+                if wider and not kept and adjective.fallback_confidence < 1.0:
+                    reading.doubt(f"'{adjective.name}' was taken in a wider sense", adjective.fallback_confidence)
+                found = kept or wider
         for adjective in reading.without:
-            found = [part for part in found if self.tags(part).isdisjoint((*adjective.tags, *adjective.fallback))]
+            sure = adjective.fallback if adjective.fallback_confidence == 1.0 else ()
+            found = [part for part in found if self.tags(part).isdisjoint((*adjective.tags, *sure))]
         found = [part for part in found if all(self._has_thread(part, name) for name in reading.threads)]
         found = [part for part in found if all(self._has_color(part.color, name) for name in reading.colors)]
         for place in reading.places:
             if found and place.relation not in _TRAITS:
                 found = self._placed(found, place, reading, loose)
         return found
+
+    def _but_letters(self, found: list[Part]) -> list[Part]:
+        """Without the gaps and strokes of letters: they are meant only where nothing else is."""
+        features = [p for p in found if p.kind not in ("body", "model")]
+        letters = {p.id for p in features if self._lettering.issuperset(p.faces)}
+        return [p for p in found if p.id not in letters] if len(letters) < len(features) else found
 
     def _has_thread(self, part: Part, name: str) -> bool:
         if part.kind == "body":
@@ -234,7 +250,26 @@ class Parts:
         body = next((b for b in self.bodies if set(part.faces) <= set(b.faces)), None)
         if body is None or body.diameter is None or part.diameter is None:
             return True
-        return part.diameter < body.diameter / SAME_SIZE
+        return part.diameter < body.diameter / SAME_SIZE or self._stands_out(body)
+
+    def _stands_out(self, body: Part) -> bool:
+        """Is it, as a whole, what stands out of another body that is larger across its axis? Fasteners are not."""
+        axis = body.axis
+        if axis is None or not _FASTENERS.isdisjoint(body.tags):
+            return False
+        along = max(range(3), key=lambda i: abs(axis[i]))
+        for other in self.bodies:
+            if other.id == body.id or not _touches(body, other):
+                continue
+            apart = [abs(a - b) for a, b in zip(body.center, other.center, strict=True)]
+            larger = all(
+                other.extents[i] > SAME_SIZE * body.extents[i] and apart[i] <= other.extents[i] / 2
+                for i in range(3)
+                if i != along
+            )
+            if larger and apart[along] + body.extents[along] / 2 > other.extents[along] / 2 + _TOUCH_M:
+                return True
+        return False
 
     def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
         """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
@@ -341,7 +376,12 @@ def carries(place: Part, part: Part) -> bool:
 
 
 def is_inside(part: Part, place: Part) -> bool:
-    """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?"""
+    """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?
+
+    In a pattern of such parts is what belongs to it.
+    """
+    if place.kind == "pattern" and any(child.startswith(f"{part.kind}-") for child in place.children):
+        return part.id in place.children
     points = [part.center] if part.opening is None else [part.center, part.opening]
     return (
         part.id in place.children

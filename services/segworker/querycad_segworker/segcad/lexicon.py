@@ -68,6 +68,7 @@ class Adjective:
     """It asks for all of what a name means: 'the complete cylinder'."""
     fallback: tuple[str, ...] = ()
     """Looked at where no part has one of `tags`."""
+    fallback_confidence: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +116,7 @@ def lexicon() -> Lexicon:
             tuple(entry.get("lacks", ())),
             entry.get("whole", False),
             tuple(entry.get("fallback", ())),
+            entry.get("fallback_confidence", 1.0),
         )
         adjectives.update(dict.fromkeys(entry["words"], adjective))
         with_nouns.update(dict.fromkeys(entry.get("nouns", ()), adjective))

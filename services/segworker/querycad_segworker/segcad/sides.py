@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Part, Side, SurfaceKind, Vector
+from querycad_segworker.mesh import Mesh
 from querycad_segworker.render.raycast import Scene
 from querycad_segworker.render.visibility import FaceVisibility
 from querycad_segworker.topology import Brep
@@ -17,15 +18,21 @@ from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, su
 SEEN_SHARE = 0.03
 """A face counts as seen when its visible projected area is more than this share of its area. The views are turned by
 one degree, so that faces seen edge-on show sin(1 degree) = 1.7 % of themselves."""
-FACING_SHARE = 0.15
-"""A plane face that is turned to the viewer counts as seen when this share of it is: one degree of azimuth lets a tenth
-of what stands exactly behind something else peep out."""
+FACING_SHARE = 0.2
+"""A plane face that is turned to the viewer counts as seen when this share of it is: one degree of azimuth lets so much
+of what stands exactly behind something else peep out, eleven times its own width away."""
 FACING = 0.5
 """Cosine of the angle below which a plane face is turned to the viewer: 60 degrees."""
+GLIMPSE_SHARE = 0.05
+"""Of what stands out, so much of what its faces would show if nothing stood before them: less is a glimpse through the
+holes of something else. The end of a shaft that sticks out of a housing shows more."""
 OPENING_SHARE = 0.25
 """An opening counts as seen when at least this share of the points spread over it is."""
 OPENING_ANGLE_RAD = math.radians(75.0)
 """An opening turned away by more than this shows less than a quarter of its area."""
+
+
+STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib"))
 
 
 def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: FaceVisibility) -> list[Part]:
@@ -34,6 +41,8 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
     What has an opening is visible where one looks into that opening; anything else, and what is open at a border,
     where its faces own pixels. A tube or standoff is visible as well where one looks into its bore from its tip.
     """
+    visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
+    free_m2 = projected_areas(scene.mesh, len(brep.faces))
     seen_faces = faces_seen([face.area for face in brep.faces], visibility) & ~_peeping(brep, visibility)
     openings = _openings(parts)
     points = [p for _, _, normal, disc in openings for p in disc]
@@ -54,6 +63,11 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
             sides = opening_sides[index]
         else:
             sides = {side for row, side in enumerate(Side) if bool(seen_faces[row, list(part.faces)].any())}
+            if part.kind in STANDING_OUT:
+                shown, free = (areas[:, list(part.faces)].sum(axis=1) for areas in (visible_m2, free_m2))
+                sides = {
+                    side for row, side in enumerate(Side) if side in sides and shown[row] >= GLIMPSE_SHARE * free[row]
+                }
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
     return _with_bores(result)
 
@@ -81,6 +95,14 @@ def _peeping(brep: Brep, visibility: FaceVisibility) -> NDArray[np.bool_]:
     return hidden
 
 
+def projected_areas(mesh: Mesh, face_count: int) -> NDArray[np.float64]:
+    """How much would each face show from each side, with nothing before it? (6, F) float64, m2, rows as in `Side`."""
+    a, b, c = (mesh.vertices_m[mesh.triangles[:, i]] for i in range(3))
+    doubled = np.cross(b - a, c - a)
+    towards = np.array([side.outward for side in Side]) @ doubled.T / 2
+    return np.array([np.bincount(mesh.triangle_face, np.maximum(row, 0.0), face_count) for row in towards])
+
+
 def faces_seen(areas_m2: Sequence[float], visibility: FaceVisibility) -> NDArray[np.bool_]:
     """Which faces are seen from which side? (6, F) bool, rows in the order of `Side`."""
     visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
@@ -92,7 +114,7 @@ def _openings(parts: Sequence[Part]) -> list[tuple[int, Vector, Vector, list[Vec
     """(index of the part, centre, outward normal, points spread over the opening) for each opening of each part."""
     found = []
     for index, part in enumerate(parts):
-        if part.opening is None or part.normal is None or "open" in part.tags:
+        if part.opening is None or part.normal is None or ("open" in part.tags and "fork" not in part.tags):
             continue
         ends = [(part.opening, part.normal)]
         if part.bottom == "through":
