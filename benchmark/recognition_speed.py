@@ -92,10 +92,10 @@ def _quiddity(file: Path) -> tuple[float, int, dict[str, int]]:
     start = time.process_time()
     framed = build_framed_recognition_result(part)
     seconds = time.process_time() - start
-    found = {}
-    if isinstance(framed, FramedRecognitionResult):
-        records = {field.name: getattr(framed.result, field.name) for field in fields(framed.result)}
-        found = {name: len(value) for name, value in records.items() if isinstance(value, list | tuple) and value}
+    if not isinstance(framed, FramedRecognitionResult):
+        raise SystemExit(f"no result: {type(framed).__name__}")
+    records = {field.name: getattr(framed.result, field.name) for field in fields(framed.result)}
+    found = {name: len(value) for name, value in records.items() if isinstance(value, list | tuple) and value}
     return seconds, len(part.faces()), found
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, turned
@@ -96,6 +96,7 @@ def told(part: Part) -> Expected:
 
 @settings(max_examples=30, deadline=None, derandomize=True, suppress_health_check=list(HealthCheck))
 @given(cells=CELLS, turn=TURNS)
+@example(cells=[Feature("protrusion", 2.0, 3.0), *[None] * 11], turn=((0.0, 0.0, 1.0), 33.0))
 def test_a_random_plate_has_what_was_put_in(
     cells: list[Feature | None], turn: tuple[tuple[float, float, float], float]
 ) -> None:

@@ -27,7 +27,7 @@ def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
         axis=found.normal,
         normal=found.normal,
         height=found.height,
-        width=found.width if "rib" in found.tags else width_of(found.normal, extents, found.width),
+        width=found.width if "rib" in found.tags else width_of(found.normal, extents, (found.length, found.width)),
         length=found.length,
         thickness=found.width if "rib" in found.tags else None,
         tip=found.tip,

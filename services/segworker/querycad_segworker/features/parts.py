@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 
 from querycad_contracts import Evidence, Part, Vector
@@ -60,15 +61,15 @@ def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
     )
 
 
-def width_of(normal: Vector, extents: Vector, across: float) -> float:
+def width_of(normal: Vector, extents: Vector, sizes: tuple[float, float]) -> float:
     """The width of something rectangular: along x, or along y where it faces left or right.
 
-    What stands oblique in the file has its own: `across`, the smaller of its two dimensions.
+    What stands oblique in the file, or is turned about its normal, has its own: the smaller of its two `sizes`.
     """
     along = max(range(3), key=lambda i: abs(normal[i]))
-    if abs(normal[along]) < ALIGNED:
-        return across
-    return extents[1] if along == 0 else extents[0]
+    width = extents[1] if along == 0 else extents[0]
+    aligned = abs(normal[along]) >= ALIGNED and any(math.isclose(width, size, rel_tol=1 - ALIGNED) for size in sizes)
+    return width if aligned else min(sizes)
 
 
 def outlined(outline: str, name: str) -> str:
