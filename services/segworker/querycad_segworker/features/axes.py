@@ -7,7 +7,11 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.vectors import add, cross, dot, line_distance, parallel, perpendicular, scale, sub
+from querycad_segworker.vectors import add, cross, dot, line_distance, parallel, perpendicular, scale, sub, unit
+
+SWEEP = unit((0.8317, 0.4561, 0.3163))
+"""Lines are sorted by where their foot lies along this direction and compared with near ones only. No common
+feature axis is at right angles to it, so that different lines get different keys."""
 
 
 @dataclass(frozen=True, slots=True)

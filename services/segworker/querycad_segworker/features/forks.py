@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 
 from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.vectors import dist, dot, foot, mid, scale, sub, unit
+from querycad_segworker.vectors import dist, dot, foot, mid, scale, sub
 
+from .axes import SWEEP, Axis
 from .hole import Bottom, Hole
 from .hole_sections import different_radii
-from .walls import Axis
 
 FORK_GAP = 2.0
 """Two bores of one radius on one axis, this many diameters apart or nearer with nothing between, are one hole drilled
@@ -40,7 +40,7 @@ def _by_line(holes: Sequence[Hole], tolerances: Tolerances) -> list[list[Hole]]:
     """
     if not holes:
         return []
-    keys = [dot(foot(holes[0].opening, hole.opening, hole.normal), _SWEEP) for hole in holes]
+    keys = [dot(foot(holes[0].opening, hole.opening, hole.normal), SWEEP) for hole in holes]
     order = sorted(range(len(holes)), key=lambda i: keys[i])
     groups, taken = [], set[int]()
     for rank, i in enumerate(order):
@@ -61,8 +61,6 @@ def _by_line(holes: Sequence[Hole], tolerances: Tolerances) -> list[list[Hole]]:
     return groups
 
 
-_SWEEP = unit((0.8317, 0.4561, 0.3163))
-"""Any direction that no common feature axis is at right angles to, so that different lines get different keys."""
 _SWEEP_REACH = 1e3
 """How far apart, in length tolerances, the keys of one line may be: `Axis.same_line` forgives 0.3 degrees, which over
 the length of the model is 5e-3 of it."""

@@ -9,16 +9,14 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.vectors import ORIGIN, dot, foot, unit
+from querycad_segworker.vectors import ORIGIN, dot, foot
 
-from .axes import Wall
+from .axes import SWEEP, Wall
 
 MAX_PIECES = 12
 """More pieces than this are the tips of teeth."""
 OVERLAP = 0.5
 """Pieces of one cylinder lie beside each other: they share this part of the shorter one's length."""
-_SWEEP = unit((0.8317, 0.4561, 0.3163))
-"""Any direction that no common feature axis is at right angles to, so that different lines get different keys."""
 
 
 def with_interrupted(walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall]:
@@ -40,7 +38,7 @@ def with_interrupted(walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall
 
 def _by_line(walls: Sequence[Wall], indices: Sequence[int], tolerances: Tolerances) -> list[list[int]]:
     """Those on one axis and side by side, together. Sorted by where their lines pass, only few need comparing."""
-    keys = {i: dot(foot(ORIGIN, walls[i].axis.origin, walls[i].axis.direction), _SWEEP) for i in indices}
+    keys = {i: dot(foot(ORIGIN, walls[i].axis.origin, walls[i].axis.direction), SWEEP) for i in indices}
     order = sorted(indices, key=lambda i: (keys[i], i))
     groups: list[list[int]] = []
     taken: set[int] = set()

@@ -7,14 +7,13 @@ from dataclasses import replace
 
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import cross, dot, foot, parallel, scale, sub, unit
+from querycad_segworker.vectors import cross, dot, foot, parallel, scale, sub
 
+from .axes import SWEEP
 from .depression import Depression, DepressionKind
 from .forks import IsClear
 from .frames import frame_of
 
-SWEEP = unit((0.8317, 0.4561, 0.3163))
-"""Any direction that no common feature axis is at right angles to, so that different lines get different keys."""
 REACH = 100.0
 """How far apart, in length tolerances, the keys of one line may be."""
 
