@@ -5,6 +5,7 @@ Lengths go in as millimetres, as on the drawing, and come out as metres.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -55,7 +56,7 @@ class Item:
     """A question, its true answer in SI units, the answer's type (`contracts.AnswerType`) and its tags."""
 
     question: str
-    value: Value
+    value: Value | list[str]
     type: str
     tags: Tags
 
@@ -98,6 +99,26 @@ def volume(part: str, question: str, value_mm3: float) -> Item:
 def area(part: str, question: str, value_mm2: float) -> Item:
     """Which area has it? Square millimetres become square metres."""
     return Item(question, value_mm2 * 1e-6, "area", Tags(part, "area"))
+
+
+def angle(part: str, question: str, value_deg: float) -> Item:
+    """How wide is the angle? Degrees become radians."""
+    return Item(question, math.radians(value_deg), "angle", Tags(part, "angle"))
+
+
+def exists(part: str, question: str, value: bool) -> Item:
+    """Is there one?"""
+    return Item(question, value, "boolean", Tags(part, "existence"))
+
+
+def text(part: str, question: str, value: str) -> Item:
+    """What is it called in the file?"""
+    return Item(question, value, "text", Tags(part, "name"))
+
+
+def texts(part: str, question: str, values: Sequence[str]) -> Item:
+    """What are they called in the file? In alphabetical order."""
+    return Item(question, sorted(values), "texts", Tags(part, "name"))
 
 
 def _tagged(item: Asked, part: str, measure: str) -> Item:

@@ -9,7 +9,7 @@ from build123d import Compound
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import DOWN, assembly, block, grid, named, prism, rod
 
-MODEL = Model("Bolted stand", "held_out", bodies=9)
+MODEL = Model("Bolted stand", "dev", bodies=9)
 
 
 @dataclass(frozen=True, slots=True)

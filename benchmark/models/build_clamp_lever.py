@@ -9,7 +9,7 @@ from build123d import Axis, Part
 from benchmark.kit import Item, Model, count, length, lengths
 from benchmark.shapes import block, rod, slot
 
-MODEL = Model("Clamping lever in an oblique position", "held_out")
+MODEL = Model("Clamping lever in an oblique position", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, GeomType, Part, chamfer
 from benchmark.kit import Item, Model, count, length, lengths, point, size
 from benchmark.shapes import FRONT, RIGHT, block, rod
 
-MODEL = Model("Coupling sleeve", "held_out")
+MODEL = Model("Coupling sleeve", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Location, Part, chamfer
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import DOWN, RIGHT, block, cone, grid, rod
 
-MODEL = Model("Drill jig with locating pins", "held_out")
+MODEL = Model("Drill jig with locating pins", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Part, fillet
 from benchmark.kit import Form, Item, Model, count, length, lengths, point, size
 from benchmark.shapes import DOWN, block, grid, rod
 
-MODEL = Model("Fan guard with cooling fins", "held_out", Form.SURFACES)
+MODEL = Model("Fan guard with cooling fins", "dev", Form.SURFACES)
 
 
 @dataclass(frozen=True, slots=True)

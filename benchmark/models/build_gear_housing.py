@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size, volume
 from benchmark.shapes import BACK, LEFT, RIGHT, block, grid, rod
 
-MODEL = Model("Gear housing, lower half", "held_out")
+MODEL = Model("Gear housing, lower half", "dev")
 
 
 @dataclass(frozen=True, slots=True)

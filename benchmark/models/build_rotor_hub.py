@@ -9,7 +9,7 @@ from build123d import Axis, Part
 from benchmark.kit import Form, Item, Model, count, length, point, size
 from benchmark.shapes import DOWN, block, circle, cone, rod
 
-MODEL = Model("Rotor hub", "held_out", Form.BSPLINE)
+MODEL = Model("Rotor hub", "dev", Form.BSPLINE)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Compound
 from benchmark.kit import Item, Model, count, length, lengths, point, points, size
 from benchmark.shapes import FRONT, assembly, block, grid, named, rod
 
-MODEL = Model("Panel with power connector", "held_out", bodies=5)
+MODEL = Model("Panel with power connector", "dev", bodies=5)
 
 
 @dataclass(frozen=True, slots=True)

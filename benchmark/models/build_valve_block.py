@@ -9,7 +9,7 @@ from build123d import Axis, Part, chamfer
 from benchmark.kit import INCH, Item, Model, count, length, lengths, point, size
 from benchmark.shapes import BACK, DOWN, FRONT, LEFT, block, prism, rod
 
-MODEL = Model("Valve block", "held_out", unit="in")
+MODEL = Model("Valve block", "dev", unit="in")
 
 
 @dataclass(frozen=True, slots=True)
