@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,11 +18,15 @@ class Mesh:
     triangle_face: (T,) int32, id of the face that each triangle is part of. Shared vertices, triangles without area
     and either orientation are fine. Raises ValueError for any other shape or dtype, for a coordinate that is not
     finite, and for an index out of range.
+
+    closed: every body is closed, and its triangles run counter-clockwise as seen from outside: nobody there sees the
+    back of one. `orientation.outward` finds it out.
     """
 
     vertices_m: NDArray[np.float64]
     triangles: NDArray[np.int32]
     triangle_face: NDArray[np.int32]
+    closed: bool = False
 
     def __post_init__(self) -> None:
         _require(self.vertices_m, "vertices_m", np.float64, (None, 3))
@@ -44,18 +49,33 @@ class Mesh:
     @property
     def bounds(self) -> NDArray[np.float64]:
         """Which axis-aligned box holds the triangles? (2, 3) float64, lower and upper corner; zeros when empty."""
-        points = self.points_m
-        return np.stack([points.min(axis=0), points.max(axis=0)]) if len(points) else np.zeros((2, 3))
+        columns = self.points_m.T  # one by one: NumPy is 20 times slower across the rows of a narrow array
+        if not columns.size:
+            return np.zeros((2, 3))
+        return np.array([[column.min() for column in columns], [column.max() for column in columns]])
+
+    def renumbered(self, faces: Sequence[int]) -> Mesh:
+        """The same triangles with other ids of faces: `faces` has the new id of each old one."""
+        owner = np.array(faces, dtype=np.int32)
+        return Mesh(self.vertices_m, self.triangles, owner[self.triangle_face], closed=self.closed)
 
     def save(self, path: Path) -> None:
         """Keeps the arrays in NumPy's format. `path` ends in .npz."""
-        np.savez(path, vertices_m=self.vertices_m, triangles=self.triangles, triangle_face=self.triangle_face)
+        np.savez(
+            path,
+            vertices_m=self.vertices_m,
+            triangles=self.triangles,
+            triangle_face=self.triangle_face,
+            closed=np.bool_(self.closed),
+        )
 
     @classmethod
     def load(cls, path: Path) -> Mesh:
         """Which mesh did `save` keep?"""
         with np.load(path) as arrays:
-            return cls(arrays["vertices_m"], arrays["triangles"], arrays["triangle_face"])
+            return cls(
+                arrays["vertices_m"], arrays["triangles"], arrays["triangle_face"], closed=bool(arrays["closed"])
+            )
 
     def of_faces(self, faces: NDArray[np.integer]) -> Mesh:
         """Which part of the mesh belongs to these faces? Shares the vertices; unknown ids are passed over."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ from querycad_contracts import Side
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.render.cameras import CORNERS, Camera, corner_camera, isometric_camera, side_camera
 from querycad_segworker.render.gl import ALIKE, GlScene, GlUnavailable
-from querycad_segworker.render.raycast import BACKGROUND, Scene
+from querycad_segworker.render.raycast import BACKGROUND, FaceIds, Scene
 from querycad_segworker.render.renderer import make_renderer
 
 SIZE = (640, 360)
@@ -41,7 +42,7 @@ def cameras(mesh: Mesh) -> list[Camera]:
     return sides + [corner_camera(corner, mesh.bounds, *SIZE, elevation_deg=45.0) for corner in CORNERS]
 
 
-def near_borders(*id_maps: NDArray[np.int32]) -> NDArray[np.bool_]:
+def near_borders(*id_maps: FaceIds) -> NDArray[np.bool_]:
     """Pixels with a neighbour of another face, in any of the images."""
     near = np.zeros(id_maps[0].shape, dtype=np.bool_)
     for ids in id_maps:
@@ -63,6 +64,25 @@ def test_pixels_differ_on_silhouettes_only(make: object) -> None:
         same = one.face_id_map == other.face_id_map
         assert same.mean() >= ALIKE
         assert same[~near_borders(one.face_id_map, other.face_id_map)].all()
+
+
+def test_the_fronts_of_a_closed_model_are_the_whole_picture() -> None:
+    mesh = drilled()
+    assert mesh.closed
+    fronts, both = GlScene(mesh), GlScene(replace(mesh, closed=False))
+    for camera in cameras(mesh):
+        one, other = fronts.render_ids(camera), both.render_ids(camera)
+        assert (one.face_id_map == other.face_id_map).all()
+        assert (one.depth_m == other.depth_m).all()
+
+
+def test_the_inside_of_an_open_model_is_drawn() -> None:
+    mesh = box().of_faces(np.array([0, 1, 2]))
+    shown = set[int]()
+    for camera in cameras(mesh):
+        shown |= set(np.unique(GlScene(mesh).render_ids(camera).face_id_map)) - {BACKGROUND}
+        assert (GlScene(mesh).render_ids(camera).face_id_map >= 0).any()
+    assert shown == {0, 1, 2}
 
 
 def test_depths_and_normals_are_those_of_rays() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from tests.segworker.render.conftest import BOTTOM, TOP, box, empty, scaled, tunnel
@@ -9,7 +11,7 @@ from tests.segworker.render.conftest import BOTTOM, TOP, box, empty, scaled, tun
 from querycad_contracts import Side
 from querycad_segworker.render.cameras import side_cameras
 from querycad_segworker.render.raycast import Scene
-from querycad_segworker.render.visibility import visible_pixels
+from querycad_segworker.render.visibility import shows_backs, visible_pixels
 
 ROW = {side: row for row, side in enumerate(Side)}
 
@@ -63,3 +65,12 @@ def test_a_face_that_was_not_announced_is_refused() -> None:
 
 def test_an_empty_model_shows_nothing() -> None:
     assert not visible_pixels(empty(), 3, 32, 32).pixels.any()
+
+
+def test_a_closed_model_shows_no_backs_and_one_inside_out_or_open_does() -> None:
+    mesh = box()
+    assert not shows_backs(Scene(mesh))
+    assert not shows_backs(Scene(empty()))
+    inside_out = replace(mesh, triangles=np.ascontiguousarray(mesh.triangles[:, ::-1]))
+    assert shows_backs(Scene(inside_out))
+    assert shows_backs(Scene(mesh.of_faces(np.arange(1, 6)))), "from the top, through the missing face"

@@ -53,3 +53,26 @@ def test_sharing_goes_through_others_whatever_the_order() -> None:
 
 def test_nothing_merges_to_nothing() -> None:
     assert merge([]) == ()
+
+
+def test_finds_that_meet_along_an_edge_are_one_where_no_view_shows_them_apart() -> None:
+    wall, floor = find(0, 1, view="left"), find(2, view="top", score=0.8)
+    assert merge([wall, floor], CHAIN) == (Find(frozenset({0, 1, 2}), ("left", "top"), 0.8),)
+    assert len(merge([wall, floor])) == 2, "as published"
+
+
+def test_neighbours_that_one_view_shows_as_two_stay_two() -> None:
+    one, other = find(0, 1, view="top"), find(2, view="top")
+    assert len(merge([one, other, find(2, view="left")], CHAIN)) == 2
+
+
+def test_of_several_neighbours_the_one_with_most_common_edges_is_the_same_part() -> None:
+    """Face 4 meets face 0 along one edge, faces 2 and 3 along two; from the top, those are another part."""
+    graph = FaceGraph(np.array([(0, 4), (2, 4), (3, 4), (2, 3)], dtype=np.int32))
+    parts = merge([find(0, view="top"), find(2, 3, view="top"), find(4, view="left")], graph)
+    assert [sorted(part.faces) for part in parts] == [[0], [2, 3, 4]]
+
+
+def test_faces_beyond_the_graph_meet_nothing() -> None:
+    assert len(merge([find(7), find(8, view="left")], FaceGraph(np.zeros((0, 2), dtype=np.int32)))) == 2
+    assert len(merge([find(77), find(88, view="left")], CHAIN)) == 2

@@ -10,6 +10,7 @@ from PIL import Image
 from querycad_contracts import AnswerRecord
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
+from querycad_segworker.segcad.sight import sheets_of
 
 from .pictures import Mark, annotate, save_png
 
@@ -23,15 +24,14 @@ def draw_evidence(artefacts: Artefacts, record: AnswerRecord, path: Path) -> Non
     answer = record.answer.text if record.answer is not None else (record.failure.message if record.failure else "")
     path.parent.mkdir(parents=True, exist_ok=True)
     picture = annotate(Mesh.load(artefacts.mesh), marks, record.question, answer)
-    names = dict.fromkeys(part.evidence.picture for part in record.parts if part.evidence.picture is not None)
-    save_png(_stacked([picture, *_sheets(artefacts, list(names))]), path)
+    save_png(_stacked([picture, *_sheets(artefacts, sheets_of(record))]), path)
 
 
 def _sheets(artefacts: Artefacts, names: Sequence[str]) -> list[Image.Image]:
     """The sheets that are there: one may have been drawn on another machine."""
     found = []
     for name in names:
-        path = artefacts.sight(Path(name).name)
+        path = artefacts.sight(name)
         if path.is_file():
             with Image.open(path) as sheet:
                 found.append(sheet.convert("RGB"))

@@ -20,7 +20,7 @@ from querycad_segworker.mesh import Mesh
 
 from .cameras import Camera, isometric_camera
 from .normals import smooth_normals
-from .raycast import BACKGROUND, IdImage, Scene
+from .raycast import BACKGROUND, FaceIds, IdImage, Scene, id_type
 
 ALIKE = 0.995
 """Share of pixels that a driver must draw as rays show them; rounding may decide about the rest, on silhouettes."""
@@ -133,25 +133,27 @@ class GlScene:
         size = (camera.height, camera.width)
         if not len(self.mesh.triangles):
             directions = np.zeros((*size, 3), dtype=np.float32) if normals else None
-            background = np.full(size, BACKGROUND, dtype=np.int32)
+            background = np.full(size, BACKGROUND, dtype=id_type(self.mesh))
             return IdImage(camera, background, np.full(size, np.inf, dtype=np.float32), directions)
         with _process.lock, self._context.ctx as ctx:
             ctx.gc()  # what scenes that are gone have left
             faces, depth, directions = self._draw(ctx, camera, normals)
         faces -= 1
         depth *= np.float32(camera.range_m)
-        depth[faces == BACKGROUND] = np.inf
+        np.copyto(depth, np.float32(np.inf), where=faces == BACKGROUND)
         return IdImage(camera, faces, depth, directions)
 
     def _draw(
         self, ctx: Any, camera: Camera, normals: bool
-    ) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32] | None]:
+    ) -> tuple[FaceIds, NDArray[np.float32], NDArray[np.float32] | None]:
         """Faces, counted from 1 with 0 for the background; depths from 0 to 1; and normals, where asked for."""
-        narrow = int(self.mesh.triangle_face.max()) < np.iinfo(np.uint16).max
-        target = self._context.target_of((camera.width, camera.height), "u2" if narrow else "u4", normals)
+        ids = id_type(self.mesh)
+        kind = f"u{ids.itemsize}"
+        target = self._context.target_of((camera.width, camera.height), kind, normals)
         target.use()
         target.clear(depth=1.0)
-        ctx.enable_only(ctx.DEPTH_TEST)
+        ctx.enable_only(ctx.DEPTH_TEST | (ctx.CULL_FACE if self.mesh.closed else 0))
+        ctx.front_face = "cw"  # as rows run downwards; what is culled are backs, which fronts hide
         program = self._context.programs[normals]
         program["to_clip"].write(self._to_clip(camera).T.astype(np.float32).tobytes())
         if normals:
@@ -161,9 +163,9 @@ class GlScene:
             array.render(ctx.TRIANGLES, first=first, vertices=min(corners - first, 3 * TRIANGLES_AT_ONCE))
             ctx.finish()
         size = (camera.height, camera.width)
-        depth, faces = np.empty(size, dtype=np.float32), np.empty(size, dtype=np.int32)
+        depth, faces = np.empty(size, dtype=np.float32), np.empty(size, dtype=ids)
         target.read_into(depth, components=1, attachment=-1, dtype="f4")
-        target.read_into(faces, components=1, attachment=0, dtype="i4")
+        target.read_into(faces, components=1, attachment=0, dtype=kind)
         if not normals:
             return faces, depth, None
         half = np.empty((*size, 4), dtype=np.float16)

@@ -26,6 +26,18 @@ from .normals import smooth_normals
 BACKGROUND = -1
 """Face id of a pixel that shows no face."""
 
+FaceIds = NDArray[np.signedinteger[Any]]
+
+
+def id_type(mesh: Mesh) -> np.dtype[np.signedinteger[Any]]:
+    """How wide are the ids in an image of this mesh? Half as wide where the faces allow: images are what takes memory.
+
+    One more than the highest id still fits, for those who count the background as 0.
+    """
+    narrow = mesh.triangle_face.max(initial=0) < np.iinfo(np.int16).max
+    return np.dtype(np.int16) if narrow else np.dtype(np.int32)
+
+
 RAYS_PER_TILE = 1 << 16
 """Rays traced in one call: 3 MB of rays and results a thread, and Python's share of the time does not show."""
 
@@ -39,8 +51,8 @@ class IdImage:
     """What one camera sees: the result of every renderer, whichever way it was made."""
 
     camera: Camera
-    face_id_map: NDArray[np.int32]
-    """(H, W) int32; -1 where the background shows."""
+    face_id_map: FaceIds
+    """(H, W) of `id_type`; -1 where the background shows."""
     depth_m: NDArray[np.float32]
     """(H, W) float32, metres from the camera's near plane; infinite where the background shows."""
     normals: NDArray[np.float32] | None
@@ -85,18 +97,15 @@ class Scene:
 
     def render_ids(self, camera: Camera, normals: bool = False) -> IdImage:
         """Which face does each pixel of `camera` show, and how far away?"""
-        faces = np.full((camera.height, camera.width), BACKGROUND, dtype=np.int32)
+        faces = np.full((camera.height, camera.width), BACKGROUND, dtype=id_type(self.mesh))
         depth = np.full(faces.shape, np.inf, dtype=np.float32)
         directions = np.zeros((*faces.shape, 3), dtype=np.float32) if normals else None
-        rows, columns = self._window(camera)
+        rows, columns = self.window(camera)
         if self._embree is None or not rows or not columns:
             return IdImage(camera, faces, depth, directions)
         corners = self._corners() if normals else None
-        right, up, backward = camera.axes
-        step = camera.pixel_m / self._radius
-        eye = (np.array(camera.eye_m) - self._center) / self._radius
-        across = right * ((np.array(columns) + 0.5 - camera.width / 2) * step)[:, None]
-        down = eye + up * ((camera.height / 2 - np.array(rows) - 0.5) * step)[:, None]
+        down, across = self._places(camera, np.array(rows), np.array(columns))
+        backward = camera.axes[2]
         span = slice(columns.start, columns.stop)
         tile_rows = max(1, RAYS_PER_TILE // len(columns))
 
@@ -115,6 +124,33 @@ class Scene:
 
         self._spread(tile, range(0, len(rows), tile_rows))
         return IdImage(camera, faces, depth, directions)
+
+    def faces_at(self, camera: Camera, rows: NDArray[np.integer], columns: NDArray[np.integer]) -> NDArray[np.int32]:
+        """Which face does each of these pixels of `camera` show? (N,) rows and columns in, (N,) int32 out."""
+        faces = np.full(len(rows), BACKGROUND, dtype=np.int32)
+        if self._embree is None:
+            return faces
+        towards = -camera.axes[2][None]
+
+        def tile(first: int) -> None:
+            chosen = slice(first, first + RAYS_PER_TILE)
+            down, across = self._places(camera, rows[chosen], columns[chosen])
+            faces[chosen] = self._face_of[self._trace(down + across, towards).triangle]
+
+        self._spread(tile, range(0, len(rows), RAYS_PER_TILE))
+        return faces
+
+    def backs(self, camera: Camera) -> float:
+        """Of the pixels that show a face, which share shows the back of a triangle? 0 where nothing is seen."""
+        if self._embree is None:
+            return 0.0
+        rows, columns = np.mgrid[: camera.height, : camera.width]
+        pixels = np.stack([columns.ravel() + 0.5, rows.ravel() + 0.5, np.zeros(rows.size)], axis=1)
+        backward = np.array(camera.backward)
+        hits = self._trace((camera.to_world(pixels) - self._center) / self._radius, -backward[None]).triangle
+        corners = self.mesh.vertices_m[self.mesh.triangles[hits[hits >= 0]]]
+        facing = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ backward
+        return float((facing < 0).mean()) if len(facing) else 0.0
 
     def sees(self, points_m: ArrayLike, normals: ArrayLike | None = None) -> NDArray[np.bool_]:
         """From which sides is each point seen? (N, 3) metres in; (6, N) bool out, rows in the order of `Side`.
@@ -162,8 +198,18 @@ class Scene:
         hits = self._embree.run(origins.astype(np.float32), directions.astype(np.float32), output=True)
         return _Hits(hits["primID"], hits["tfar"], hits["u"], hits["v"])
 
-    def _window(self, camera: Camera) -> tuple[range, range]:
-        """Rows and columns that the model's box may cover: no other pixel needs a ray."""
+    def _places(
+        self, camera: Camera, rows: NDArray[np.integer], columns: NDArray[np.integer]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Where in the scaled frame are rows, (R, 3) on the near plane, and how far beside are columns, (C, 3)?"""
+        right, up, _ = camera.axes
+        step = camera.pixel_m / self._radius
+        eye = (np.array(camera.eye_m) - self._center) / self._radius
+        down = eye + up * ((camera.height / 2 - rows - 0.5) * step)[:, None]
+        return down, right * ((columns + 0.5 - camera.width / 2) * step)[:, None]
+
+    def window(self, camera: Camera) -> tuple[range, range]:
+        """Which rows and columns may the model's box cover? No other pixel needs a ray."""
         spots = camera.to_pixels(box_corners(self.bounds))[:, :2]
         first, last = np.floor(spots.min(axis=0)) - 1, np.ceil(spots.max(axis=0)) + 1
         (left, right), (top, bottom) = (

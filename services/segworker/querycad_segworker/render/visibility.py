@@ -13,12 +13,17 @@ from querycad_segworker.mesh import Mesh
 from .cameras import side_cameras
 from .raycast import IdImage, Scene
 from .renderer import Renderer
+from .scanlines import Edges, seen_pixels
 
 WIDTH, HEIGHT = 1280, 720
 """Pixels of a view. Measured on eleven models of 32 to 10,608 faces: of the faces with 16 pixels or more in a view of
 3840x2160, the median model loses 0.8 % at 1920x1080, 1.3 % at 1280x720, 3.2 % at 960x540 and 6.4 % at 640x360 (walls
-seen edge-on); the six views take time in proportion to their pixels, 0.2 to 0.5 s at 1280x720 on two shared cores.
-Beyond 1280x720 time doubles for half a percent."""
+seen edge-on). Larger views gain half a percent."""
+
+GLANCE = (96, 54)
+"""Pixels that are enough to see whether backs show: six such views take some 5 ms."""
+BACKS = 1e-3
+"""Share of a view's pixels up to which backs are rounding on edges."""
 
 BAND = 128
 """Rows counted at a time."""
@@ -45,9 +50,18 @@ def visible_pixels(scene: Renderer | Mesh, face_count: int, width: int = WIDTH, 
         raise ValueError(f"the mesh has face {mesh.triangle_face.max()}, but only {face_count} faces are announced")
     cameras = side_cameras(ready.bounds, width, height)
     pixels = np.zeros((len(Side), face_count), dtype=np.int32)
+    edges = Edges.of(mesh) if isinstance(ready, Scene) else None
     for row, camera in enumerate(cameras):
-        pixels[row] = face_pixels(ready.render_ids(camera), face_count)
+        if isinstance(ready, Scene) and edges is not None:
+            pixels[row] = seen_pixels(ready, edges, camera, face_count)
+        else:
+            pixels[row] = face_pixels(ready.render_ids(camera), face_count)
     return FaceVisibility(pixels, np.array([camera.pixel_m for camera in cameras]))
+
+
+def shows_backs(scene: Scene) -> bool:
+    """Do the sides show backs of triangles? As where a body is open, or a face's triangles fold over its border."""
+    return any(scene.backs(camera) > BACKS for camera in side_cameras(scene.bounds, *GLANCE))
 
 
 def face_pixels(image: IdImage, face_count: int) -> NDArray[np.int64]:

@@ -65,7 +65,7 @@ def find(
         views.append((view.visible, view.camera.pixel_m))
         watch(looked)
         del view, looked  # or the next view would be made while this one is still held
-    return Seen(merge(finds), _visibility(renderer, face_count, views))
+    return Seen(merge(finds, graph if numbers.join_neighbours else None), _visibility(renderer, face_count, views))
 
 
 def look(view: View, graph: FaceGraph, phrase: str, models: VisionModels, options: VisionOptions) -> Looked:

@@ -18,7 +18,7 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True, slots=True)
 class VisionOptions:
-    """Every number of the vision path, by name; the defaults are those of the QueryCAD paper."""
+    """Every number of the vision path, by name; all but `join_neighbours` are the QueryCAD paper's by default."""
 
     views: Literal[6, 8] = 6
     """6: along the axes; 8: from the corners, half-way between the axes."""
@@ -40,6 +40,9 @@ class VisionOptions:
     """A mask over more than this share of the model's pixels is the model, not a part of it."""
     covered: float = 0.50
     """A mask covered by smaller ones over more than this share of itself is a group of parts, not a part."""
+    join_neighbours: bool = True
+    """Whether finds that meet along an edge are one part where no view shows them apart; as published, False: only
+    finds that share a face are."""
 
 
 @dataclass(frozen=True, slots=True)

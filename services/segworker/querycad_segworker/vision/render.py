@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from querycad_contracts import Side
 from querycad_segworker.render.cameras import CORNERS, Camera, corner_camera, side_camera
 from querycad_segworker.render.colored import face_colors, paint
-from querycad_segworker.render.raycast import IdImage
+from querycad_segworker.render.raycast import FaceIds, IdImage
 from querycad_segworker.render.renderer import Renderer
 from querycad_segworker.render.visibility import face_pixels
 
@@ -34,17 +34,21 @@ class View:
         return self.ids.camera
 
     @property
-    def face_id_map(self) -> NDArray[np.int32]:
-        """Which face does each pixel show? (H, W) int32, -1 for the background."""
+    def face_id_map(self) -> FaceIds:
+        """Which face does each pixel show? (H, W) int16 or int32, -1 for the background."""
         return self.ids.face_id_map
 
 
 def render(renderer: Renderer, face_count: int, options: VisionOptions) -> Iterator[View]:
-    """How does the model look from each view? One view at a time: each holds some 22 MB."""
+    """How does the model look from each view? One view at a time: each holds some 20 MB."""
     colors = face_colors(face_count, options.color_seed)
     for camera in cameras(renderer.bounds, options):
-        ids = renderer.render_ids(camera, normals=options.shaded)
-        yield View(ids, paint(ids, colors), face_pixels(ids, face_count))
+        yield _view(renderer.render_ids(camera, normals=options.shaded), colors)
+
+
+def _view(ids: IdImage, colors: NDArray[np.uint8]) -> View:
+    """A function of its own: a loop's variable would hold the last view's image while the next one is drawn."""
+    return View(ids, paint(ids, colors), face_pixels(ids, len(colors)))
 
 
 def cameras(bounds_m: ArrayLike, options: VisionOptions) -> tuple[Camera, ...]:
