@@ -187,12 +187,12 @@ def test_the_store_keeps_its_data_in_a_volume_and_the_files_are_shared() -> None
     assert SERVICES["redis"]["volumes"] == ["store:/data"]
     assert "--dir /data --appendonly yes" in SERVICES["redis"]["command"][-1]
     homes = {name for name, service in OWN.items() if "QUERYCAD_HOME" in service["environment"]}
-    assert homes == {"api", "ingest", "segworker"}
+    assert homes == {"api", "ingest", "segworker", "pictures"}
     assert all(f"files:{OWN[name]['environment']['QUERYCAD_HOME']}" in OWN[name]["volumes"] for name in homes)
 
 
 def test_what_may_be_scaled_has_no_name_or_port_of_its_own() -> None:
-    for name in ("questions", "ingest", "segworker", "sandbox"):
+    for name in ("questions", "ingest", "segworker", "pictures", "sandbox"):
         assert not {"container_name", "hostname", "ports"} & SERVICES[name].keys()
 
 

@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from querycad.cli import main
+
 BRACKET = Path(__file__).resolve().parents[2] / "examples" / "bracket.step"
 STAGES = ("1-rendered", "2-boxes", "3-masks", "4-faces")
 
@@ -55,3 +57,18 @@ def test_known_parts_need_flat_colours(home: Path, tmp_path: Path) -> None:
     done = run(home, "hole", "--known", "--shaded", "--out", str(tmp_path))
     assert done.returncode == 2
     assert "--shaded" in done.stderr
+
+
+def test_every_number_of_the_stages_is_an_option(home: Path, tmp_path: Path) -> None:
+    """As published, the only body would be most of the model in every view, and no part."""
+    numbers = ("--largest-mask", "1", "--face-share", "0", "--covered", "1", "--no-join-neighbours", "--azimuth", "2")
+    done = run(home, "body", "--known", "--size", "320x180", "--out", str(tmp_path), *numbers)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.startswith("body-1: ")
+
+
+def test_a_share_above_one_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as refused:
+        main(["segment", str(BRACKET), "body", "--out", "nowhere", "--covered", "2"])
+    assert refused.value.code == 2
+    assert "must be between 0 and 1" in capsys.readouterr().err

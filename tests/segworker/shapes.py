@@ -8,16 +8,21 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Builder
 from OCP.BRepAdaptor import BRepAdaptor_Curve
-from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Cut, BRepAlgoAPI_Fuse, BRepAlgoAPI_Splitter
+from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepBuilderAPI import (
     BRepBuilderAPI_MakeFace,
     BRepBuilderAPI_MakePolygon,
+    BRepBuilderAPI_MakeSolid,
     BRepBuilderAPI_NurbsConvert,
+    BRepBuilderAPI_Sewing,
     BRepBuilderAPI_Transform,
 )
 from OCP.BRepFilletAPI import BRepFilletAPI_MakeChamfer, BRepFilletAPI_MakeFillet
+from OCP.BRepLib import BRepLib
 from OCP.BRepPrimAPI import (
     BRepPrimAPI_MakeBox,
     BRepPrimAPI_MakeCone,
@@ -28,20 +33,22 @@ from OCP.BRepPrimAPI import (
 )
 from OCP.collections import List_TopoDS_Shape
 from OCP.GeomAbs import GeomAbs_CurveType
-from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
+from OCP.gp import gp_Ax1, gp_Ax2, gp_Dir, gp_Pln, gp_Pnt, gp_Trsf, gp_Vec
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Interface import Interface_Static
+from OCP.ShapeUpgrade import ShapeUpgrade_ShapeDivideAngle
 from OCP.STEPControl import STEPControl_StepModelType, STEPControl_Writer
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Edge, TopoDS_Shape
 
-from querycad_contracts import Part, Shape
+from querycad_contracts import Part, Refusal, Shape
 from querycad_segworker.brep.extract import Extracted, extract
 from querycad_segworker.brep.step import StepContent, subshapes
 from querycad_segworker.brep.tessellate import tessellate
-from querycad_segworker.features.recognise import recognise
+from querycad_segworker.features.recognise import Recognised, recognise
 from querycad_segworker.features.thickness import material_thickness
 from querycad_segworker.mesh import Mesh
+from querycad_segworker.orientation import outward
 from querycad_segworker.render.raycast import Scene
 from querycad_segworker.render.visibility import visible_pixels
 from querycad_segworker.segcad.sides import with_sides
@@ -97,6 +104,33 @@ def prism(corners: Sequence[Vec], by: Vec) -> TopoDS_Shape:
         outline.Add(gp_Pnt(*corner))
     outline.Close()
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(*by)).Shape()
+
+
+def gear(count: int, tip: float, root: float, width: float) -> TopoDS_Shape:
+    """Around z from z = 0, its teeth with flat tips and flat bottoms."""
+    pitch = 2 * math.pi / count
+    corners = [(root, 0.0), (root, 0.35), (tip, 0.5), (tip, 0.8)]
+    outline = [
+        (r * math.cos((i + share) * pitch), r * math.sin((i + share) * pitch))
+        for i in range(count)
+        for r, share in corners
+    ]
+    return extruded(outline, 0.0, width)
+
+
+def sewn(polygons: Sequence[Sequence[Vec]]) -> TopoDS_Shape:
+    """The solid that plane polygons enclose."""
+    sewing = BRepBuilderAPI_Sewing(1e-6)
+    for corners in polygons:
+        outline = BRepBuilderAPI_MakePolygon()
+        for corner in corners:
+            outline.Add(gp_Pnt(*corner))
+        outline.Close()
+        sewing.Add(BRepBuilderAPI_MakeFace(outline.Wire(), True).Face())
+    sewing.Perform()
+    solid = BRepBuilderAPI_MakeSolid(TopoDS.Shell(sewing.SewedShape())).Solid()
+    BRepLib.OrientClosedSolid_s(solid)
+    return solid
 
 
 def cut(shape: TopoDS_Shape, *tools: TopoDS_Shape) -> TopoDS_Shape:
@@ -198,9 +232,44 @@ def mirrored(shape: TopoDS_Shape) -> TopoDS_Shape:
     return BRepBuilderAPI_Transform(shape, move, True).Shape()
 
 
+def halved(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """Every face that turns by more than half a circle in halves, as many CAD systems store them."""
+    divide = ShapeUpgrade_ShapeDivideAngle(math.pi, shape)
+    divide.Perform()
+    return divide.Result()
+
+
+def split(shape: TopoDS_Shape) -> TopoDS_Shape:
+    """Every solid with its faces cut apart along two oblique planes; what they enclose stays the same."""
+    solids = []
+    for solid in subshapes(shape, TopAbs_ShapeEnum.TopAbs_SOLID):
+        operation = BRepAlgoAPI_Splitter()
+        operation.SetArguments(_list(faces(solid)))
+        box = Bnd_Box()
+        BRepBndLib.Add_s(solid, box)
+        low, high = box.CornerMin(), box.CornerMax()
+        size = low.Distance(high)
+        middle = gp_Pnt(*((a + 0.02 * size + b) / 2 for a, b in zip(_xyz(low), _xyz(high), strict=True)))
+        planes = [gp_Pln(middle, gp_Dir(*normal)) for normal in ((1, 0.13, 0.07), (0.11, 1, 0.17))]
+        operation.SetTools(_list([BRepBuilderAPI_MakeFace(plane, -size, size, -size, size).Face() for plane in planes]))
+        operation.Build()
+        sewing = BRepBuilderAPI_Sewing(1e-6 * size)
+        for face in faces(operation.Shape()):
+            sewing.Add(face)
+        sewing.Perform()
+        shells = subshapes(sewing.SewedShape(), TopAbs_ShapeEnum.TopAbs_SHELL)
+        made = BRepBuilderAPI_MakeSolid(*(TopoDS.Shell(shell) for shell in shells)).Solid()
+        BRepLib.OrientClosedSolid_s(made)
+        solids.append(made)
+    return solids[0] if len(solids) == 1 else compound(*solids)
+
+
+def _xyz(point: gp_Pnt) -> Vec:
+    return point.X(), point.Y(), point.Z()
+
+
 def shuffled(shape: TopoDS_Shape) -> TopoDS_Shape:
     """The same solid with its faces stored in the opposite order."""
-    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid
     from OCP.TopoDS import TopoDS_Shell
 
     builder, shell = BRep_Builder(), TopoDS_Shell()
@@ -239,26 +308,30 @@ class Found:
 
     @cached_property
     def mesh(self) -> Mesh:
-        return tessellate(self._extracted.faces, dist(*self.brep.box))
+        mesh = tessellate(self._extracted.faces, dist(*self.brep.box))
+        return outward(mesh, [body.faces for body in self.brep.bodies])
 
     @cached_property
     def _scene(self) -> Scene:
         return Scene(self.mesh, threads=1)
 
     @cached_property
-    def _recognised(self) -> tuple[Shape, tuple[Part, ...]]:
+    def _recognised(self) -> Recognised:
         thickness = material_thickness(self.brep, self.mesh, self._scene)
-        found = recognise(self.brep, self._scene.is_clear, thickness, self.mesh)
-        return found.shape, found.parts
+        return recognise(self.brep, self._scene.is_clear, thickness, self.mesh)
 
     @property
     def shape(self) -> Shape:
-        return self._recognised[0]
+        return self._recognised.shape
 
     @property
     def parts(self) -> tuple[Part, ...]:
         """Without the sides they are visible from."""
-        return self._recognised[1]
+        return self._recognised.parts
+
+    @property
+    def refused(self) -> tuple[Refusal, ...]:
+        return self._recognised.refused
 
     @cached_property
     def seen_parts(self) -> list[Part]:

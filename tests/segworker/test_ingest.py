@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import subprocess
@@ -9,13 +10,17 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import psutil
 import pytest
 from tests.segworker.shapes import box, cut, cylinder, plate, write_step
 
-from querycad_segworker.errors import FileProblem, IncompleteFile, KernelDied, NotStep
+from querycad_segworker.errors import FileProblem, IncompleteFile, KernelDied, KernelKilled, NotStep
 from querycad_segworker.ingest import IngestLimits, ingest
+from querycad_segworker.kernel_process import start_host
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import ModelStore, file_sha256
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -103,7 +108,7 @@ def test_two_who_read_one_file_at_once_get_the_same(tmp_path: Path) -> None:
     assert left_over(store) == []
 
 
-def test_a_crash_of_the_kernel_is_one_sentence(drilled: Path, tmp_path: Path) -> None:
+def test_a_crash_of_the_kernel_is_one_sentence(drilled: Path, tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     """A vector that refers to a direction which is not there kills the kernel."""
     text = drilled.read_text(encoding="ascii")
     direction = re.search(r"VECTOR\(''\s*,#(\d+)", text)
@@ -115,6 +120,10 @@ def test_a_crash_of_the_kernel_is_one_sentence(drilled: Path, tmp_path: Path) ->
         ingest(damaged, store)
     assert "\n" not in str(problem.value)
     assert left_over(store) == []
+    told = [record.getMessage() for record in caplog.records if record.levelno >= logging.INFO]
+    assert len(told) == 1
+    assert "code -11 on damaged.step" in told[0]
+    assert "\n" not in told[0]
 
 
 def test_a_kernel_that_does_not_finish_is_stopped(drilled: Path, tmp_path: Path) -> None:
@@ -130,6 +139,20 @@ def test_a_kernel_that_needs_too_much_memory_is_stopped(drilled: Path, tmp_path:
     with pytest.raises(KernelDied, match="more memory"):
         ingest(drilled, store, IngestLimits(memory_bytes=200 * 2**20))
     assert left_over(store) == []
+
+
+def test_a_reading_that_is_killed_from_outside_is_not_blamed_on_the_file(tmp_path: Path) -> None:
+    start_host()
+    (host,) = (child for child in psutil.Process().children() if "querycad_segworker.kernel_host" in child.cmdline())
+
+    def kill(stage: str) -> None:
+        if stage == "measure":
+            for reader in host.children():
+                reader.kill()
+
+    with pytest.raises(KernelKilled, match="was killed") as problem:
+        ingest(ROOT / "examples/gear_shaft.step", ModelStore(tmp_path), progress=kill)
+    assert problem.value.retryable
 
 
 def test_a_problem_found_by_the_child_keeps_its_kind(tmp_path: Path) -> None:

@@ -10,10 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
 
-from querycad_contracts import AnswerRecord, Status, TaskName, picture_name
+from querycad_contracts import AnswerRecord, FolderStore, Part, Status, TaskName, picture_name
 from querycad_segworker.settings import SegworkerSettings
-from querycad_segworker.tasks import make_tasks
+from querycad_segworker.tasks import ModelCache, Tasks, make_tasks
+from querycad_segworker.vision.known import KnownParts
 from querycad_segworker.worker import ATTEMPTS, make_app
 
 Table = dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]
@@ -50,6 +52,7 @@ def test_an_ingest_tells_what_the_file_holds(table: Table, model: str) -> None:
     assert summary["body_count"] == 1
     assert summary["shape"]["extents"][:2] == pytest.approx([0.17, 0.17])
     assert summary["part_counts"]["hole"] == 11
+    assert summary["units"] == ["millimetre"]
 
 
 def test_the_user_s_name_of_the_file_is_kept_not_its_hash(
@@ -68,14 +71,64 @@ def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, tabl
     assert [face["id"] for face in faces] == [3, 1]
 
 
-def test_vision_without_weights_finds_nothing_and_says_why(table: Table, model: str) -> None:
+class Bucket(FolderStore):
+    """A store that two machines share: what it is not given stays on the machine."""
+
+    def __init__(self, home: Path, bucket: Path) -> None:
+        super().__init__(home)
+        self._bucket = bucket
+
+    def keep(self, name: str, unfinished: Path) -> None:
+        (self._bucket / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(unfinished, self._bucket / name)
+        super().keep(name, unfinished)
+
+    def fetch(self, name: str) -> Path | None:
+        if super().fetch(name) is None and (self._bucket / name).is_file():
+            (self.home / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(self._bucket / name, self.home / name)
+        return super().fetch(name)
+
+
+def test_what_vision_saw_on_one_machine_is_in_the_picture_that_another_draws(
+    settings: SegworkerSettings, model: str, tmp_path: Path
+) -> None:
+    artefacts = make_tasks(settings).cache.artefacts(model)
+    holes = [part.faces for part in artefacts.load_model().parts if part.kind == "hole"]
+    known = KnownParts(len(artefacts.load_faces()), holes)
+    machines = []
+    for name in ("here", "there"):
+        shutil.copytree(settings.home, tmp_path / name)
+        cache = ModelCache(settings.model_copy(update={"home": tmp_path / name}), lambda: known.models)
+        cache.files = Bucket(tmp_path / name, tmp_path / "bucket")
+        machines.append(Tasks(cache).table())
+    here, there = machines
+    found = here[TaskName.FIND_PARTS]({"model": model, "description": "quux", "grounding": "vision"})["value"]
+    assert found["parts"]
+    record = AnswerRecord(
+        question="?",
+        status=Status.ANSWERED,
+        answer=None,
+        code=None,
+        codegen=None,
+        parts=[Part.model_validate(part) for part in found["parts"]],
+        timings_ms={},
+        warnings=[],
+    )
+    asked = {"model": model, "record": record.model_dump(mode="json"), "name": picture_name("a" * 32)}
+    picture = tmp_path / "there" / there[TaskName.PICTURE](asked)["value"]
+    with Image.open(picture) as drawn:
+        assert drawn.height > 1000 + 1000, "the marked model, and six views below it"
+    (sheet,) = (tmp_path / "there").glob("models/*/*/*/sight/*.png")
+    assert sheet.read_bytes() in [path.read_bytes() for path in (tmp_path / "bucket").glob("models/*/*/*/sight/*.png")]
+
+
+@pytest.mark.parametrize("grounding", ["vision", "fused"])
+def test_without_weights_geometry_answers_and_says_so(table: Table, model: str, grounding: str) -> None:
     asked = {"model": model, "description": "hole"}
-    alone = table[TaskName.FIND_PARTS]({**asked, "grounding": "vision"})["value"]
-    assert alone["parts"] == []
-    assert alone["message"].startswith("vision cannot look: no weights")
-    both = table[TaskName.FIND_PARTS]({**asked, "grounding": "fused"})["value"]
-    assert both["parts"] == table[TaskName.FIND_PARTS](asked)["value"]["parts"]
-    assert both["warnings"][-1].startswith("grounded on geometry alone: no weights")
+    found = table[TaskName.FIND_PARTS]({**asked, "grounding": grounding})["value"]
+    assert found["parts"] == table[TaskName.FIND_PARTS](asked)["value"]["parts"]
+    assert found["warnings"][-1].startswith("grounded on geometry alone: no weights")
 
 
 def test_a_distance_is_measured(table: Table, model: str) -> None:

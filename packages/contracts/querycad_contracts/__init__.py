@@ -20,8 +20,22 @@ from .answers import (
     Unit,
 )
 from .files import BucketStore, FileStore, FolderStore, file_store
-from .geometry import Body, Convexity, Evidence, Face, Frozen, GroundedBy, Part, Shape, Side, SurfaceKind, Vector
+from .geometry import (
+    Body,
+    Convexity,
+    Evidence,
+    Face,
+    Frozen,
+    GroundedBy,
+    Part,
+    Refusal,
+    Shape,
+    Side,
+    SurfaceKind,
+    Vector,
+)
 from .logs import LogFormat, current_request, start_logging, working_for
+from .processes import end_with_parent
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
 from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
@@ -73,7 +87,7 @@ from .settings import (
     picture_name,
     upload_name,
 )
-from .tracing import start_tracing, start_worker_tracing
+from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
 __all__ = [
     "NO_ACCOUNTS",
@@ -133,6 +147,7 @@ __all__ = [
     "QuestionTask",
     "QuestionsRequest",
     "Queue",
+    "Refusal",
     "RunEnded",
     "RunEvent",
     "RunFailed",
@@ -162,7 +177,10 @@ __all__ = [
     "ViewTask",
     "WorkerSettings",
     "alive_key",
+    "carried_trace",
+    "carry_trace",
     "current_request",
+    "end_with_parent",
     "file_store",
     "models_name",
     "picture_name",

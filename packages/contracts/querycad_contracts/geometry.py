@@ -127,9 +127,9 @@ class GroundedBy(StrEnum):
     GEOMETRY = "geometry"
     """What is recognised on the exact surfaces: milliseconds."""
     VISION = "vision"
-    """What networks see in pictures of the model: seconds, and weights that must be there."""
+    """What networks see in pictures of the model: seconds. Without their weights geometry answers, with a warning."""
     FUSED = "fused"
-    """Both; geometry alone, with a warning, where vision has no weights."""
+    """Both; without weights as above."""
 
 
 class Evidence(Frozen):
@@ -139,6 +139,14 @@ class Evidence(Frozen):
     confidence: float = Field(ge=0.0, le=1.0)
     reason: str = Field(description="One sentence: why these faces are this part.")
     picture: str | None = Field(None, description="Name of the sheet that shows how it was seen; of vision only.")
+
+
+class Refusal(Frozen):
+    """What looked like a part of one kind, and why it is none."""
+
+    kind: str = Field(description="The kind of part that it is not: 'hole', 'chamfer' …")
+    faces: tuple[int, ...] = Field(description="Ids of the faces that it would have been made of.")
+    reason: str = Field(description="Why not, in a few words.")
 
 
 class Part(Frozen):
@@ -170,6 +178,7 @@ class Part(Frozen):
     thickness: float | None = None
     opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
     tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes.")
+    tips: tuple[Vector, ...] = Field((), description="All free ends of its axis, `tip` first: two of a shaft or rod.")
     bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
     local_size: Vector | None = Field(
         None, description="Length, width, height in the part's own frame, longest of the plane first."

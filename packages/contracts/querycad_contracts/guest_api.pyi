@@ -84,6 +84,8 @@ class Part:
     """Centre of a hole's, pocket's or slot's opening."""
     tip: Vector
     """Outermost point on the axis of a shaft, pin, boss, cone."""
+    tips: list[Vector]
+    """All free ends of its axis, `tip` first: two of a shaft or rod whose ends are both free."""
     extents: Vector
     """Full size along x, y, z of the file."""
     half_extents: Vector
@@ -121,7 +123,7 @@ class Part:
         ...
 
     def center_distance(self, other: "Part") -> float:
-        """How far apart are the two parts' centres?"""
+        """How far apart are the two parts' centres? Of holes on parallel axes: how far apart the axes are."""
         ...
 
     def angle_to(self, other: "Part") -> float:

@@ -24,10 +24,11 @@ NO_ACCOUNTS = "local"
 
 
 class Queue(StrEnum):
-    """The queues, by what they need: a CAD kernel for minutes, a known model for milliseconds, the sandbox."""
+    """The queues, by what they need: a kernel for minutes, a known model for milliseconds or a second, the sandbox."""
 
     INGEST = "ingest"
     SEGCAD = "segcad"
+    PICTURES = "pictures"
     QUESTIONS = "questions"
 
 
@@ -47,6 +48,22 @@ class TaskName(StrEnum):
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
     MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant -> nothing: follows a finished ingest
     MODEL_LOST = "querycad.model_lost"  # task id, model, tenant -> nothing: follows an ingest that was stopped
+
+    @property
+    def queue(self) -> Queue:
+        """On which queue is it sent?"""
+        return _QUEUES.get(self, Queue.SEGCAD)
+
+
+_QUEUES = {
+    TaskName.INGEST: Queue.INGEST,
+    TaskName.PICTURE: Queue.PICTURES,
+    TaskName.VIEW: Queue.PICTURES,
+    TaskName.GLB: Queue.PICTURES,
+    TaskName.QUESTION: Queue.QUESTIONS,
+    TaskName.MODEL_READ: Queue.QUESTIONS,
+    TaskName.MODEL_LOST: Queue.QUESTIONS,
+}
 
 
 def alive_key(queue: Queue) -> str:
@@ -181,6 +198,9 @@ class ModelSummary(Frozen):
     terms: dict[str, int] = Field(
         default_factory=dict,
         description="How many parts go by each name, such as 'blind hole'; the most frequent first.",
+    )
+    units: tuple[str, ...] = Field(
+        (), description="Length units that the file declares, such as 'millimetre'; all values here are SI."
     )
     warnings: tuple[str, ...]
     timings_ms: dict[str, float] = Field(description="What each stage of reading the file took.")

@@ -1,12 +1,31 @@
 """OpenTelemetry traces, an option: one trace a request, through api, queues, sandbox and segworkers.
 
 Off, nothing of OpenTelemetry is imported. On (`QUERYCAD_TRACES=1`), the extra `traces` has to be installed; where spans
-go is told by OpenTelemetry's own variables, such as OTEL_EXPORTER_OTLP_ENDPOINT.
+go is told by OpenTelemetry's own variables, such as OTEL_EXPORTER_OTLP_ENDPOINT. The sandbox, which can send nothing
+anywhere, has no spans: it hands the trace that a run belongs to on to the segworkers.
 """
 
 from __future__ import annotations
 
-from typing import Any
+import re
+from collections.abc import Mapping
+from contextvars import ContextVar
+from typing import Any, Final
+
+_CONTEXT: Final = {"traceparent": re.compile(r"[0-9a-f]{2}(-[0-9a-f]+){3}"), "tracestate": re.compile(r"[ -~]{1,512}")}
+"""The headers of W3C Trace Context, and what may be in them."""
+
+_CARRIED: ContextVar[Mapping[str, str]] = ContextVar("querycad_trace", default={})  # noqa: B039 - never changed
+
+
+def carry_trace(headers: Mapping[str, str]) -> None:
+    """Notes in this context to which trace all that is done now belongs, as an HTTP request's headers tell it."""
+    _CARRIED.set({name: value for name in _CONTEXT if _CONTEXT[name].fullmatch(value := headers.get(name, ""))})
+
+
+def carried_trace() -> dict[str, str]:
+    """With which headers is the trace handed on? With none where there is none."""
+    return dict(_CARRIED.get())
 
 
 def start_tracing(service: str, wanted: bool, app: Any) -> None:

@@ -16,6 +16,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _add_ask(commands)
     _add_prompt(commands)
     _add_run(commands)
+    _add_features(commands)
     _add_segment(commands)
     _add_serve(commands)
     _add_keys(commands)
@@ -85,6 +86,21 @@ def _run(options: argparse.Namespace) -> int:
     return run(options)
 
 
+def _add_features(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    features = commands.add_parser("features", help="list the features of a STEP file, or what was refused and why")
+    features.add_argument("file", metavar="FILE", help="a STEP file")
+    features.add_argument("--refused", action="store_true", help="what looked like a feature, and why it is none")
+    features.add_argument("--kind", metavar="KIND", help="of this kind only, such as hole")
+    features.add_argument("--json", action="store_true", help="print one JSON list and nothing else")
+    features.set_defaults(run=_features)
+
+
+def _features(options: argparse.Namespace) -> int:
+    from .features import features
+
+    return features(options)
+
+
 def _add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     from .segment_arguments import add_segment
 
@@ -97,7 +113,9 @@ def _add_serve(commands: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     serve.add_argument(
         "--host", default="127.0.0.1", help="address to listen on (default: %(default)s); any other asks for API keys"
     )
-    serve.add_argument("--workers", type=_positive, default=1, metavar="N", help="SegCAD processes (default: 1)")
+    serve.add_argument(
+        "--workers", type=_positive, default=1, metavar="N", help="processes that find, and as many that draw (1)"
+    )
     serve.set_defaults(run=_serve)
 
 

@@ -44,6 +44,13 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
         height=options.size[1],
         shaded=options.shaded,
         box_threshold=options.box_threshold,
+        azimuth_offset_deg=options.azimuth,
+        elevation_deg=options.elevation,
+        color_seed=options.color_seed,
+        face_share=options.face_share,
+        largest_mask=options.largest_mask,
+        covered=options.covered,
+        join_neighbours=options.join_neighbours,
     )
     absent = ""
     if options.known:

@@ -21,6 +21,33 @@ def add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     parser.add_argument(
         "--known", action="store_true", help="boxes and masks from recognised parts instead of the networks; flat only"
     )
+    numbers = parser.add_argument_group("numbers of the stages", "S is a share of 1")
+    numbers.add_argument(
+        "--azimuth", type=float, default=1.0, metavar="DEG", help="turn of the side views (default: 1)"
+    )
+    numbers.add_argument(
+        "--color-seed", type=int, default=0, metavar="N", help="which face has which colour (default: 0)"
+    )
+    numbers.add_argument("--elevation", type=float, default=45.0, metavar="DEG", help="of corner views (default: 45)")
+    numbers.add_argument(
+        "--face-share", type=_share, default=0.05, metavar="S", help="masked, for a face to count (default: 0.05)"
+    )
+    numbers.add_argument(
+        "--largest-mask",
+        type=_share,
+        default=0.45,
+        metavar="S",
+        help="of the model, for a mask to stay (default: 0.45)",
+    )
+    numbers.add_argument(
+        "--covered", type=_share, default=0.50, metavar="S", help="by smaller masks, for one to stay (default: 0.50)"
+    )
+    numbers.add_argument(
+        "--join-neighbours",
+        action=argparse.BooleanOptionalAction,
+        default=True,
+        help="one part of finds that meet along an edge, where no view shows them apart (default: yes; published: no)",
+    )
     parser.set_defaults(run=_run)
 
 
@@ -31,6 +58,13 @@ def _run(options: argparse.Namespace) -> int:
     from .segment import segment  # here, so that `querycad --help` needs no service
 
     return segment(options)
+
+
+def _share(text: str) -> float:
+    value = float(text)
+    if not 0 <= value <= 1:
+        raise argparse.ArgumentTypeError("must be between 0 and 1")
+    return value
 
 
 def _size(text: str) -> tuple[int, int]:

@@ -78,14 +78,18 @@ def commands(folder: Path, ports: Ports, workers: int, password: str, inherited:
         "QUERYCAD_SOLE_WORKER": "1",
         "PYTHONUNBUFFERED": "1",
     }
-    ingest = {**environment, "QUERYCAD_SEGWORKER_QUEUES": "ingest", "QUERYCAD_SEGWORKER_PROCESSES": "1"}
-    segcad = {**environment, "QUERYCAD_SEGWORKER_QUEUES": "segcad", "QUERYCAD_SEGWORKER_PROCESSES": str(workers)}
+
+    def segworker(queue: str, processes: int) -> Command:
+        own = {"QUERYCAD_SEGWORKER_QUEUES": queue, "QUERYCAD_SEGWORKER_PROCESSES": str(processes)}
+        return python(queue, "querycad_segworker.worker", environment | own)
+
     store = _store_config(folder, ports.store, password)
     return [
         Command("store", (str(get_binary_path()), str(store)), environment),
         python("sandbox", "querycad_sandbox.service", environment),
-        python("ingest", "querycad_segworker.worker", ingest),
-        python("segcad", "querycad_segworker.worker", segcad),
+        segworker("ingest", 1),
+        segworker("segcad", workers),
+        segworker("pictures", workers),
         python("questions", "querycad_api.worker", environment),
         python("api", "querycad_api.app", environment),
     ]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import subprocess
@@ -12,6 +11,8 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+
+from querycad_contracts import end_with_parent
 
 LOG_BYTES = 10 * 2**20
 """A log longer than this is begun anew, and the old one kept beside it, when its process starts."""
@@ -22,8 +23,6 @@ LONGEST_PAUSE_S = 30.0
 GRACE_S = 15.0
 """What a child has to end by itself: a worker finishes the question that it is at."""
 POLL_S = 0.05
-
-_PR_SET_PDEATHSIG = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +103,7 @@ class Supervisor:
                 stdout=log,
                 stderr=subprocess.STDOUT,
                 start_new_session=True,  # Ctrl-C is for the parent alone, which ends the others in order
-                preexec_fn=_end_with_parent,  # noqa: PLW1509 - there are no threads here
+                preexec_fn=end_with_parent,  # noqa: PLW1509 - there are no threads here
             )
         child.started = time.monotonic()
 
@@ -142,9 +141,3 @@ def _kill_group(group: int) -> None:
     """Kills what is left of a child's process group: its own children."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(group, signal.SIGKILL)
-
-
-def _end_with_parent() -> None:
-    """Asks the system to end this process when its parent is killed; Linux only, elsewhere orphans stay."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)

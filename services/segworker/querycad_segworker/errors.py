@@ -6,7 +6,8 @@ FileProblem
 ├── NoLengthUnit       its numbers have no unit
 ├── UnreadableFile     the kernel cannot make sense of it
 ├── FileTooLarge       over the size limit
-└── KernelDied         the kernel crashed, hung or ran out of memory on it
+├── KernelDied         the kernel crashed, hung or ran out of memory on it
+└── KernelKilled       the kernel's process was killed by somebody else
 """
 
 from __future__ import annotations
@@ -40,3 +41,9 @@ class FileTooLarge(FileProblem):
 
 class KernelDied(FileProblem):
     """The kernel's process crashed, ran out of time or out of memory."""
+
+
+class KernelKilled(FileProblem):
+    """The kernel's process was killed from outside; the file may be sound."""
+
+    retryable = True

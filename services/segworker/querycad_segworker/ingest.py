@@ -7,8 +7,6 @@ import logging
 import os
 import shutil
 import signal
-import subprocess
-import sys
 import tempfile
 import threading
 from collections.abc import Callable
@@ -16,7 +14,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import errors
-from .errors import FileProblem, KernelDied
+from .errors import FileProblem, KernelDied, KernelKilled
+from .kernel_process import KernelProcess, start_host
 from .model import Artefacts, ModelStore, file_sha256
 from .sniff import check_step, missing_entities
 
@@ -25,7 +24,7 @@ Progress = Callable[[str], None]
 
 
 LOG_TAIL_BYTES = 4000
-"""So much of what the child printed last goes to the log when it died: a traceback fits."""
+"""So much of what the child printed last is looked at when it died: a traceback fits."""
 _OUT_OF_MEMORY = ("MemoryError", "bad_alloc", "OutOfMemory", "failed to map segment", "Cannot allocate memory")
 """What Python, the C++ runtime, the kernel and the loader say when the address space is used up."""
 
@@ -75,35 +74,31 @@ def _run_child(
 ) -> None:
     """Runs `ingest_child`; its standard output names the stages, its outcome is a file."""
     outcome = scratch / "outcome.json"
-    command = [sys.executable, "-m", "querycad_segworker.ingest_child", str(source), file_name, sha256, str(scratch)]
+    start_host()  # its imports are no part of the file's time
+    if progress is not None:
+        progress("read")
     with tempfile.TemporaryFile() as log:
-        child = subprocess.Popen(
-            [*command, str(limits.memory_bytes)],
-            stdout=subprocess.PIPE,
-            stderr=log,
-            stdin=subprocess.DEVNULL,
-            text=True,
-        )
-        timer = threading.Timer(limits.duration_s, child.kill)
-        timer.start()
-        try:
-            assert child.stdout is not None
-            for line in child.stdout:
-                if progress is not None and line.startswith("stage "):
-                    progress(line.removeprefix("stage ").strip())
-            code = child.wait()
-        finally:
-            timed_out = not timer.is_alive()
-            timer.cancel()
-            child.kill()
-            child.wait()
-            if child.stdout is not None:
-                child.stdout.close()
+        arguments = (str(source), file_name, sha256, str(scratch), limits.memory_bytes)
+        with KernelProcess("ingest", *arguments, errors=log.fileno()) as child:
+            timer = threading.Timer(limits.duration_s, child.kill)
+            timer.start()
+            try:
+                for line in child.stdout:
+                    if progress is not None and line.startswith("stage "):
+                        progress(line.removeprefix("stage ").strip())
+                code = child.wait()
+            finally:
+                timed_out = not timer.is_alive()
+                timer.cancel()
         log.seek(0)
         said = log.read()[-LOG_TAIL_BYTES:].decode(errors="replace")
     result = json.loads(outcome.read_text(encoding="utf-8")) if outcome.exists() else None
     if result is None:
-        _log.warning("the kernel's process ended with code %s on %s: %s", code, file_name, said.strip())
+        last = (said.strip().splitlines() or ["it said nothing"])[-1]
+        _log.warning("the kernel's process ended with code %s on %s: %s", code, file_name, last)
+        _log.debug("it said: %s", said)
+        if code == -signal.SIGKILL and not timed_out:
+            raise KernelKilled("the process that read this file was killed, as a system does that runs out of memory")
         raise KernelDied(_death(code, timed_out, said, source, limits))
     outcome.unlink()
     if "problem" in result:

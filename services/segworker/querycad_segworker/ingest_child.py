@@ -1,24 +1,46 @@
-"""The child process of `ingest`: everything that touches the CAD kernel when a file is read."""
+"""What the child process of `ingest` does: everything that touches the CAD kernel when a file is read."""
 
 from __future__ import annotations
 
 import gc
 import json
+import mmap
 import resource
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
+from .brep.extract import extract
+from .brep.measure import save_faces
+from .brep.step import read_step
+from .brep.tessellate import tessellate
 from .errors import FileProblem
+from .features.recognise import faces_of, recognise
+from .features.thickness import material_thickness
 from .model import Artefacts, Model
+from .orientation import outward
+from .render.raycast import Scene
+from .render.visibility import shows_backs, visible_pixels
+from .segcad.sides import with_sides
+from .vectors import dist
+
+LEAST_BYTES = 32 * 2**20
+"""What the smallest file needs."""
+
+
+def work(source: str, file_name: str, sha256: str, folder: str, memory_bytes: int) -> None:
+    """As `main`, with arguments as data: what `kernel_host` calls."""
+    main(Path(source), file_name, sha256, Path(folder), memory_bytes)
 
 
 def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: int) -> None:
     """Writes the artefacts and `outcome.json` into `folder`. Dies by signal where the kernel does."""
-    resource.setrlimit(resource.RLIMIT_AS, (memory_bytes, memory_bytes))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     gc.disable()  # what is made here lives as long as the process: looking through it for garbage finds none
     try:
+        _limit_memory(memory_bytes)
         _ingest(source, file_name, sha256, Artefacts(folder))
         outcome: dict[str, str] = {}
     except FileProblem as problem:
@@ -28,16 +50,19 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
     (folder / "outcome.json").write_text(json.dumps(outcome), encoding="utf-8")
 
 
+def _limit_memory(memory_bytes: int) -> None:
+    """Raises MemoryError where the libraries leave nothing of it: what fails then may be anything, even the stack."""
+    resource.setrlimit(resource.RLIMIT_AS, (memory_bytes, memory_bytes))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    try:
+        mmap.mmap(-1, LEAST_BYTES).close()
+    except OSError as error:
+        raise MemoryError from error
+
+
 def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> None:
     clock = _Clock()
     clock.begin("read")
-    import numpy as np
-
-    from .brep.extract import extract
-    from .brep.measure import save_faces
-    from .brep.step import read_step
-    from .brep.tessellate import tessellate
-
     content = read_step(source)
     clock.begin("measure")
     extracted = extract(content)
@@ -45,21 +70,12 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
     save_faces(extracted.faces, artefacts.kernel_faces)
     np.save(artefacts.face_pairs, np.array(brep.face_pairs, dtype=np.int32).reshape(-1, 2))
     clock.begin("tessellate")
-    from .vectors import dist
-
-    mesh = tessellate(extracted.faces, dist(*brep.box))
-    mesh.save(artefacts.mesh)
+    mesh = outward(tessellate(extracted.faces, dist(*brep.box)), [body.faces for body in brep.bodies])
     clock.begin("look")
-    from .render.raycast import Scene
-    from .render.visibility import visible_pixels
-
     scene = Scene(mesh)
+    replace(mesh, closed=mesh.closed and not shows_backs(scene)).save(artefacts.mesh)
     visibility = visible_pixels(scene, len(brep.faces))
     clock.begin("recognise")
-    from .features.recognise import faces_of, recognise
-    from .features.thickness import material_thickness
-    from .segcad.sides import with_sides
-
     found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene), mesh)
     parts = with_sides(found.parts, brep, scene, visibility)
     clock.end()
@@ -68,10 +84,11 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
         file_name=file_name,
         shape=found.shape,
         parts=tuple(parts),
+        units=content.units,
         warnings=brep.warnings,
         timings_ms=clock.timings_ms,
     )
-    artefacts.save(model, faces_of(brep))
+    artefacts.save(model, faces_of(brep), found.refused)
 
 
 class _Clock:
@@ -83,16 +100,13 @@ class _Clock:
         self._start = 0.0
 
     def begin(self, stage: str) -> None:
-        self.end()
-        sys.stdout.write(f"stage {stage}\n")
-        sys.stdout.flush()
+        if self._stage is not None:  # the first is told by the parent
+            self.end()
+            sys.stdout.write(f"stage {stage}\n")
+            sys.stdout.flush()
         self._stage, self._start = stage, time.perf_counter()
 
     def end(self) -> None:
         if self._stage is not None:
             self.timings_ms[self._stage] = round((time.perf_counter() - self._start) * 1e3, 2)
         self._stage = None
-
-
-if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2], sys.argv[3], Path(sys.argv[4]), int(sys.argv[5]))

@@ -11,12 +11,13 @@ from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from querycad_contracts import Face, Frozen, Part, Shape
+from querycad_contracts import Face, Frozen, Part, Refusal, Shape
 
-ARTEFACT_VERSION = 11
+ARTEFACT_VERSION = 15
 """Raise it whenever recognition or the files below change: older artefacts are then made anew."""
 
 _FACES = TypeAdapter(tuple[Face, ...])
+_REFUSED = TypeAdapter(tuple[Refusal, ...])
 
 
 class Model(Frozen):
@@ -26,6 +27,8 @@ class Model(Frozen):
     file_name: str
     shape: Shape
     parts: tuple[Part, ...]
+    units: tuple[str, ...] = ()
+    """Names of the length units that the file declares; all values here are SI."""
     warnings: tuple[str, ...]
     timings_ms: dict[str, float]
 
@@ -45,6 +48,11 @@ class Artefacts:
     def faces(self) -> Path:
         """All faces as a JSON list, in order of their ids."""
         return self.folder / "faces.json"
+
+    @property
+    def refused(self) -> Path:
+        """What recognition refused, with reasons, as a JSON list."""
+        return self.folder / "refused.json"
 
     @property
     def mesh(self) -> Path:
@@ -73,8 +81,13 @@ class Artefacts:
         """Which faces does the model have?"""
         return _FACES.validate_json(self.faces.read_bytes())
 
-    def save(self, model: Model, faces: Sequence[Face]) -> None:
+    def load_refused(self) -> tuple[Refusal, ...]:
+        """What looked like a part, and why is it none?"""
+        return _REFUSED.validate_json(self.refused.read_bytes())
+
+    def save(self, model: Model, faces: Sequence[Face], refused: Sequence[Refusal] = ()) -> None:
         """Keeps what was recognised."""
+        self.refused.write_bytes(_REFUSED.dump_json(tuple(refused)))
         self.faces.write_bytes(_FACES.dump_json(tuple(faces)))
         self.model.write_text(model.model_dump_json(exclude_defaults=True), encoding="utf-8")
 

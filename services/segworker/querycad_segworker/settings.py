@@ -11,7 +11,7 @@ class SegworkerSettings(WorkerSettings, StorageSettings):
     """Of one segworker process and its children."""
 
     segworker_queues: str = Field(
-        "ingest,segcad", description="Queues that a segworker takes tasks from, with commas between them."
+        "ingest,segcad,pictures", description="Queues that a segworker takes tasks from, with commas between them."
     )
     segworker_processes: int = Field(1, ge=1, le=64, description="Tasks that a segworker does at the same time.")
     segworker_memory_mib: int = Field(

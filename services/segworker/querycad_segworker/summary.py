@@ -23,6 +23,7 @@ def summary(model: Model) -> ModelSummary:
         body_count=len(shape.bodies),
         part_counts=dict(sorted(Counter(part.kind for part in model.parts).items())),
         terms=dict(_terms(model.parts).most_common(TERMS_LISTED)),
+        units=model.units,
         warnings=model.warnings,
         timings_ms=model.timings_ms,
     )

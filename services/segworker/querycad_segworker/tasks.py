@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from querycad_contracts import (
+    AnswerRecord,
     DistanceTask,
     EdgeDistanceTask,
     Face,
@@ -43,7 +44,7 @@ from .errors import FileProblem
 from .ingest import IngestLimits, ingest
 from .model import Artefacts, ModelStore
 from .segcad.local import LocalSegCad
-from .segcad.sight import networks_in
+from .segcad.sight import Networks, networks_in, sheets_of
 from .settings import SegworkerSettings
 from .summary import summary
 
@@ -58,8 +59,10 @@ class UnknownModelError(FileProblem):
 class ModelCache:
     """The models that one process has in memory: the most recently used, up to a number. For one thread."""
 
-    def __init__(self, settings: SegworkerSettings) -> None:
+    def __init__(self, settings: SegworkerSettings, networks: Networks | None = None) -> None:
+        """`networks` of the vision path; None: those whose weights are where the settings say."""
         self._settings = settings
+        self._networks = networks or networks_in(settings.weights)
         self.files = file_store(settings)
         self._store = ModelStore(settings.models)
         self._kept: OrderedDict[str, LocalSegCad] = OrderedDict()
@@ -95,13 +98,21 @@ class ModelCache:
                 self.files.keep(name, unfinished)
         return name
 
+    def fetch_sheets(self, record: AnswerRecord, artefacts: Artefacts) -> None:
+        """Brings here the sheets of what vision saw, where another machine drew them."""
+        for name in sheets_of(record):
+            self.files.fetch(self._name(artefacts.sight(name)))
+
+    def _keep(self, unfinished: Path, place: Path) -> None:
+        self.files.keep(self._name(place), unfinished)
+
     def _name(self, path: Path) -> str:
         return path.relative_to(self.files.home).as_posix()
 
     def segcad(self, model: str) -> LocalSegCad:
         """The recognised model. Raises FileProblem."""
         if model not in self._kept:
-            self._kept[model] = LocalSegCad(self.artefacts(model), networks=networks_in(self._settings.weights))
+            self._kept[model] = LocalSegCad(self.artefacts(model), networks=self._networks, keep=self._keep)
         self._kept.move_to_end(model)
         while len(self._kept) > self._settings.segworker_models:
             self._kept.popitem(last=False)
@@ -148,9 +159,12 @@ class Tasks:
         """Draws the parts that an answer rests on; the name of the file in the store."""
         from .render.evidence import draw_evidence  # here: most tasks draw nothing, and numpy's import is not free
 
-        return self.cache.made(
-            task.name, lambda path: draw_evidence(self.cache.artefacts(task.model), task.record, path)
-        )
+        def draw(path: Path) -> None:
+            artefacts = self.cache.artefacts(task.model)
+            self.cache.fetch_sheets(task.record, artefacts)
+            draw_evidence(artefacts, task.record, path)
+
+        return self.cache.made(task.name, draw)
 
     def view(self, task: ViewTask) -> str:
         """Draws the model as it is seen from there; the name of the file in the store."""

@@ -83,8 +83,39 @@ def parallel(a: Vector, b: Vector, tolerance_rad: float) -> bool:
     return norm(cross(a, b)) <= tolerance_rad
 
 
+OFF_ROUND = 1.0003717
+"""Drawings have round numbers, and halves of them: without this factor those would lie on the borders between bins,
+where the kernel's noise decides."""
+
+
+def binned(value: float, digits: int = 3) -> str:
+    """Which bin of so many significant digits holds the value? Equal values of round numbers share one."""
+    return f"{value * OFF_ROUND:.{digits}g}"
+
+
+def line_key(direction: Vector) -> Vector:
+    """Which key do all unit vectors along one line share, whichever way they point? To a hundredth."""
+    x, y, z = (round(c * OFF_ROUND, 2) + 0.0 for c in direction)
+    return max((x, y, z), (0.0 - x, 0.0 - y, 0.0 - z))
+
+
 Box = tuple[Vector, Vector]
 """Lower and upper corner of an axis-aligned box."""
+
+
+def angle_covered(ranges: Iterable[tuple[float, float]]) -> float:
+    """Which angle do these ranges cover together, in radians? Each ends no more than 2 pi after its start."""
+    parts: list[tuple[float, float]] = []
+    for start, end in ranges:
+        start, end = start % (2 * math.pi), start % (2 * math.pi) + (end - start)
+        parts.append((start, min(end, 2 * math.pi)))
+        if end > 2 * math.pi:
+            parts.append((0.0, end - 2 * math.pi))
+    total, reach = 0.0, 0.0
+    for start, end in sorted(parts):
+        total += max(0.0, end - max(start, reach))
+        reach = max(reach, end)
+    return total
 
 
 def box_of(points: Iterable[Vector]) -> Box | None:

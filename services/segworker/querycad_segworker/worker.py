@@ -9,12 +9,14 @@ gives up for good when Redis is away for a while.
 from __future__ import annotations
 
 import json
+import os
+import threading
 from collections.abc import Callable
 from typing import Any, cast
 
 from celery import Celery, Task
 from celery.bootsteps import StartStopStep
-from celery.signals import heartbeat_sent, setup_logging
+from celery.signals import heartbeat_sent, setup_logging, worker_process_init
 from kombu import Queue as KombuQueue
 from redis import Redis
 from redis.backoff import ExponentialBackoff
@@ -32,6 +34,7 @@ from querycad_contracts import (
     start_worker_tracing,
 )
 
+from .kernel_process import ONE_THREAD, start_host
 from .settings import SegworkerSettings
 from .tasks import Tasks, make_tasks
 
@@ -103,6 +106,8 @@ def make_app(settings: SegworkerSettings) -> Celery:
     service = "+".join(sorted(queue.value for queue in queues))
     setup_logging.connect(lambda **_: start_logging(service, settings.log_format), weak=False)
     start_worker_tracing("querycad-segworker", settings.traces)
+    if Queue.INGEST in queues:
+        worker_process_init.connect(_load_kernel, weak=False)
     if settings.sole_worker:
         app.steps["consumer"].add(_take_over(redis, f"{undone}:unacked_index"))
     return app
@@ -153,6 +158,11 @@ def _given_up() -> dict[str, Any]:
     return TaskOutcome[None](failure=failure).model_dump(mode="json")
 
 
+def _load_kernel(**_: object) -> None:
+    """Has the CAD kernel loaded before the first file comes; a process that takes longer to start would be killed."""
+    threading.Thread(target=start_host, daemon=True).start()
+
+
 def _say_alive(redis: Redis, queues: list[Queue]) -> None:
     """Tells with every heartbeat that the queues are being worked on."""
     for queue in queues:
@@ -178,6 +188,8 @@ def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
 def main() -> None:
     """Works until it is told to stop; SIGTERM lets running tasks end."""
     settings = SegworkerSettings.read()
+    for variable, one in ONE_THREAD.items():
+        os.environ.setdefault(variable, one)
     name = "+".join(sorted(settings.segworker_queues.replace(" ", "").split(",")))
     make_app(settings).worker_main(
         ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", f"--hostname={name}@%h"]

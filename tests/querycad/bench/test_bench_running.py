@@ -1,9 +1,12 @@
 from __future__ import annotations
 
+import subprocess
+import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import psutil
 import pytest
 
 from querycad.bench.failures import FailureClass, Override
@@ -182,3 +185,43 @@ def test_the_embedded_runtime_refuses_a_code_generator_that_it_does_not_have() -
 def test_answers_are_written_without_noise() -> None:
     assert as_literal([0.010999999999999999, -0.0, (1, 2)]) == "[0.011, 0.0, [1, 2]]"
     assert as_literal("a 'b'") == repr("a 'b'")
+
+
+NEVER_ENDS = """
+import os, sys, time
+from pathlib import Path
+from querycad.bench.items import read_benchmark
+from querycad.bench.running import run_benchmark
+from querycad.bench.systems import SystemOptions
+
+class Sleeper:
+    def ask(self, file, question):
+        Path(f"{sys.argv[2]}/{os.getpid()}").touch()
+        time.sleep(60)
+
+    def close(self):
+        pass
+
+def opener(options):
+    return Sleeper()
+
+if __name__ == "__main__":
+    run_benchmark(read_benchmark(Path(sys.argv[1])), SystemOptions(), Path(sys.argv[2]), jobs=2, opener=opener)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere a process is not told of its parent's death")
+def test_no_worker_outlives_a_run_that_is_killed(folder: Path, tmp_path: Path) -> None:
+    script, out = tmp_path / "never_ends.py", tmp_path / "out"
+    script.write_text(NEVER_ENDS)
+    out.mkdir()
+    with subprocess.Popen([sys.executable, str(script), str(folder), str(out)]) as process:
+        deadline = time.monotonic() + 60
+        while len(list(out.glob("[0-9]*"))) < 2:
+            assert process.poll() is None
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        workers = [psutil.Process(int(path.name)) for path in out.glob("[0-9]*")]
+        process.kill()
+    _, alive = psutil.wait_procs(workers, timeout=20)
+    assert not alive

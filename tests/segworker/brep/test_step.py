@@ -22,10 +22,14 @@ from querycad_segworker.brep.step import read_step
 from querycad_segworker.errors import UnreadableFile
 
 
-@pytest.mark.parametrize("unit", ["MM", "M", "INCH"])
-def test_a_cube_has_the_same_size_in_metres_whatever_unit_the_file_declares(unit: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("unit", "told"), [("MM", "millimetre"), ("M", "metre"), ("INCH", "inch")])
+def test_a_cube_has_the_same_size_in_metres_whatever_unit_the_file_declares(
+    unit: str, told: str, tmp_path: Path
+) -> None:
     path = write_step(tmp_path / "cube.step", box((10, 20, 30)), unit)
-    found = Found(read_step(path))
+    content = read_step(path)
+    assert content.units == (told,)
+    found = Found(content)
     assert found.shape.extents == pytest.approx((0.010, 0.020, 0.030))
     assert found.shape.volume == pytest.approx(6e-6)
 

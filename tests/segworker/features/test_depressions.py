@@ -154,3 +154,22 @@ def test_two_bodies_that_touch_keep_their_own_features() -> None:
     assert len(found.of("hole")) == 1
     assert len(found.of("cutout")) == 1
     assert len(found.of("body")) == 2
+
+
+def test_the_gap_between_two_short_lugs_is_a_slot_though_they_are_no_ribs() -> None:
+    lugs = [box((12, 6, 14), (-6, y, 0)) for y in (-10, 4)]
+    found = find(fuse(plate(), *lugs))
+    assert found.of("rib") == []
+    (slot,) = [part for part in found.of("slot") if "fork" in part.tags]
+    assert slot.width == pytest.approx(8e-3)
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 1), (1, 0, 0), (1, 2, 3)])
+@pytest.mark.parametrize("degrees", [0, 90, 33])
+@pytest.mark.parametrize("depth", [8, 20])
+def test_the_local_size_of_what_is_cut_in_has_the_longer_side_first(
+    axis: tuple[float, float, float], degrees: float, depth: float
+) -> None:
+    found = find(turned(cut(plate(), box((10, 24, depth), (-5, -12, -depth))), axis, degrees))
+    (part,) = found.of("pocket" if depth < 20 else "cutout")
+    assert part.local_size == pytest.approx((24e-3, 10e-3, depth * 1e-3))

@@ -5,20 +5,24 @@ from __future__ import annotations
 import math
 
 import pytest
-from tests.segworker.shapes import Found, cut, cylinder, extruded, find, turned
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import (
+    Found,
+    Vec,
+    box,
+    cut,
+    cylinder,
+    extruded,
+    find,
+    fuse,
+    gear,
+    prism,
+    sewn,
+    shifted,
+    turned,
+)
 
 MM = 1e-3
-
-
-def trapezoids(count: int, root: float, tip: float) -> list[tuple[float, float]]:
-    """Teeth with a flat tip and a flat bottom."""
-    pitch = 2 * math.pi / count
-    corners = [(root, 0.0), (root, 0.35), (tip, 0.5), (tip, 0.8)]
-    return [
-        (r * math.cos((i + share) * pitch), r * math.sin((i + share) * pitch))
-        for i in range(count)
-        for r, share in corners
-    ]
 
 
 def points(count: int, root: float, tip: float) -> list[tuple[float, float]]:
@@ -32,13 +36,13 @@ def points(count: int, root: float, tip: float) -> list[tuple[float, float]]:
 
 @pytest.mark.parametrize(("count", "degrees"), [(8, 0), (23, 0), (23, 35)])
 def test_a_gear_has_its_teeth_counted_and_its_tip_and_root_diameter(count: int, degrees: float) -> None:
-    shape = cut(extruded(trapezoids(count, 16, 20), 0, 10), cylinder(5, 10))
-    (gear,) = find(turned(shape, (1, 2, 3), degrees)).of("gear")
-    assert gear.count == count == len(gear.children)
+    shape = cut(gear(count, 20, 16, 10), cylinder(5, 10))
+    (found,) = find(turned(shape, (1, 2, 3), degrees)).of("gear")
+    assert found.count == count == len(found.children)
     # The flat bottoms run a little below the root circle on which their ends lie.
-    assert list(gear.radii) == pytest.approx([20 * MM, 16 * MM], rel=0.03)
-    assert gear.width == pytest.approx(10 * MM)
-    assert "knurl" not in gear.tags
+    assert list(found.radii) == pytest.approx([20 * MM, 16 * MM], rel=0.03)
+    assert found.width == pytest.approx(10 * MM)
+    assert "knurl" not in found.tags
 
 
 def knurled(count: int, root: float) -> Found:
@@ -60,3 +64,55 @@ def test_deep_pointed_teeth_are_a_ratchet_and_no_knurl() -> None:
 
 def test_a_star_of_five_points_is_neither() -> None:
     assert knurled(5, 12).of("gear") == []
+
+
+def diamonds(count: int, rows: int, tip: float, root: float, height: float) -> TopoDS_Shape:
+    """A handle along z covered with pyramids: points and pits alternate around it and along it."""
+
+    def corner(i: int, j: int) -> Vec:
+        radius = tip if (i + j) % 2 == 0 and 0 < j < rows else root
+        angle = math.pi * i / count
+        return radius * math.cos(angle), radius * math.sin(angle), j * height
+
+    around = range(2 * count)
+    triangles = []
+    for j in range(rows):
+        for i in around:
+            a, b, c, d = corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)
+            triangles += [(a, b, d), (b, c, d)] if (i + j) % 2 == 0 else [(a, b, c), (a, c, d)]
+    ends = [tuple(corner(i, j) for i in around) for j in (0, rows)]
+    return sewn([*triangles, *ends])
+
+
+@pytest.mark.parametrize("degrees", [0, 37])
+def test_rows_of_points_around_a_handle_are_a_diamond_knurl(degrees: float) -> None:
+    handle = fuse(diamonds(30, 10, 10.0, 9.5, 1.0), cylinder(6, 30, (0, 0, -20)))
+    found = find(turned(handle, (1, 2, 3), degrees))
+    (knurl,) = found.of("gear")
+    assert {"knurl", "diamond"} <= set(knurl.tags)
+    assert knurl.count == 30
+    assert [knurl.diameter, knurl.width] == pytest.approx([20 * MM, 10 * MM])
+    assert found.of("chamfer") == found.of("slot") == []
+
+
+def test_crossed_grooves_with_flat_tops_are_a_diamond_knurl() -> None:
+    """Grooves along two directions leave a rhombus of the cylinder each."""
+    bar, grooves = cylinder(10, 6), []
+    for i in range(24):
+        for lean in (45, -45):
+            section = [(9.3, 0.0), (11.0, -1.2), (11.0, 1.2)]
+            groove = prism([(x, y, -20) for x, y in section], (0, 0, 40))
+            groove = shifted(turned(groove, (1, 0, 0), lean), (0, 0, 3))
+            grooves.append(turned(groove, (0, 0, 1), 15 * i))
+    (knurl,) = find(fuse(cut(bar, *grooves), cylinder(5, 40, (0, 0, -12)))).of("gear")
+    assert {"knurl", "diamond"} <= set(knurl.tags)
+    assert knurl.count == 24
+
+
+@pytest.mark.parametrize("radius", [18.0, 20.0, 21.3])
+def test_slots_around_a_disc_are_slots_and_no_gear(radius: float) -> None:
+    disc = fuse(cylinder(30, 6), cylinder(radius + 8, 8, (0, 0, 6)))
+    slots = [turned(box((20, 4, 6), (radius, -2, 8)), (0, 0, 1), 40 * i) for i in range(9)]
+    found = find(cut(disc, *slots))
+    assert found.of("gear") == []
+    assert len(found.of("slot")) == 9

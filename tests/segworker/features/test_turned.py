@@ -63,7 +63,8 @@ def test_a_whole_stepped_shaft_is_a_shaft_with_its_total_length(axis: tuple[floa
     whole = body(turned(shaft(), axis, 50))
     assert {"shaft", "slender", "cylindrical"} <= set(whole.tags)
     assert not {"tube", "rod", "disc"} & set(whole.tags)
-    assert [whole.length, whole.diameter] == pytest.approx([75 * MM, 30 * MM])
+    assert [whole.length, whole.diameter] == pytest.approx([75 * MM, 20 * MM])  # a collar is not the shaft
+    assert sorted(whole.radii) == pytest.approx([6 * MM, 7.5 * MM, 10 * MM, 15 * MM])
 
 
 @pytest.mark.parametrize(

@@ -215,3 +215,59 @@ def test_on_a_bolt_circle_is_what_belongs_to_it() -> None:
     other = hole("q", 0.01, 0.0, 0.005).model_copy(update={"id": "hole-2"})
     assert is_inside(member, circle)
     assert not is_inside(other, circle)
+
+
+STANDING = [
+    part("m", "model", name="drill_jig", extents=(0.16, 0.08, 0.04)),
+    part("b", "body", "solid rectangular", name="drill_jig", extents=(0.16, 0.08, 0.04)),
+    part("p", "boss", "cylindrical slender", center=(-0.05, 0.02, 0.02), normal=(0.0, 0.0, 1.0), diameter=0.008,
+         radius=0.004, height=0.014, sides=(Side.TOP, Side.RIGHT)),
+    part("q", "boss", "cylindrical slender", center=(0.05, 0.02, 0.02), normal=(0.0, 0.0, 1.0), diameter=0.008,
+         radius=0.004, height=0.014, sides=(Side.TOP, Side.RIGHT)),
+    part("h", "boss", "cylindrical slender", center=(0.08, 0.0, 0.0), normal=(1.0, 0.0, 0.0), diameter=0.012,
+         radius=0.006, height=0.04, sides=(Side.TOP, Side.RIGHT)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("description", "sides", "letters"),
+    [
+        ("pin", (Side.TOP,), "pqh"),
+        ("pin on top", (Side.TOP,), "pq"),
+        ("pin on the right side", (), "h"),
+        ("left pin", (), "p"),
+        ("2 pin", (), "pq"),
+        ("handle on right", (Side.RIGHT,), "h"),
+        ("handle", (), "m"),
+        ("threaded pin", (), "pqh"),
+    ],
+)
+def test_what_stands_on_a_side_points_to_it(description: str, sides: tuple[Side, ...], letters: str) -> None:
+    assert found(STANDING, description, *sides) == letters
+
+
+def test_a_feature_of_the_only_body_is_never_the_body() -> None:
+    assert found(STANDING[:2], "rectangular protrusion") == ""
+
+
+def test_holes_at_the_top_that_look_elsewhere_are_the_topmost_ones() -> None:
+    holes = [hole("p", 0.0, 0.0, 0.004), hole("q", 0.03, 0.0, 0.004)]
+    low, high = (
+        h.model_copy(update={"center": (0.0, 0.0, z), "sides": (Side.FRONT,)})
+        for h, z in zip(holes, (0.0, 0.05), strict=True)
+    )
+    model = [part("m", "model", name="bracket", extents=(0.1, 0.02, 0.1)), low, high]
+    grounding = ground(model, "hole on top", (Side.TOP,))
+    assert [p.id for p in grounding.parts] == ["q"]
+    assert unsure(grounding)
+
+
+def test_a_screw_head_is_no_cylinder_head() -> None:
+    parts = [
+        part("m", "model", name="compressor"),
+        part("a", "body", "solid", name="Cylinder head"),
+        part("b", "body", "solid screw", name="Screw M6"),
+        part("h", "prism", "head hexagonal", faces=(7,)),
+    ]
+    assert found(parts, "hexagonal screw head") == "h"
+    assert found(parts, "cylinder head") == "a"

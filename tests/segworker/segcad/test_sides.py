@@ -91,3 +91,30 @@ def test_the_end_of_a_shaft_that_sticks_out_of_its_housing_is_visible_from_besid
     ends = [part for part in seen(compound(housing, shaft), "boss") if part.radius and part.radius < 0.005]
     assert ends
     assert all({Side.TOP, Side.FRONT, Side.RIGHT} <= set(part.sides) for part in ends)
+
+
+def test_of_holes_in_a_row_on_one_axis_one_sees_the_first() -> None:
+    lower = cut(box((40, 40, 6), (-20, -20, 0)), cylinder(3, 6))
+    upper = cut(box((40, 40, 6), (-20, -20, 6)), cylinder(4, 6, (0, 0, 6)))
+    below, above = sorted(seen(compound(lower, upper)), key=lambda hole: hole.center[2])
+    assert below.sides == (Side.BOTTOM,)
+    assert above.sides == (Side.TOP,)
+
+
+def test_a_hole_much_narrower_than_the_one_before_it_is_told_apart() -> None:
+    lower = cut(box((40, 40, 6), (-20, -20, 0)), cylinder(2, 6))
+    upper = cut(box((40, 40, 6), (-20, -20, 6)), cylinder(10, 6, (0, 0, 6)))
+    below, _ = sorted(seen(compound(lower, upper)), key=lambda hole: hole.center[2])
+    assert set(below.sides) == {Side.TOP, Side.BOTTOM}
+
+
+def test_a_round_part_is_visible_end_on() -> None:
+    discs = seen(fuse(cylinder(20, 5), cylinder(8, 10, (0, 0, 5))), "boss")
+    base = max(discs, key=lambda disc: disc.radius or 0.0)
+    assert Side.BOTTOM in base.sides
+
+
+def test_a_slot_is_visible_from_the_side_that_it_runs_out_at() -> None:
+    (slot,) = seen(cut(plate(60, 40, 20), box((40, 8, 6), (0, -4, -6))), "slot")
+    assert {Side.TOP, Side.RIGHT} <= set(slot.sides)
+    assert Side.LEFT not in slot.sides

@@ -23,6 +23,8 @@ from .items import BadBenchmark
 
 TIMEOUT_S = 300.0
 BASELINE = "trimesh/embree, a ray for every pixel"
+MOST_PARTS = 500
+"""Of a model whose parts are looked for: all parts of a kind have their masks, of 2 MB each, at the same time."""
 LIMIT_S, FASTER, SMALLER, FACE_IOU = 1.0, 5, 10, 0.95
 
 
@@ -42,7 +44,7 @@ def vision_measurements(models: Sequence[tuple[str, Artefacts]], repeat: int) ->
         for what, children in taken.items():
             children.append(vision_child(what, largest))
     yield from _beside_rays(name, taken["views"], taken["rays"])
-    yield _recovered([artefacts for _, artefacts in models])
+    yield from _recovered(models)
 
 
 def _beside_rays(name: str, views: Sequence[VisionChild], rays: Sequence[VisionChild]) -> Iterator[Measurement]:
@@ -56,6 +58,14 @@ def _beside_rays(name: str, views: Sequence[VisionChild], rays: Sequence[VisionC
         limit=f"under {LIMIT_S:g} s, {FASTER} x faster",
         holds=seconds < LIMIT_S and FASTER * seconds <= baseline_s,
     )
+    cpu_s, baseline_cpu_s = (statistics.median(child.cpu_seconds for child in of) for of in (views, rays))
+    yield Measurement(
+        name="  processor time",
+        value=cpu_s,
+        unit="s",
+        baseline_name=BASELINE,
+        baseline=baseline_cpu_s,
+    )
     memory, baseline_b = (max(child.memory_bytes for child in of) for of in (views, rays))
     yield Measurement(
         name="  memory that it takes on top of the model's",
@@ -68,21 +78,39 @@ def _beside_rays(name: str, views: Sequence[VisionChild], rays: Sequence[VisionC
     )
 
 
-def _recovered(models: Sequence[Artefacts]) -> Measurement:
-    found: list[float] = []
-    for artefacts in models:
-        renderer, graph = make_renderer(Mesh.load(artefacts.mesh)), FaceGraph(np.load(artefacts.face_pairs))
+def _recovered(models: Sequence[tuple[str, Artefacts]]) -> Iterator[Measurement]:
+    """How much comes back of the parts that the stages are meant to give back, and of all that is seen."""
+    meant: dict[str, list[float]] = {}
+    seen: list[float] = []
+    for name, artefacts in models:
         model = artefacts.load_model()
-        found.extend(recovery(renderer, graph, model.shape.face_count, model.parts, VisionOptions()).values())
-    value = float(np.mean(found)) if found else 1.0
+        if len(model.parts) > MOST_PARTS:
+            continue
+        renderer, graph = make_renderer(Mesh.load(artefacts.mesh)), FaceGraph(np.load(artefacts.face_pairs))
+        found = recovery(renderer, graph, model.shape.face_count, model.parts, VisionOptions()).values()
+        seen.extend(one.face_iou for one in found)
+        meant[f"{len(meant) + 1} ({name})"] = [one.face_iou for one in found if one.is_meant]
+    means = {name: statistics.fmean(values) for name, values in meant.items() if values}
+    if not means:
+        return
+    lowest = min(means, key=lambda name: means[name])
+    every = [value for values in meant.values() for value in values]
+    yield _face_iou(f"face IoU of {len(every)} parts, perfect networks", statistics.fmean(every))
+    yield _face_iou(f"  lowest mean of a model: number {lowest}", means[lowest])
+    yield _face_iou(
+        f"  {len(seen)} parts, also those in pieces or most of the model", statistics.fmean(seen), has_limit=False
+    )
+
+
+def _face_iou(name: str, value: float, *, has_limit: bool = True) -> Measurement:
     return Measurement(
-        name=f"face IoU of {len(found)} parts, perfect networks",
+        name=name,
         value=value,
         unit="",
         baseline_name="all faces and no others",
         baseline=1.0,
-        limit=f"at least {FACE_IOU:g}",
-        holds=value >= FACE_IOU,
+        limit=f"at least {FACE_IOU:g}" if has_limit else "",
+        holds=value >= FACE_IOU if has_limit else None,
     )
 
 

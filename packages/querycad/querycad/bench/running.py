@@ -10,6 +10,8 @@ from itertools import groupby
 from pathlib import Path
 from time import perf_counter
 
+from querycad_contracts import end_with_parent
+
 from .failures import Override
 from .items import BadBenchmark, Benchmark, Item
 from .results import Result, Results, load_results, result_of
@@ -84,7 +86,8 @@ def _asked(
         return
     # Spawned, not forked: the sandbox's processes must start after the fork.
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(jobs, max(len(by_model), 1)), mp_context=context) as pool:
+    workers = min(jobs, max(len(by_model), 1))
+    with ProcessPoolExecutor(workers, context, initializer=end_with_parent) as pool:
         tasks = [pool.submit(ask_model, items, options, overrides, out, opener) for items in by_model]
         try:
             for task in as_completed(tasks):

@@ -14,6 +14,8 @@ from pathlib import Path
 
 import psutil
 
+from querycad_contracts import end_with_parent
+
 START_S = 120.0
 STOP_S = 60.0
 _READY = "ready at "
@@ -68,7 +70,12 @@ def running(home: Path, workers: int = 1) -> Iterator[Service]:
     command = [sys.executable, "-m", "querycad.cli", "serve", "--port", "0", "--workers", str(workers)]
     said = home / "serve.log"
     with said.open("wb") as log:
-        process = subprocess.Popen(command, env={**environment, "QUERYCAD_HOME": str(home)}, stderr=log)
+        process = subprocess.Popen(
+            command,
+            env={**environment, "QUERYCAD_HOME": str(home)},
+            stderr=log,
+            preexec_fn=end_with_parent,  # noqa: PLW1509 - no other thread runs when a service is started
+        )
     try:
         yield Service(process, _ready(process, said))
     finally:

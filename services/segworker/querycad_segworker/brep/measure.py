@@ -87,13 +87,13 @@ def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
     return compound
 
 
-def main() -> None:
-    """Answers requests, one JSON object a line, until standard input ends.
+def work(kernel_faces: str) -> None:
+    """Answers requests about the kept faces, one JSON object a line, until standard input ends.
 
     {"what": "distance" | "edge_distance", "first": [face ids], "second": [face ids]} is answered by {"metres": number}
     or {"problem": sentence}.
     """
-    faces = _load_faces(Path(sys.argv[1]))
+    faces = _load_faces(Path(kernel_faces))
     for line in sys.stdin:
         request = json.loads(line)
         try:
@@ -105,7 +105,3 @@ def main() -> None:
             answer = {"problem": str(problem)}
         sys.stdout.write(json.dumps(answer) + "\n")
         sys.stdout.flush()
-
-
-if __name__ == "__main__":
-    main()

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from OCP.BRep import BRep_Builder
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
-from OCP.collections import Sequence_TDF_Label
+from OCP.collections import Sequence_TCollection_AsciiString, Sequence_TDF_Label
 from OCP.IFSelect import IFSelect_ReturnStatus
 from OCP.Message import Message, Message_Gravity
 from OCP.Quantity import Quantity_Color, Quantity_ColorRGBA
@@ -51,6 +51,8 @@ class StepContent:
     shape: TopoDS_Shape
     name: str
     products: tuple[NamedShape, ...]
+    units: tuple[str, ...] = ()
+    """Names of the length units that the file declares, such as 'millimetre'."""
 
 
 def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
@@ -67,6 +69,8 @@ def read_step(path: Path) -> StepContent:
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
     reader.SetColorMode(True)
+    for unused in (reader.SetGDTMode, reader.SetLayerMode, reader.SetMatMode, reader.SetPropsMode, reader.SetViewMode):
+        unused(False)
     if reader.ReadFile(str(path)) != IFSelect_ReturnStatus.IFSelect_RetDone:
         raise UnreadableFile("the CAD kernel cannot parse this STEP file")
     if not reader.Transfer(document):
@@ -80,7 +84,15 @@ def read_step(path: Path) -> StepContent:
     for root in roots:
         builder.Add(compound, shape_tool.GetShape_s(root))
         products.extend(_products(shape_tool, color_tool, root, TopLoc_Location(), _label_color(color_tool, root)))
-    return StepContent(compound, _name(roots[0]) if len(roots) == 1 else "", tuple(products))
+    return StepContent(compound, _name(roots[0]) if len(roots) == 1 else "", tuple(products), _units(reader))
+
+
+def _units(reader: STEPCAFControl_Reader) -> tuple[str, ...]:
+    """Each once, in the file's order."""
+    lengths, angles, solid_angles = (Sequence_TCollection_AsciiString() for _ in range(3))
+    reader.ChangeReader().FileUnits(lengths, angles, solid_angles)
+    names = (str(lengths.Value(i).ToCString()).lower() for i in range(1, lengths.Length() + 1))
+    return tuple(dict.fromkeys(names))
 
 
 def _quiet() -> None:
@@ -141,6 +153,10 @@ def _shape_color(tool: XCAFDoc_ColorTool, shape: TopoDS_Shape) -> str | None:
 
 def _face_color(tool: XCAFDoc_ColorTool, shape: TopoDS_Shape) -> str | None:
     """The colour that most of the shape's faces carry, where it has none itself."""
+    known = Sequence_TDF_Label()
+    tool.GetColors(known)
+    if known.IsEmpty():  # asking face by face takes as long as measuring them
+        return None
     counts: dict[str, int] = {}
     for face in subshapes(shape, TopAbs_ShapeEnum.TopAbs_FACE):
         color = _shape_color(tool, face)

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
-from OCP.Poly import Poly_Triangulation
+from OCP.gp import gp_Pnt
+from OCP.Poly import Poly_Triangle, Poly_Triangulation
 from OCP.TopAbs import TopAbs_Orientation
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Face
@@ -77,7 +78,8 @@ class _Triangulations:
 
 
 def _arrays(triangulation: Poly_Triangulation) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-    nodes = (triangulation.Node(i) for i in range(1, triangulation.NbNodes() + 1))
-    points = np.array([(node.X(), node.Y(), node.Z()) for node in nodes], dtype=np.float64)
-    corners = (triangulation.Triangle(i).Get() for i in range(1, triangulation.NbTriangles() + 1))
-    return points.reshape(-1, 3), np.array(list(corners), dtype=np.int32).reshape(-1, 3) - np.int32(1)
+    nodes = map(triangulation.Node, range(1, triangulation.NbNodes() + 1))
+    points = np.array(list(map(gp_Pnt.Coord, nodes)), dtype=np.float64)
+    triangles = map(triangulation.Triangle, range(1, triangulation.NbTriangles() + 1))
+    corners = np.array(list(map(Poly_Triangle.Get, triangles)), dtype=np.int32)
+    return points.reshape(-1, 3), corners.reshape(-1, 3) - np.int32(1)

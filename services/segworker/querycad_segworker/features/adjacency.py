@@ -152,11 +152,15 @@ class ConcaveGraph:
         return result
 
     def concave_groups(self, used: Collection[int]) -> list[set[int]]:
-        """Groups of free faces that meet in concave edges, but not in those around a protrusion's foot."""
+        """Groups of free faces that meet in concave edges, but not in those around a protrusion's foot.
+
+        Round faces that bulge out are what two depressions have in common, such as the hub between the pockets of an
+        arm: no group goes on behind one, and none has it that is not its alone.
+        """
         rising = self._rising_links()
         groups, seen, taken = [], set(used), set(used)
         for start in sorted(self.concave):
-            if start in seen or start in self.blends:
+            if start in seen or start in self.blends or self._bulges(start):
                 continue
             group, todo = {start}, [start]
             while todo:
@@ -164,11 +168,20 @@ class ConcaveGraph:
                 for other in self.concave[face] - group - taken:
                     if (face, other) not in rising:
                         group.add(other)
-                        todo.append(other)
-            seen |= group
+                        if not self._bulges(other):
+                            todo.append(other)
+            group -= {face for face in group if self._bulges(face) and not self._is_within(face, group)}
+            seen |= {face for face in group if not self._bulges(face)}
             if len(group) > 1:
                 groups.append(group)
         return groups
+
+    def _bulges(self, face: int) -> bool:
+        return self.brep.faces[face].outward > 0
+
+    def _is_within(self, bulge: int, group: Collection[int]) -> bool:
+        """Is it a wall of this depression alone, bowed into it?"""
+        return self.brep.faces[bulge].sweep <= math.pi and self.concave[bulge] <= set(group)
 
     def _rising_links(self) -> set[tuple[int, int]]:
         """Pairs of a face and a wall that rises from one of its inner loops: a protrusion, no depression."""

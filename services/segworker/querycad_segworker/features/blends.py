@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
@@ -13,6 +13,8 @@ from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecor
 from querycad_segworker.vectors import Box, box_center, box_union, cross, dot, parallel, sub, unit
 
 from .adjacency import is_blend
+from .refusals import refuse
+from .rolling_balls import RolledFace, rolled_face
 
 CHAMFER_ANGLES_RAD = (math.radians(20.0), math.radians(70.0))
 """A chamfer turns by this much against each neighbour: 45 degrees as a rule, 30 and 60 on lead-ins."""
@@ -45,6 +47,8 @@ class Blend:
     body: int
     angle: float | None = None
     """Radians, of a chamfer: to the larger of the two faces that it joins; 45 degrees as a rule."""
+    radii: tuple[float, ...] = ()
+    """The smallest and the largest, where the radius changes along the edge; `radius` is their middle then."""
 
 
 def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances) -> list[Blend]:
@@ -53,12 +57,19 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
     `taken`: faces of holes and bosses, whose own chamfers and roundings belong to them.
     """
     kinds: dict[int, tuple[str, float]] = {}
+    balls: dict[int, RolledFace] = {}
     for face in brep.faces:
         if face.id in taken:
             continue
-        if is_blend(brep, face) and not _is_wall(face):
+        if is_blend(brep, face):
+            if _is_wall(face):
+                refuse(_kind(face), (face.id,), "it turns by half a circle: a wall of its own")
+                continue
             radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
-            kinds[face.id] = ("fillet" if face.outward < 0 else "round", radius)
+            kinds[face.id] = (_kind(face), radius)
+        elif (rolled := rolled_face(brep, face)) is not None:
+            kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
+            balls[face.id] = rolled
         elif (width := _chamfer_width(brep, face)) is not None:
             kinds[face.id] = ("chamfer", width)
     found, seen = [], set[int]()
@@ -73,8 +84,14 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
                     chain.add(other)
                     todo.append(other)
         seen |= chain
-        found.append(_blend(brep, kind, size, chain))
+        radii = [r for i in chain if i in balls and balls[i].is_variable for r in balls[i].radii]
+        blend = _blend(brep, kind, size, chain)
+        found.append(replace(blend, radii=(min(radii), max(radii))) if radii else blend)
     return found
+
+
+def _kind(face: FaceRecord) -> str:
+    return "fillet" if face.outward < 0 else "round"
 
 
 def _is_wall(face: FaceRecord) -> bool:
@@ -138,21 +155,38 @@ def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
     a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
     if _length(second) < 0.5 * _length(first) or a.face.id == b.face.id:
         return None
-    if face.kind is SurfaceKind.CONE:
-        slim = a.face.area >= CHAMFER_NEIGHBOURS * face.area and b.face.area >= CHAMFER_NEIGHBOURS * face.area
-        return width if slim and face.radius <= CHAMFER_CONE * face.minor_radius else None
-    low, high = BROKEN_EDGE_RAD
-    breaks_edge = low <= a.turn + b.turn <= high and _runs_alike(first[0], second[0])
-    if not breaks_edge or _has_end_wall(brep, face, width):
-        return None
-    if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
+    reason = _shapes_body(brep, face, (first, second), (a, b), width, length)
+    if reason is None:
         return width
-    whole_corner = (
-        length >= width
-        and min(a.reach, b.reach) >= CORNER_SHARE * width
-        and not _is_polygon(brep, face, first, second, width)
-    )
-    return width if whole_corner else None
+    refuse("chamfer", (face.id,), reason)
+    return None
+
+
+def _shapes_body(
+    brep: Brep,
+    face: FaceRecord,
+    edges: tuple[list[EdgeRecord], list[EdgeRecord]],
+    sides: tuple[_Side, _Side],
+    width: float,
+    length: float,
+) -> str | None:
+    """Why does a slanted strip between two faces shape the body rather than break its edge? None where it breaks it."""
+    (first, second), (a, b) = edges, sides
+    if face.kind is SurfaceKind.CONE:
+        slim = min(a.face.area, b.face.area) >= CHAMFER_NEIGHBOURS * face.area
+        narrow = face.radius <= CHAMFER_CONE * face.minor_radius
+        return None if slim and narrow else "a cone as large as what is beside it shapes the body"
+    low, high = BROKEN_EDGE_RAD
+    if not (low <= a.turn + b.turn <= high and _runs_alike(first[0], second[0])):
+        return "the two faces beside it would not meet at about a right angle"
+    if _has_end_wall(brep, face, width):
+        return "it ends at a wall that belongs to the cut: a step"
+    if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
+        return None
+    whole_corner = length >= width and min(a.reach, b.reach) >= CORNER_SHARE * width
+    if whole_corner and not _is_polygon(brep, face, first, second, width):
+        return None
+    return "it takes so much of the faces beside it that it shapes the body"
 
 
 def _slanted_sides(face: FaceRecord, edges: Sequence[EdgeRecord]) -> list[list[EdgeRecord]]:

@@ -7,6 +7,7 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_center, box_extents
 
 from .gears import Gear
+from .knurls import Knurl
 from .parts import PLATE_RATIO, faces_area, faces_box, geometry, millimetres, outlined, width_of
 from .prisms import Prism
 from .protrusions import Protrusion
@@ -45,10 +46,10 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
         id=f"prism-{number}",
         kind="prism",
         tags=(prism.outline, *(("plate", "flat") if flat else ())),
-        label=f"{prism.outline} {'plate' if flat else 'block'}, {size} mm, height {millimetres(prism.height)}",
+        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {size} mm, height {millimetres(prism.height)}",
         faces=prism.faces,
         center=prism.center,
-        extents=box_extents(faces_box(brep, prism.faces)),
+        extents=prism.extents,
         axis=prism.normal,
         normal=prism.normal,
         height=prism.height,
@@ -58,7 +59,11 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
         tip=prism.tip,
         local_size=(prism.length, prism.width, prism.height),
         area=faces_area(brep, prism.faces),
-        evidence=geometry(f"{prism.sides} plane sides that meet in convex edges, all the way around one direction"),
+        evidence=geometry(
+            f"{prism.sides} plane sides that meet in convex edges, all the way around one direction"
+            if prism.sides
+            else "two parallel faces that look away from each other, with square walls between them"
+        ),
     )
 
 
@@ -85,6 +90,29 @@ def gear_part(brep: Brep, gear: Gear, number: int) -> Part:
         children=tuple(f"tooth-{number}.{i}" for i in range(1, len(gear.teeth) + 1)),
         area=faces_area(brep, gear.faces),
         evidence=geometry(f"{len(gear.teeth)} equal groups of faces at equal angles around one axis"),
+    )
+
+
+def knurl_part(brep: Brep, knurl: Knurl, number: int) -> Part:
+    """A diamond knurl as a part: diameter over the points, `count` of them around, width along the axis."""
+    return Part(
+        id=f"knurl-{number}",
+        kind="gear",
+        tags=("outer", "knurl", "diamond"),
+        label=f"diamond knurl, diameter {millimetres(2 * knurl.tip_radius)}, width {millimetres(knurl.width)}",
+        faces=knurl.faces,
+        center=knurl.center,
+        extents=box_extents(faces_box(brep, knurl.faces)),
+        axis=knurl.axis.direction,
+        radius=knurl.tip_radius,
+        diameter=2 * knurl.tip_radius,
+        height=knurl.width,
+        width=knurl.width,
+        length=knurl.width,
+        count=knurl.count,
+        radii=(knurl.tip_radius, knurl.root_radius),
+        area=faces_area(brep, knurl.faces),
+        evidence=geometry(f"rows of {knurl.count} low points and more around one axis"),
     )
 
 

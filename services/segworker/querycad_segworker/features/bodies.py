@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind
+from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import box_center, box_extents, cross, dot, mid, perpendicular
+from querycad_segworker.vectors import box_center, box_extents, cross, dot, perpendicular
 
-from .bosses import Boss
+from .bearings import Bearing
 from .frames import outline_of
-from .hole import Bottom, Hole
-from .parts import PLATE_RATIO, faces_box
-from .walls import Axis
+from .parts import PLATE_RATIO, faces_box, millimetres
+from .turned_bodies import TurnedBody
 
-RING_RATIO = 0.3
-"""The hole of a ring or tube takes at least this share of its diameter: a third in washers of the large series
-(ISO 7093), a half in those of the normal one (ISO 7089), more in sleeves."""
-WASHER_RATIO = 0.25
-"""A plain ring thinner than this share of its diameter is a washer: ISO 7089 has 0.1 to 0.2, spring washers 0.25."""
+_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips")
+"""What a model that is one round body has of it."""
+RINGS_ALONE = 0.8
+"""How surely two rings of one width, one in the other, are a bearing drawn in a simple way."""
 
 
 def body(brep: Brep, record: BodyRecord) -> Body:
@@ -57,96 +54,29 @@ def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[tu
     return (*tags, *(("plate",) if flat else ()), outline), reach[0] if flat else None
 
 
-@dataclass(frozen=True, slots=True)
-class _Turned:
-    """A body that is round about one axis: its widest step, its length along the axis, and its coaxial hole."""
-
-    widest: Boss
-    length: float
-    bore: Hole | None
-    steps: int
-    walled: bool
-    """A step of it is a tube."""
-
-    @property
-    def tags(self) -> tuple[str, ...]:
-        """What kinds of turned part is it?"""
-        diameter = 2 * self.widest.radius
-        tags = ["circular", "cylindrical"]
-        slender = self.length > diameter
-        if slender:
-            tags.append("slender")
-        if self.bore is not None:
-            tags.append("hollow")
-        through = self.bore is not None and self.bore.bottom is Bottom.THROUGH
-        wide = through and self.bore is not None and self.bore.radius >= RING_RATIO * self.widest.radius
-        if wide and self.length < 0.5 * diameter:
-            tags.extend(("ring", "washer") if self.steps == 1 and self.length < WASHER_RATIO * diameter else ("ring",))
-        elif through and (wide or self.walled):
-            tags.append("tube")
-        elif slender and self.steps > 1:
-            tags.append("shaft")
-        elif slender:
-            tags.extend(("shaft", "rod"))
-        elif self.length < 0.5 * diameter:
-            tags.append("disc")
-        return tuple(tags)
-
-
-def _turned(brep: Brep, record: BodyRecord, bosses: Sequence[Boss], holes: Sequence[Hole]) -> _Turned | None:
-    """Is the whole body round? It is when no edge lies further from a boss's axis than that boss's wall."""
-    widest = max(bosses, key=lambda boss: boss.radius, default=None)
-    if widest is None or "conical" in widest.tags:
-        return None
-    axis = Axis(widest.base, widest.normal)
-    edges = {e for face in record.faces for e in brep.face_edges[face]}
-    points = [p for e in edges for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
-    if max(axis.radius_of(p) for p in points) > 1.005 * widest.radius:
-        return None
-    steps = [b for b in bosses if axis.radius_of(mid(b.base, b.tip)) < 0.01 * widest.radius]
-    ends = [axis.position(p) for p in points] + [axis.position(p) for b in steps for p in (b.base, b.tip)]
-    coaxial = [h for h in holes if not h.is_ring and axis.radius_of(h.center) < 0.01 * widest.radius]
-    bore = max(coaxial, key=lambda h: (h.bottom is Bottom.THROUGH, h.radius), default=None)
-    return _Turned(widest, max(ends) - min(ends), bore, len(steps), any("tube" in b.tags for b in steps))
-
-
 def body_part(
     brep: Brep,
     record: BodyRecord,
     number: int,
     tolerances: Tolerances,
-    bosses: Sequence[Boss] = (),
-    holes: Sequence[Hole] = (),
+    turned: TurnedBody | None = None,
+    tips: tuple[Vector, ...] = (),
 ) -> Part:
     """A body of the file as a part, so that names and colours find it. A round one has radii, axis and length too.
 
-    `bosses` and `holes` are those of this body. A ring or disc is as thick as it is long, a tube as its wall is.
+    `tips`: the free ends of a `turned` body. A ring or disc is as thick as it is long, a tube as its wall is.
     """
     box = faces_box(brep, record.faces)
     extents = box_extents(box)
     tags, thickness = _outline(brep, record, tolerances)
     measures: dict[str, object] = {} if thickness is None else {"thickness": thickness}
-    turned = _turned(brep, record, bosses, holes)
     ball = None if turned is not None else _ball(brep, record)
     if ball is not None:
         tags = (*tags, "ball", "spherical")
         measures |= {"radius": ball, "diameter": 2 * ball, "radii": (ball,)}
     if turned is not None:
-        radius, bore = turned.widest.radius, turned.bore
-        measures |= {
-            "axis": turned.widest.normal,
-            "radius": radius,
-            "diameter": 2 * radius,
-            "length": turned.length,
-            "radii": (radius,) if bore is None else (radius, bore.radius),
-        }
         tags = (*tags, *turned.tags)
-        if "slender" in tags:
-            measures["height"] = turned.length
-        if "tube" in tags and bore is not None:
-            measures["thickness"] = radius - bore.radius
-        elif turned.length < radius:
-            measures["thickness"] = turned.length
+        measures |= _turned_measures(turned, tips)
     return Part(
         id=f"body-{number}",
         kind="body",
@@ -174,6 +104,70 @@ def body_part(
     )
 
 
+def with_bearing_roles(bodies: Sequence[Part], bearings: Sequence[Bearing]) -> list[Part]:
+    """The same bodies, tagged with what they are in a bearing: 'inner_ring', 'outer_ring', 'rolling'."""
+    roles: dict[int, str] = {}
+    for bearing in bearings:
+        roles |= dict.fromkeys(bearing.rolling, "rolling")
+        names = ("washer", "washer") if bearing.axial else ("inner_ring", "outer_ring")
+        roles |= dict(zip(bearing.rings, names, strict=True))
+    tags = {i: (*bodies[i].tags, role) for i, role in roles.items()}
+    return [part.model_copy(update={"tags": tags[i]}) if i in tags else part for i, part in enumerate(bodies)]
+
+
+def bearing_part(brep: Brep, found: Bearing, number: int, bodies: Sequence[Part]) -> Part:
+    """A rolling bearing of an assembly: diameter over the outer ring, `radii` of outer ring and bore, width of both."""
+    members = (*found.rings, *found.rolling, *found.others)
+    faces = tuple(sorted(face for body in members for face in brep.bodies[body].faces))
+    direction = "axial" if found.axial else "radial"
+    rolling = ("ball" if found.balls else "roller",) if found.rolling else ()
+    name = " ".join((*rolling, "bearing"))
+    what = f"{len(found.rolling)} {rolling[0]}s between" if rolling else "nothing but a gap between"
+    return Part(
+        id=f"bearing-{number}",
+        kind="bearing",
+        tags=(direction, *rolling, "circular", "ring", "hollow"),
+        label=f"{name}, {millimetres(2 * found.inner_radius)} x {millimetres(2 * found.outer_radius)} x "
+        f"{millimetres(found.width)}",
+        faces=faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, faces)),
+        axis=found.axis.direction,
+        radius=found.outer_radius,
+        diameter=2 * found.outer_radius,
+        width=found.width,
+        height=found.width,
+        length=found.width,
+        thickness=found.width,
+        radii=(found.outer_radius, found.inner_radius),
+        count=len(found.rolling) or None,
+        children=tuple(bodies[body].id for body in members),
+        evidence=Evidence(
+            source="geometry",
+            confidence=1.0 if rolling else RINGS_ALONE,
+            reason=f"two rings on one axis with {what}",
+        ),
+    )
+
+
+def _turned_measures(turned: TurnedBody, tips: tuple[Vector, ...]) -> dict[str, object]:
+    """What a shaft, rod, tube, ring or disc has beyond its box; only what is longer than wide has tips."""
+    measures: dict[str, object] = {
+        "axis": turned.axis.direction,
+        "radius": turned.radius,
+        "diameter": 2 * turned.radius,
+        "length": turned.length,
+        "radii": turned.radii,
+    }
+    if turned.slender:
+        measures |= {"height": turned.length, "tip": tips[0] if tips else None, "tips": tips}
+    if "tube" in turned.tags and turned.bore is not None:
+        measures["thickness"] = turned.radius - turned.bore.radius
+    elif turned.length < turned.outer_radius:
+        measures["thickness"] = turned.length
+    return measures
+
+
 def _ball(brep: Brep, record: BodyRecord) -> float | None:
     """The radius of a body whose surface is nothing but one sphere."""
     faces = [brep.faces[f] for f in record.faces]
@@ -183,8 +177,9 @@ def _ball(brep: Brep, record: BodyRecord) -> float | None:
     return first.radius if first.outward > 0 else None
 
 
-def model_part(brep: Brep, shape: Shape) -> Part:
-    """The whole model as a part, so that its name finds it."""
+def model_part(brep: Brep, shape: Shape, only: Part | None = None) -> Part:
+    """The whole model as a part, so that its name finds it; a round one has the radii and axis of its `only` body."""
+    turned = {} if only is None else {name: getattr(only, name) for name in _OF_TURNED}
     return Part(
         id="model-1",
         kind="model",
@@ -201,4 +196,5 @@ def model_part(brep: Brep, shape: Shape) -> Part:
         area=shape.area,
         name=shape.name or None,
         evidence=Evidence(source="geometry", confidence=1.0, reason="all faces of the file"),
+        **turned,
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,11 +12,14 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel, scale
 
 from .hole import Hole, Section, SectionKind
+from .refusals import refuse
 from .stacks import End, Stack, radius_at, stacks, wall_range
 from .walls import Axis, Wall
 
 SLENDER = 1.0
 """Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
+ALIKE = 1.001
+"""Lengths and radii that differ by less than this factor are equal on a drawing."""
 FLAT = 0.5
 """Shorter than this share of its diameter: a disc, as washers, flanges and plates are."""
 TUBE_RATIO = 0.5
@@ -48,6 +52,8 @@ class Boss:
     step_of: int
     pitch: float | None = None
     """Of a modelled thread, along the axis."""
+    tips: tuple[Vector, ...] = ()
+    """All free ends of its axis, where they are more than `tip`."""
 
 
 _CYLINDRICAL = (SectionKind.BORE, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
@@ -63,6 +69,9 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses):
         steps = _steps(stack, tolerances)
         found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
+    for wall in walls:
+        if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and not wall.encloses and wall.sweep > math.pi / 2:
+            refuse("boss", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
     return sorted(found, key=lambda boss: boss.faces[0])
 
 
@@ -71,10 +80,12 @@ def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
     steps: list[list[Wall]] = []
     grooved = False
     for wall in sorted(stack.walls, key=lambda w: wall_range(stack.axis, w)):
-        if is_neck(wall, stack):
+        if is_neck(wall, stack) or is_flank(wall, stack):
             grooved = True
             continue
         if not _is_step(wall, stack):
+            if wall.kind is SurfaceKind.CONE:
+                refuse("boss", wall.faces, "a cone this low breaks the edge of the cylinder beside it")
             continue
         alike = bool(steps) and SurfaceKind.CYLINDER is wall.kind is steps[-1][-1].kind
         if alike and grooved and abs(steps[-1][-1].radius - wall.radius) <= 3 * tolerances.length:
@@ -103,6 +114,28 @@ def is_neck(wall: Wall, stack: Stack) -> bool:
     return all(any(w.radius > 1.001 * wall.radius for w in side[-1:]) for side in (below, above[:1]))
 
 
+def is_flank(wall: Wall, stack: Stack) -> bool:
+    """Is it one of two cones that meet at the bottom of a V, turned into a cylinder on both sides of them?"""
+    if wall.kind is not SurfaceKind.CONE:
+        return False
+    low, high = wall_range(stack.axis, wall)
+    near = 0.01 * wall.height
+    narrow_high = radius_at(stack.axis, wall, True) < radius_at(stack.axis, wall, False)
+    for other in stack.walls:
+        if other is wall or other.kind is not SurfaceKind.CONE:
+            continue
+        a, b = wall_range(stack.axis, other)
+        bottom, there = (high, a) if narrow_high else (low, b)
+        radius = radius_at(stack.axis, wall, narrow_high)
+        meet = abs(bottom - there) <= near and abs(radius_at(stack.axis, other, not narrow_high) - radius) <= near
+        if meet and radius_at(stack.axis, other, narrow_high) > radius + near:
+            ends = sorted((low, high, a, b))
+            cylinders = [wall_range(stack.axis, w) for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
+            below = any(abs(top - ends[0]) <= near for _, top in cylinders)
+            return below and any(abs(foot - ends[-1]) <= near for foot, _ in cylinders)
+    return False
+
+
 def _boss(
     brep: Brep,
     stack: Stack,
@@ -118,7 +151,7 @@ def _boss(
     breaks = []
     # Edge breaks next to the wall lengthen it to the shoulder or end face that they run into.
     for other in stack.walls:
-        if any(other in members for members in steps) or is_neck(other, stack):
+        if any(other in members for members in steps) or is_neck(other, stack) or is_flank(other, stack):
             continue
         a, b = wall_range(axis, other)
         near = 3 * tolerances.length
@@ -164,7 +197,7 @@ def _tags(
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
     flat = height < FLAT * 2 * radius
     tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
-    if height > SLENDER * 2 * radius:
+    if height > SLENDER * 2 * radius * (1 + 1e-6):
         tags.append("slender")
     if flat:
         tags.append("flat")
@@ -182,15 +215,26 @@ def _tags(
         tags.append("raised")
     if flat and beside and radius > FLANGE_RATIO * max(beside):
         tags.append("flange")
-    if flat and _is_collar(radius, beside, bore_radius):
+    if flat and _is_collar(steps, place, bore_radius):
         tags.append("collar")
     return tuple(tags)
 
 
-def _is_collar(radius: float, beside: Sequence[float], bore_radius: float | None) -> bool:
-    """A ring around a shaft, with narrower steps on both sides, or a low hollow step next to a wider one."""
-    around = len(beside) == 2 and radius > 1.001 * max(beside)
-    return around or (bore_radius is not None and any(other > 1.001 * radius for other in beside))
+def _is_collar(steps: Sequence[tuple[Wall, ...]], place: int, bore_radius: float | None) -> bool:
+    """A ring around a shaft, with narrower steps on both sides; else a low hollow step next to a wider one."""
+    around = [_is_around(steps, i) for i in range(len(steps))]
+    if any(around):
+        return around[place]
+    beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
+    return bore_radius is not None and any(other > ALIKE * steps[place][0].radius for other in beside)
+
+
+def _is_around(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
+    """Is it lower than wide, and wider than the steps on both sides of it?"""
+    if not 0 < place < len(steps) - 1:
+        return False
+    radius, height = steps[place][0].radius, sum(wall.height for wall in steps[place])
+    return height < FLAT * 2 * radius and all(radius > ALIKE * steps[i][0].radius for i in (place - 1, place + 1))
 
 
 def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:

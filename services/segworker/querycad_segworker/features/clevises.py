@@ -13,6 +13,7 @@ from querycad_segworker.vectors import add, dot, parallel, scale, sub
 from .depression import Depression, DepressionKind, depression_in
 from .forks import IsClear
 from .frames import edge_points, frame_of
+from .refusals import refuse
 from .ribs import Rib
 
 FACING = 0.99
@@ -24,7 +25,7 @@ OVERLAP = 0.5
 def recognise_clevises(
     brep: Brep, ribs: Sequence[Rib], depressions: Sequence[Depression], is_clear: IsClear
 ) -> list[Depression]:
-    """Which gaps between two ribs of one body are slots, though no floor joins their flanks?
+    """Which gaps between two lugs or ribs of one body are slots, though no floor joins their flanks?
 
     Their flanks face each other, the way between is free, and the gap is narrower than the flanks are long and high:
     a wider one is room between two walls. Flanks of `depressions` other than steps have their gap already.
@@ -59,12 +60,16 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
     for direction in (rib.direction, rib.normal):
         (low, high), (other_low, other_high) = (_range(brep, flank.id, direction) for flank in flanks)
         size = min(high, other_high) - max(low, other_low)
-        if size < OVERLAP * min(high - low, other_high - other_low) or gap >= size:
+        if size < OVERLAP * min(high - low, other_high - other_low):
+            return None
+        if gap >= size:
+            refuse("slot", (first.id, second.id), "the gap is wider than the flanks are long or high")
             return None
         wanted = (min(high, other_high) + max(low, other_low)) / 2
         middle = add(middle, scale(direction, wanted - dot(middle, direction)))
     ends = [add(middle, scale(first.axis, side * gap / 2)) for side in (-0.98, 0.98)]
     if not is_clear(ends[0], ends[1]):
+        refuse("slot", (first.id, second.id), "material lies between the flanks")
         return None
     frame = frame_of(brep, {first.id, second.id}, rib.normal, None, rib.direction)
     slot = depression_in(DepressionKind.SLOT, "rectangular", frame, (first.id, second.id), (), rib.body, is_open=True)

@@ -15,6 +15,8 @@ from .grooves import TurnedGroove
 from .parts import ALIGNED, faces_area, faces_box, geometry, millimetres, outlined
 from .volumes import Volumes
 
+ALONG = frozenset(("rectangular", "obround", "curved"))
+"""Outlines with two sides along each other: what is longer than wide within them is a slot, as no other shape is."""
 _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
@@ -24,7 +26,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     through = found.kind is DepressionKind.PASSAGE
     through = through or "through" in found.tags
     tags = [found.outline, "through" if through else "blind", "open" if found.is_open else "closed"]
-    if found.length >= ELONGATED * found.width:
+    if found.length >= ELONGATED * found.width and (found.is_open or found.outline in ALONG):
         tags.append("elongated")
     if found.corner_radius is not None and found.outline in POLYGONS.values():
         tags.append("rounded_corners")
@@ -32,6 +34,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
     across_file = found.outline == "rectangular" and not found.is_open
+    is_round = found.outline == "circular" and not found.is_open
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
@@ -42,7 +45,8 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         extents=extents,
         axis=found.normal,
         normal=found.normal,
-        radius=found.corner_radius,
+        radius=found.width / 2 if is_round else found.corner_radius,
+        diameter=found.width if is_round else None,
         depth=found.depth,
         width=_width(found) if across_file else found.width,
         length=found.length,
@@ -110,13 +114,14 @@ def blend_part(brep: Brep, found: Blend, number: int) -> Part:
     return Part(
         id=f"{found.kind}-{number}",
         kind=found.kind,
-        tags=("beveled",) if chamfer else ("rounded", "inner" if found.kind == "fillet" else "outer"),
+        tags=("beveled",) if chamfer else _rounded_tags(found),
         label=f"{found.kind}, {measure}",
         faces=found.faces,
         center=found.center,
         extents=box_extents(found.box),
         radius=None if chamfer else found.radius,
         diameter=None if chamfer else 2 * found.radius,
+        radii=found.radii,
         width=found.width if chamfer else None,
         angle=found.angle,
         area=faces_area(brep, found.faces),
@@ -126,6 +131,11 @@ def blend_part(brep: Brep, found: Blend, number: int) -> Part:
             else f"{len(found.faces)} face(s) tangent to their neighbours, radius {millimetres(found.radius)}"
         ),
     )
+
+
+def _rounded_tags(found: Blend) -> tuple[str, ...]:
+    side = "inner" if found.kind == "fillet" else "outer"
+    return ("rounded", side, "variable") if found.radii else ("rounded", side)
 
 
 def _chamfer_measure(found: Blend) -> str:

@@ -20,9 +20,12 @@ from .frames import bow_of, edge_points, frame_of, outline_of
 from .groups import group_depression
 from .hosts import with_hosts
 from .notches import recognise_round_notches
+from .refusals import refuse
+from .slits import recognise_slits
 from .slot_pieces import united_slots
 from .tunnels import MORE_THAN_HALF, tunnel_of
 from .walls import Wall
+from .windows import recognise_windows
 
 UPRIGHT = math.sin(math.radians(45.0))
 """Faces that lean less than this off the direction of a depression are its walls, the others its floor."""
@@ -45,7 +48,8 @@ def recognise_depressions(
     """
     graph = ConcaveGraph(brep, taken)
     found = recognise_cavities(brep)
-    used = set(taken).union(*(cavity.faces for cavity in found))
+    found.extend(window for window in recognise_windows(brep, tolerances) if not set(window.faces) & set(taken))
+    used = set(taken).union(*(cut.faces for cut in found))
     for face in brep.faces:
         for loop in face.loops:
             if loop.outer or (face.id in used and face.id in taken):
@@ -59,9 +63,12 @@ def recognise_depressions(
     groups = graph.concave_groups(used)
     for group in sorted(groups, key=len, reverse=True):  # a T slot owns its neck, which is a smaller group
         cut = None if group & used else group_depression(brep, group, graph, tolerances, used)
+        if cut is None and not group & used:
+            refuse("pocket", group, "its faces form neither a floor with walls nor a passage")
         if cut is not None:
             used.update(cut.faces)
             found.append(cut)
+    found.extend(recognise_slits(brep, found_walls, used))
     found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
         found = united_slots(brep, found, tolerances, is_clear)
@@ -117,6 +124,7 @@ def _closed(
     inside = {f for f in group - graph.bevels if brep.faces[f].outward <= 0}
     walls = [f for f in group - graph.bevels if abs(dot(_facing(brep, f), normal)) < UPRIGHT]
     if not walls:
+        refuse("pocket", group, "no wall runs into the material: a shallow hollow")
         return None
     floors = {f for f in inside if dot(_facing(brep, f), normal) >= UPRIGHT} or _shared_floor(
         brep, graph, walls, normal
@@ -157,7 +165,10 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
             [max(dot(p, d) for p in points) - min(dot(p, d) for p in points) for d in (pocket.direction, across)]
         )
     gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]
-    if min(gaps) <= 0 or max(gaps) > GROOVE_SHARE * pocket.width:
+    if min(gaps) <= 0:
+        return None
+    if max(gaps) > GROOVE_SHARE * pocket.width:
+        refuse("groove", pocket.faces, "too wide around its island: a pocket")
         return None
     return replace(pocket, kind=DepressionKind.GROOVE, width=min(gaps), tags=("ring", "annular"))
 

@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import add, dot, norm, scale, sub, unit
+from querycad_segworker.vectors import add, dot, norm, parallel, scale, sub, unit
+
+from .refusals import refuse
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,12 +41,15 @@ def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
         rim = [edge for f in group for edge, other in brep.neighbours(f) if other not in group]
         circles = [e for e in rim if e.center is not None and e.axis is not None and e.radius is not None]
         if not rim or len(circles) < len(rim) or any(e.convexity is not EdgeConvexity.CONVEX for e in rim):
+            refuse("dimple", group, "its rim is not one convex circle")
             continue
         first = circles[0]
         assert first.center is not None
         assert first.axis is not None
         assert first.radius is not None
-        if any(norm(sub(e.center or first.center, first.center)) > 1e-3 * first.radius for e in circles):
+        apart = max(norm(sub(e.center or first.center, first.center)) for e in circles)
+        if apart > 1e-3 * first.radius or not all(parallel(e.axis or first.axis, first.axis, 1e-3) for e in circles):
+            refuse("dimple", group, "its rim is not one convex circle")
             continue
         # The middle of the faces lies deeper than the rim: that tells which way out is.
         out = first.axis if dot(sub(first.center, face.point), first.axis) > 0 else scale(first.axis, -1.0)

@@ -11,6 +11,7 @@ from querycad_segworker.vectors import dist, dot, foot, mid, scale, sub
 from .axes import SWEEP, Axis
 from .hole import Bottom, Hole
 from .hole_sections import different_radii
+from .refusals import refuse
 
 FORK_GAP = 2.0
 """Two bores of one radius on one axis, this many diameters apart or nearer with nothing between, are one hole drilled
@@ -84,7 +85,11 @@ def _united(a: Hole, b: Hole, tolerances: Tolerances, is_clear: IsClear) -> Hole
     # Across a bore that both end in, the drill went on whatever the bore's width.
     crosses = upper.bottom is Bottom.BORE and lower.bottom is Bottom.BORE
     near = gap >= 0 and (crosses or gap <= FORK_GAP * 2 * a.radius)
-    if not faces_inwards or not near or not is_clear(inner_upper[1], inner_lower[1]):
+    if not faces_inwards or gap < 0:
+        return None
+    if not near or not is_clear(inner_upper[1], inner_lower[1]):
+        why = "material lies between" if near else "they are more than two diameters apart"
+        refuse("hole", (*a.faces, *b.faces), f"two bores on one line are not one: {why}")
         return None
     through = upper.far_opening is not None and lower.far_opening is not None
     outer, inner = (upper, lower) if upper.far_opening is not None else (lower, upper)

@@ -36,7 +36,13 @@ def frame_of(
     brep: Brep, faces: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
 ) -> LocalFrame:
     """The box of some faces along `normal` and the direction of their longest straight edge across it."""
-    edges = {e for f in faces for e in brep.face_edges[f]}
+    return frame_of_edges(brep, {e for f in faces for e in brep.face_edges[f]}, normal, rim, along)
+
+
+def frame_of_edges(
+    brep: Brep, edges: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
+) -> LocalFrame:
+    """The box of some edges, as for `frame_of`."""
     straight: dict[Vector, float] = defaultdict(float)
     exact: dict[Vector, Vector] = {}  # edges are gathered by rounded direction, the box is turned by an exact one
     for e in rim.edges if rim is not None else edges:

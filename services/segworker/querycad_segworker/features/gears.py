@@ -9,9 +9,10 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import dist, sub
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.vectors import OFF_ROUND, binned, dist, dot, sub
 
+from .refusals import refuse
 from .walls import Axis, Wall
 
 MIN_TEETH = 6
@@ -24,6 +25,11 @@ KNURL_TEETH = 20
 KNURL_DEPTH = 0.1
 """Many pointed teeth that rise by less than this share of the radius are a knurl: DIN 82 has pitches of 0.5 to 1.6 mm,
 and a profile about half as deep as its pitch."""
+
+MAIN_FLANK = 0.5
+"""Flanks larger than this share of the largest one are those that give a tooth its shape, not the radii at its foot."""
+SQUARE = 1e-3
+"""Walls of a slot are parallel, and along the axis, to this sine; cosines near one deviate by its square, and less."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,15 +77,15 @@ def recognise_gears(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -
         members = [brep.faces[i] for i in body.faces]
         if len(members) < MIN_TEETH * 2:
             continue
-        for axis in _axes([w for w in walls if w.body == body.id], tolerances):
+        for axis in main_axes([w for w in walls if w.body == body.id], tolerances):
             gear = _gear(brep, members, axis, body.id, tolerances)
             if gear is not None and not any(set(gear.faces) & set(other.faces) for other in found):
                 found.append(gear)
     return sorted(found, key=lambda gear: gear.faces[0])
 
 
-def _axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
-    """The axes on which the most round faces lie, at most three: teeth stand around a main axis of their body.
+def main_axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
+    """On which axes do the most round faces lie? At most three: teeth stand around a main axis of their body.
 
     Axes are compared only when they pass a fixed point at about the same distance, as equal ones must.
     """
@@ -106,17 +112,15 @@ def _axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
 
 
 def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
-    rings = _rings(faces, axis, tolerances)
+    rings = _touching(brep, _rings(faces, axis, tolerances))
     if not rings:
         return None
+    # Two flanks a tooth may stand at nearly equal angles, and seem to repeat twice as often as the teeth.
     per_count: Counter[int] = Counter()
-    for count, ring in rings:
-        per_count[count] += len(ring) // count
+    for n in {count for count, _ in rings}:
+        per_count[n] = sum(len(ring) // n for count, ring in rings if count in (n, 2 * n))
     teeth = max(per_count, key=lambda n: (per_count[n], n))
-    chosen = [ring for count, ring in rings if count == teeth]
-    patterned = {face.id for ring in chosen for face in ring}
-    touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
-    chosen = [ring for ring in chosen if all(face.id in touching for face in ring)]
+    chosen = [ring for _, ring in _touching(brep, [one for one in rings if one[0] in (teeth, 2 * teeth)])]
     per_tooth = sum(len(ring) for ring in chosen) / teeth
     ids = sorted(face.id for ring in chosen for face in ring)
     if not ids:
@@ -132,10 +136,19 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
         # The flanks of pointed teeth may be alike, and their number then twice that of the teeth.
         members = _pointed_teeth(brep, ids, axis, tips(radii))
         if len(members) < MIN_POINTED_TEETH or 2 * len(members) != len(ids):
+            refuse("gear", ids, f"{teeth} times around, with {len(members)} pointed teeth")
             return None
     elif single:
-        members = _teeth(chosen, tips(single, key=lambda ring: axis.radius_of(ring[0].point)), axis)
+        tops = tips(single, key=lambda ring: axis.radius_of(ring[0].point))
+        if any(_is_bottom(brep, face, set(ids)) for face in tops):
+            refuse("gear", ids, f"{teeth} slots cut into a round body: nothing stands out between them")
+            return None
+        if tips is max and _are_slots(brep, ids, axis, max(radii) - min(radii)):
+            refuse("gear", ids, f"{teeth} slots with parallel walls: what is left between them widens outwards")
+            return None
+        members = _teeth(chosen, tops, axis)
     else:
+        refuse("gear", ids, f"{teeth} times around, but without one tip a tooth")
         return None
     middle = (min(positions) + max(positions)) / 2
     return Gear(
@@ -151,13 +164,54 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
     )
 
 
+def _touching(brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]]) -> list[tuple[int, list[FaceRecord]]]:
+    """Those rings of which every face has two neighbours or more in one of them."""
+    patterned = {face.id for _, ring in rings for face in ring}
+    touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
+    return [(count, ring) for count, ring in rings if all(face.id in touching for face in ring)]
+
+
+def _are_slots(brep: Brep, faces: Sequence[int], axis: Axis, depth: float) -> bool:
+    """Are the largest flanks planes in pairs that face each other in parallel, closer than they are deep?
+
+    Gaps between teeth widen outwards, or are as wide as they are deep and more.
+    """
+    flanks = [brep.faces[i] for i in faces if brep.faces[i].kind is not SurfaceKind.CYLINDER]
+    largest = max((face.area for face in flanks), default=0.0)
+    flanks = [face for face in flanks if face.area > MAIN_FLANK * largest]
+    planes = [
+        face for face in flanks if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, axis.direction)) < SQUARE
+    ]
+    return bool(flanks) and len(planes) == len(flanks) and all(_has_wall_across(face, planes, depth) for face in planes)
+
+
+def _has_wall_across(face: FaceRecord, planes: Sequence[FaceRecord], depth: float) -> bool:
+    """Is another plane right across from this one, parallel to it and nearer than `depth`?"""
+    for other in planes:
+        offset = sub(other.point, face.point)
+        gap = dot(offset, face.axis)
+        if dot(face.axis, other.axis) < SQUARE - 1 and 0 < gap < depth and dist(other.point, face.point) < 1.1 * gap:
+            return True
+    return False
+
+
+def _is_bottom(brep: Brep, face: FaceRecord, own: set[int]) -> bool:
+    """Do the others rise from this face, as the walls of a slot do from its floor?"""
+    return any(
+        edge.convexity is EdgeConvexity.CONCAVE and edge.kind is EdgeKind.LINE
+        for edge, other in brep.neighbours(face.id)
+        if other in own
+    )
+
+
 def _rings(faces: Sequence[FaceRecord], axis: Axis, tolerances: Tolerances) -> list[tuple[int, list[FaceRecord]]]:
     """Groups of alike faces that repeat around the axis, each with how often."""
     groups: dict[tuple[object, ...], list[FaceRecord]] = defaultdict(list)
     for face in faces:
         if axis.radius_of(face.point) > 10 * tolerances.length:
             groups[_signature(face, axis)].append(face)
-    periods = [(_period(group, axis), group) for group in groups.values() if len(group) >= MIN_TEETH]
+    alike = [group for group in groups.values() if len(group) >= MIN_TEETH]
+    periods = [(period([axis.angle_of(face.point) for face in group]), group) for group in alike]
     return [(count, group) for count, group in periods if count >= MIN_TEETH]
 
 
@@ -165,12 +219,12 @@ def _signature(face: FaceRecord, axis: Axis) -> tuple[object, ...]:
     """What stays the same when a face is turned about the axis; two digits, as converted files differ slightly."""
     radius = axis.radius_of(face.point)
     position = axis.position(face.point) / radius
-    return face.kind, f"{face.area / radius**2:.2g}", f"{radius:.3g}", round(position, 1), len(face.loops)
+    return face.kind, binned(face.area / radius**2, 2), binned(radius), round(position * OFF_ROUND, 1), len(face.loops)
 
 
-def _period(group: Sequence[FaceRecord], axis: Axis) -> int:
-    """How often does the group repeat in one turn? One or two faces a tooth, as its flanks are alike; 0: no order."""
-    angles = sorted(axis.angle_of(face.point) for face in group)
+def period(group: Sequence[float]) -> int:
+    """How often do these angles repeat in one turn? One or two a tooth, as its flanks are alike; 0: no order."""
+    angles = sorted(group)
     for per_tooth in (1, 2):
         count, rest = divmod(len(angles), per_tooth)
         pitch = 2 * math.pi / max(count, 1)

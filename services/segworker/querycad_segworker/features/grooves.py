@@ -10,6 +10,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 
+from .refusals import refuse
 from .stacks import Stack, radius_at, stacks, wall_range
 from .walls import Wall
 
@@ -89,9 +90,10 @@ def _piece(brep: Brep, stack: Stack, wall: Wall, outward: int) -> _Piece:
     low, high = wall_range(stack.axis, wall)
     at_low, at_high = (outward * radius_at(stack.axis, wall, end) for end in (False, True))
     bottom = min(at_low, at_high)
-    if wall.kind is SurfaceKind.TORUS:
+    if wall.kind is SurfaceKind.TORUS and wall.outward < 0:  # a convex one rounds an edge and has no throat
         face = brep.faces[wall.faces[0]]
-        bottom = min(bottom, outward * face.radius - face.minor_radius)
+        if low <= stack.axis.position(face.origin) <= high:
+            bottom = min(bottom, outward * face.radius - face.minor_radius)
     return _Piece(wall, low, high, at_low, at_high, bottom)
 
 
@@ -137,9 +139,12 @@ def _groove(
         rims[1] = pieces[j + 1].at_low if j < len(pieces) - 1 else -math.inf
     low, high = pieces[first].low, pieces[last].high
     depth = min(rims) - bottom
-    if depth <= MIN_DEPTH * abs(bottom) or high - low >= MAX_WIDTH * 2 * abs(bottom):
-        return None
     members = [piece.wall for piece in pieces[first : last + 1]]
+    if depth <= MIN_DEPTH * abs(bottom):
+        return None
+    if high - low >= MAX_WIDTH * 2 * abs(bottom):
+        refuse("groove", (f for w in members for f in w.faces), "it is wider than its diameter: a step between collars")
+        return None
     faces = {face for wall in members for face in wall.faces}
     faces |= {other for face in faces for _, other in brep.neighbours(face) if other in stack.shoulders}
     section, angle = _section(members)

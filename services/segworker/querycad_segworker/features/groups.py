@@ -9,12 +9,13 @@ from dataclasses import replace
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, unit
+from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit
 
 from .adjacency import ConcaveGraph
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .frames import frame_of, outline_of
-from .slot_sections import Pair, facing_pair, gap_between, undercut, v_slot, woodruff
+from .refusals import refuse
+from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
 from .tunnels import MORE_THAN_HALF, Tunnel, tunnel_of, upwards
 
 CHANNEL_SHARE = 0.5
@@ -111,8 +112,11 @@ def _open_on_floor(
     if along is not None and norm(along) == 0:
         return None
     frame = frame_of(graph.brep, group, floor.axis, None, along)
+    if any(_are_back_to_back(a, b) for i, a in enumerate(plane_walls) for b in plane_walls[i + 1 :]):
+        refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
+        return None
     kind = DepressionKind.STEP
-    if len(round_ends) > 1 and plane_walls:
+    if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):
         kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
     if not plane_walls:
         outline = "circular"
@@ -121,6 +125,14 @@ def _open_on_floor(
     else:
         outline = "rectangular" if _is_square(plane_walls) else "free"
     return depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
+
+
+def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
+    return dot(a.axis, b.axis) < -math.cos(DRAFT_RAD) and dot(sub(b.point, a.point), a.axis) < 0
+
+
+def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:
+    return any(other == b.id for _, other in brep.neighbours(a.id))
 
 
 def _between(
@@ -177,7 +189,7 @@ def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequenc
     normal = bottom.point_normal
     frame = frame_of(brep, group, normal, None, tunnel.axis)
     length, width, depth = frame.size
-    if length < width and depth >= ELONGATED * width:
+    if depth > length and depth >= ELONGATED * width:  # as of slots with flat ends
         frame = frame_of(brep, group, upwards(tunnel.axis), None, normal)
         slot = depression_in(DepressionKind.SLOT, "obround", frame, group, (), bottom.body, is_open=True)
         return replace(slot, tags=("through",), corner_radius=bottom.radius)
@@ -196,13 +208,16 @@ def _passage(brep: Brep, group: set[int], tunnel: Tunnel) -> Depression:
 def _is_walled_in(
     graph: ConcaveGraph, floor: FaceRecord, walls: Sequence[FaceRecord], group: set[int], others: Set[int]
 ) -> bool:
-    """Do faces of the group stand all around the floor, but for where other cuts break in?"""
+    """Do faces of the group, or round ones that bulge in, stand all around the floor, but where other cuts break in?"""
     if not floor.loops or not floor.loops[0].outer:
         return False
     closed, broken = 0, 0
     for e in floor.loops[0].edges:
         edge = graph.brep.edges[e]
-        if edge.convexity in (EdgeConvexity.CONCAVE, EdgeConvexity.SMOOTH) and set(edge.faces) <= group:
+        bulges = edge.convexity is EdgeConvexity.CONCAVE and all(
+            graph.brep.faces[f].outward > 0 for f in edge.faces if f not in group
+        )
+        if bulges or (edge.convexity is EdgeConvexity.SMOOTH and set(edge.faces) <= group):
             closed += 1
         elif all(other in others or other in graph.taken for other in edge.faces if other != floor.id):
             broken += 1
@@ -223,7 +238,7 @@ def _is_square(walls: Sequence[FaceRecord]) -> bool:
 
 
 def _wall_links(graph: ConcaveGraph, face: int, group: set[int]) -> set[int]:
-    """The faces of the group that stand on this one: planes, also over a fillet, and round walls with a sharp foot."""
+    """The faces of the group that stand on this one: planes, also over a fillet, and hollow walls with a sharp foot."""
     found: set[int] = set()
     pieces = graph.flush(face)
     for piece in pieces:
@@ -232,4 +247,5 @@ def _wall_links(graph: ConcaveGraph, face: int, group: set[int]) -> set[int]:
                 found |= {f for f in graph.concave[other] & group if f not in graph.blends and f != piece}
             else:
                 found.add(other)
-    return {f for f in found if graph.brep.faces[f].kind in (SurfaceKind.PLANE, SurfaceKind.CYLINDER)}
+    kinds = (SurfaceKind.PLANE, SurfaceKind.CYLINDER)
+    return {f for f in found if graph.brep.faces[f].kind in kinds and graph.brep.faces[f].outward <= 0}

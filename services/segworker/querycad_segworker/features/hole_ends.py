@@ -6,8 +6,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import dot, parallel, sub
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
+from querycad_segworker.vectors import dot, parallel, scale, sub, unit
 
 from .hole import Bottom
 from .stacks import Stack, radius_at, wall_range
@@ -92,6 +92,24 @@ class Bores:
             for wall in found
         )
 
+    def pierced(self, stack: Stack, high: bool) -> float | None:
+        """Where along its axis does the stack come through the wall of the bore it ends in? None: past its side."""
+        beyond = stack.high_faces if high else stack.low_faces
+        wall = next((self._wall_of[face] for face in beyond if face in self._wall_of), None)
+        if wall is None or wall.kind is not SurfaceKind.CYLINDER:
+            return None
+        along, out = wall.axis.direction, stack.axis.direction
+        across = sub(out, scale(along, dot(out, along)))
+        start = sub(stack.axis.origin, wall.axis.origin)
+        start = sub(start, scale(along, dot(start, along)))
+        # |start + t across| = radius
+        a, b, c = dot(across, across), dot(start, across), dot(start, start) - wall.radius**2
+        root = b * b - a * c
+        if root < 0 or a <= 0:
+            return None
+        # The bore's axis lies at -b / a: the stack comes from below it where it ends high, else from above.
+        return (-b - math.sqrt(root)) / a if high else (-b + math.sqrt(root)) / a
+
     def _is_inside_of_tube(self, bore: Wall, axis: Axis) -> bool:
         return 2 * bore.radius > WALL_SHARE * self._extent(bore.body, axis.direction)
 
@@ -132,6 +150,26 @@ def is_floor(brep: Brep, face_id: int, axis: Axis, radius: float) -> bool:
     (x0, y0, z0), (x1, y1, z1) = brep.faces[face_id].box
     corners = [(x, y, z) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
     return max(axis.radius_of(c) for c in corners) <= 1.8 * radius
+
+
+def flats_of(brep: Brep, stack: Stack) -> tuple[int, ...]:
+    """Which flats does a D-shaped bore have? Planes along the axis whose long edges both lie in its wall."""
+    own = {face for wall in stack.walls for face in wall.faces}
+    found = []
+    for face_id in sorted({other for face in own for _, other in brep.neighbours(face)} - own):
+        face = brep.faces[face_id]
+        if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, stack.axis.direction)) > 1e-2:
+            continue
+        along = [
+            (edge, other)
+            for edge, other in brep.neighbours(face_id)
+            if edge.kind is EdgeKind.LINE
+            and parallel(unit(sub(edge.end, edge.start)), stack.axis.direction, 1e-2)
+            and edge.convexity is EdgeConvexity.CONCAVE
+        ]
+        if len(along) == 2 and all(other in own for _, other in along):
+            found.append(face_id)
+    return tuple(found)
 
 
 def core_radius(brep: Brep, floor: Sequence[int], axis: Axis, end: float, depth: float) -> float | None:

@@ -16,6 +16,10 @@ CHAMFER_RATIO = 1.5
 """A cone at the mouth this much wider than its bore is a countersink, a narrower one a chamfer: heads of countersunk
 screws are about twice as wide as their shank (ISO 10642), edge-breaking chamfers of bores at most some 10 to 30 %."""
 
+COUNTERBORE_RATIO = 1.3
+"""A counterbore for a head is at least this many times as wide as its bore, about 1.7 to 2 times in DIN 974-1; narrower
+steps are seats, of bearings, seals or lenses."""
+
 SPOTFACE_RATIO = 0.25
 """A counterbore shallower than this share of its diameter only faces the surface: a screw head (ISO 4762) sinks in by
 more than half of its diameter, the lowest cylinder heads (DIN 7984) by a third."""
@@ -49,8 +53,16 @@ def sections_of(
             stepped = (i < bores[0] or from_far) and all(w.radius > wall.radius - near for w in outside)
             kind = SectionKind.BORE if not stepped or wall.radius <= narrow + near else SectionKind.COUNTERBORE
             inside = inwards[i - 1] if from_far else inwards[min(i + 1, len(inwards) - 1)]
+            deeper = (
+                (inwards[j] for j in reversed(cylinders) if j < i)
+                if from_far
+                else (inwards[j] for j in cylinders if j > i)
+            )
+            below = next(deeper, wall)
             if kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
                 kind = SectionKind.SPOTFACE
+            elif kind is SectionKind.COUNTERBORE and wall.radius < COUNTERBORE_RATIO * below.radius:
+                kind = SectionKind.BORE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
             kind = SectionKind.COUNTERSINK if radius >= CHAMFER_RATIO * end_radius else SectionKind.CHAMFER
         else:
@@ -97,7 +109,7 @@ def tags_of(sections: Sequence[Section], steps: Sequence[float]) -> tuple[str, .
     if all(section.radius != section.end_radius for section in sections):
         tags.append("conical")
     if len(steps) > 1:
-        tags.extend(("stepped", "counterbored") if steps[0] > steps[1] else ("stepped",))
+        tags.extend(("stepped", "counterbored") if SectionKind.COUNTERBORE in kinds else ("stepped",))
     if SectionKind.COUNTERSINK in kinds:
         tags.extend(("countersunk", "beveled"))
     if SectionKind.CHAMFER in kinds:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from querycad_contracts import SurfaceKind
@@ -11,10 +12,28 @@ from querycad_segworker.vectors import scale
 
 from .forks import IsClear, united_through_walls
 from .hole import Bottom, Hole, SectionKind
-from .hole_ends import Bores, bottom_of, core_radius, drill_point, is_floor, mouth_rounding, oblique_mouth, opens_high
+from .hole_ends import (
+    Bores,
+    bottom_of,
+    core_radius,
+    drill_point,
+    flats_of,
+    is_floor,
+    mouth_rounding,
+    oblique_mouth,
+    opens_high,
+)
 from .hole_sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
+from .refusals import refuse
 from .stacks import End, Stack, radius_at, stacks, wall_range
 from .walls import Wall
+from .windows import recognise_windows
+
+RECESS_RATIO = 0.25
+"""Shallower than this share of its diameter, a blind round recess by itself is a pocket; drilled and bored holes are
+deeper."""
+QUARTER_RAD = math.radians(100.0)
+"""A concave cylinder over less than this is a rounded corner, and nobody takes it for a hole."""
 
 
 def recognise_holes(
@@ -27,15 +46,38 @@ def recognise_holes(
     """
     found = []
     bores = Bores(brep, walls)
+    keyholes = {face for window in recognise_windows(brep, tolerances) for face in window.faces}
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
+        if keyholes.issuperset(_faces_of(stack)):
+            refuse("hole", _faces_of(stack), "it is the wide end of a keyhole")
+            continue
         if all(wall.kind is SurfaceKind.TORUS for wall in stack.walls):
+            refuse("hole", _faces_of(stack), "a hollow torus alone has no straight wall")
             continue
         if stack.low_end is End.CLOSED and stack.high_end is End.CLOSED:
+            refuse("hole", _faces_of(stack), "both of its ends are closed")
             continue
-        found.append(_hole(brep, stack, bores, tolerances))
+        hole = _hole(brep, stack, bores, tolerances)
+        if _is_recess(hole):
+            refuse("hole", hole.faces, "it is shallow against its width: a round pocket")
+            continue
+        found.append(hole)
+    for wall in walls:
+        if wall.kind is SurfaceKind.CYLINDER and wall.outward < 0 and not wall.encloses and wall.sweep > QUARTER_RAD:
+            refuse("hole", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
     if is_clear is not None:
         found = united_through_walls(found, tolerances, is_clear)
     return sorted(found, key=lambda hole: hole.faces[0])
+
+
+def _is_recess(hole: Hole) -> bool:
+    """Is it a shallow round pocket with a flat floor, and nothing else on its axis?"""
+    alone = len(hole.sections) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
+    return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
+
+
+def _faces_of(stack: Stack) -> list[int]:
+    return [face for wall in stack.walls for face in wall.faces]
 
 
 def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hole:
@@ -51,6 +93,9 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     far = mouth_rounding(brep, stack, not high) if open_both else None
     point = drill_point(stack, high)
     top, end = _ends(brep, stack, high, open_both, [w for w in inwards if w is not point] or inwards)
+    pierced = bores.pierced(stack, not high) if (inside_low if high else inside_high) else None
+    if pierced is not None:
+        end = pierced
     if mouth is not None:
         top = (max if high else min)(top, mouth[1])
     if far is not None:
@@ -72,6 +117,8 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     faces = {face for w in stack.walls for face in w.faces} | set(stack.shoulders)
     faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
     faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}
+    flats = flats_of(brep, stack)
+    faces.update(flats)
     crosses = (inside_low if high else inside_high) or (inside_low and inside_high)
     bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
     oblique = oblique_mouth(brep, stack, high) is not None
@@ -89,7 +136,8 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         + tags_of(sections, steps)
         + (("threaded",) if threaded else ())
         + (("rounded",) if mouth is not None else ())
-        + (("oblique",) if oblique else ()),
+        + (("oblique",) if oblique else ())
+        + (("d_shaped",) if flats else ()),
         faces=tuple(sorted(faces)),
         body=stack.walls[0].body,
         sections=sections,

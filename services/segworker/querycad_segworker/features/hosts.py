@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dist, dot, foot, norm, parallel, sub
+from querycad_segworker.vectors import cross, dist, dot, foot, line_distance, norm, parallel, sub
 
 from .depression import ELONGATED, Depression, DepressionKind
 
@@ -73,11 +73,18 @@ def _host(brep: Brep, found: Depression) -> FaceRecord | None:
 
 
 def _round_axis(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:
-    """The largest outer cylinder of a body that is mostly round about it."""
+    """The widest outer cylinder on the axis of the largest one, of a body that is mostly round about it."""
     outer = [brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER and brep.faces[f].outward > 0]
     if not outer:
         return None
     largest = max(outer, key=lambda face: face.area)
+    near = SAME_LINE * largest.radius
+    coaxial = [
+        face
+        for face in outer
+        if parallel(face.axis, largest.axis, 1e-2) and line_distance(face.origin, largest.origin, largest.axis) < near
+    ]
+    widest = max(coaxial, key=lambda face: face.radius)
     # In the plane across the axis no other face reaches beyond: the corners of the box do by the square root of two.
-    reach = max(norm(cross(sub(brep.faces[f].point, largest.origin), largest.axis)) for f in faces)
-    return largest if reach <= largest.radius * math.sqrt(1.1) else None
+    reach = max(norm(cross(sub(brep.faces[f].point, widest.origin), widest.axis)) for f in faces)
+    return widest if reach <= widest.radius * math.sqrt(1.1) else None

@@ -9,29 +9,45 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.vectors import ORIGIN, dot, foot
+from querycad_segworker.topology import Brep, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import ORIGIN, binned, dot, foot, parallel, sub, unit
 
-from .axes import SWEEP, Wall
+from .axes import SWEEP, Axis, Wall
 
 MAX_PIECES = 12
 """More pieces than this are the tips of teeth."""
+NOTCHED = math.radians(90.0)
+"""Pieces that cover a quarter of the circle together are a round part with notches; less are separate arms or teeth."""
+WIDEST_NOTCH = math.radians(160.0)
+"""A wider gap leaves a part that no longer fills a ring put around it."""
+STEEP = math.cos(math.radians(45.0))
+"""The walls of a notch meet the rim more steeply than flats and the sides of a polygon do."""
 OVERLAP = 0.5
 """Pieces of one cylinder lie beside each other: they share this part of the shorter one's length."""
 
 
-def with_interrupted(walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall]:
-    """The same walls, where the pieces of one outer cylinder are one wall when together they enclose it."""
+def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall]:
+    """The same walls, where the pieces of one outer cylinder are one wall when together they enclose it.
+
+    They do when they cover more than half of the circle, or what is left of a rim that notches interrupt.
+    """
     buckets: dict[tuple[int, str], list[int]] = defaultdict(list)
     for i, wall in enumerate(walls):
         if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and not wall.encloses:
-            buckets[(wall.body, f"{wall.radius:.3g}")].append(i)
+            buckets[(wall.body, binned(wall.radius))].append(i)
     merged: dict[int, Wall] = {}
     gone: set[int] = set()
     for indices in buckets.values():
         for group in _by_line(walls, indices, tolerances):
             pieces = [walls[i] for i in group]
-            if 1 < len(pieces) <= MAX_PIECES and sum(piece.sweep for piece in pieces) > math.radians(200):
-                merged[min(group)] = _one(pieces)
+            if not 1 < len(pieces) <= MAX_PIECES:
+                continue
+            covered = sum(piece.sweep for piece in pieces)
+            if covered > math.radians(200):
+                merged[min(group)] = _one(pieces, covered)
+                gone.update(group)
+            elif covered > NOTCHED and _is_notched(brep, pieces):
+                merged[min(group)] = _one(pieces, 2 * math.pi)
                 gone.update(group)
     return [merged.get(i, wall) for i, wall in enumerate(walls) if i in merged or i not in gone]
 
@@ -63,13 +79,42 @@ def _beside(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
     return min(high, a.high) - max(low, a.low) > OVERLAP * min(a.height, b.height)
 
 
-def _one(pieces: Sequence[Wall]) -> Wall:
+def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:
+    """Are all gaps between the pieces narrow, with walls that meet the rim steeply?"""
+    axis = pieces[0].axis
+    own = {face for piece in pieces for face in piece.faces}
+    ends = [
+        (edge, brep.faces[other])
+        for face in own
+        for edge, other in brep.neighbours(face)
+        if other not in own and parallel(unit(sub(edge.end, edge.start)), axis.direction, 1e-3)
+    ]
+    angles = sorted(axis.angle_of(edge.mid) for edge, _ in ends)
+    gaps = [b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * math.pi], strict=True)] if angles else []
+    return bool(ends) and max(gaps) < WIDEST_NOTCH and all(_is_steep(axis, edge, face) for edge, face in ends)
+
+
+def _is_steep(axis: Axis, edge: EdgeRecord, face: FaceRecord) -> bool:
+    """Does a face leave a rim around the axis, at this edge, rather towards the axis than along the rim?"""
+    out = unit(sub(edge.mid, axis.at(axis.position(edge.mid))))
+    if face.kind is SurfaceKind.PLANE:
+        normal = face.axis
+    elif face.kind is SurfaceKind.CYLINDER:
+        around = Axis(face.origin, face.axis)
+        normal = unit(sub(edge.mid, around.at(around.position(edge.mid))))
+    else:
+        normal = face.point_normal
+    return abs(dot(normal, out)) < STEEP
+
+
+def _one(pieces: Sequence[Wall], sweep: float) -> Wall:
+    """`sweep`: what they enclose together, notches between them included."""
     first = pieces[0]
     ends = [first.axis.position(p.axis.at(end)) for p in pieces for end in (p.low, p.high)]
     return replace(
         first,
         low=min(ends),
         high=max(ends),
-        sweep=min(sum(piece.sweep for piece in pieces), 2 * math.pi),
+        sweep=min(sweep, 2 * math.pi),
         faces=tuple(sorted(face for piece in pieces for face in piece.faces)),
     )

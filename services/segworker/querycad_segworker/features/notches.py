@@ -13,6 +13,7 @@ from querycad_segworker.vectors import dot, parallel, sub, unit
 
 from .depression import Depression, DepressionKind, depression_in
 from .frames import frame_of
+from .refusals import refuse
 from .walls import Wall
 
 SWEEP_RAD = (math.radians(45.0), math.radians(275.0))
@@ -36,10 +37,14 @@ def recognise_round_notches(
             or not used.isdisjoint(wall.faces)
         ):
             continue
-        if not SWEEP_RAD[0] <= wall.sweep <= SWEEP_RAD[1]:
-            continue
         sides = _beside(brep, wall)
-        if sides is None or not all(_are_level(sides[0], side, 10 * tolerances.length) for side in sides[1:]):
+        if sides is None:
+            continue
+        if not SWEEP_RAD[0] <= wall.sweep <= SWEEP_RAD[1]:
+            refuse("notch", wall.faces, f"it turns by {math.degrees(wall.sweep):.0f} degrees")
+            continue
+        if not all(_are_level(sides[0], side, 10 * tolerances.length) for side in sides[1:]):
+            refuse("notch", wall.faces, "the faces on both sides of it are not level")
             continue
         frame = frame_of(brep, set(wall.faces), sides[0].axis, None, wall.axis.direction)
         length, width, _ = frame.size

@@ -10,7 +10,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from querycad_contracts import Part, Vector
-from querycad_segworker.vectors import cross, dist, dot, mean, norm, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import binned, cross, dist, dot, line_key, mean, norm, perpendicular, sub, unit
+
+from .refusals import refuse
 
 MIN_MEMBERS = 3
 """Two like holes are a pair; three in a line or on a circle around a feature are laid out."""
@@ -64,7 +66,12 @@ def recognise_patterns(parts: Sequence[Part], bodies: Sequence[int], centers: Se
     for indices in groups.values():
         for level in _levels(parts, indices):
             if len(level) >= MIN_MEMBERS:
-                found.extend(_of_level(parts, level, axes))
+                laid_out = _of_level(parts, level, axes)
+                found.extend(laid_out)
+                rest = set(level).difference(*(pattern.members for pattern in laid_out))
+                if len(rest) >= MIN_MEMBERS:
+                    faces = (face for i in rest for face in parts[i].faces)
+                    refuse("pattern", faces, f"{len(rest)} alike, but neither at equal angles nor in a row or grid")
     return sorted(found, key=lambda pattern: pattern.members)
 
 
@@ -72,14 +79,13 @@ def _key(part: Part) -> tuple[object, ...] | None:
     """What like members share: kind, sizes to a thousandth, direction whichever way it is written."""
     if part.normal is None or not (size := part.diameter or part.width):
         return None
-    normal = max(part.normal, scale(part.normal, -1.0))
     length = part.depth or part.height or 0.0
     return (
         part.kind,
-        f"{size:.3g}",
-        f"{max(part.width or 0.0, part.length or 0.0):.3g}",
-        f"{length:.3g}",
-        *(round(c, 2) + 0.0 for c in normal),
+        binned(size),
+        binned(max(part.width or 0.0, part.length or 0.0)),
+        binned(length),
+        line_key(part.normal),
     )
 
 
@@ -141,7 +147,7 @@ class _Axes:
 
     @staticmethod
     def _key(direction: Vector) -> tuple[float, ...]:
-        return tuple(round(c, 2) + 0.0 for c in max(direction, scale(direction, -1.0)))
+        return line_key(direction)
 
     def along(self, direction: Vector) -> list[Vector]:
         """Through which points do axes of this direction run?"""
@@ -160,7 +166,7 @@ def _circles(points: dict[int, Vector], normal: Vector, centers: Sequence[Vector
         rings: dict[str, list[int]] = defaultdict(list)
         for i, (a, b) in flat.items():
             if (distance := math.hypot(a - u, b - v)) > 0.0:
-                rings[f"{distance:.3g}"].append(i)
+                rings[binned(distance)].append(i)
         for ring in rings.values():
             pitch = _equal_angles([math.atan2(flat[i][1] - v, flat[i][0] - u) for i in ring])
             if len(ring) < needed or pitch is None:

@@ -4,14 +4,31 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, scale, sub, unit
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import (
+    add,
+    box_center,
+    box_extents,
+    box_of,
+    cross,
+    dot,
+    mean,
+    norm,
+    parallel,
+    scale,
+    sub,
+    unit,
+)
 
 from .adjacency import is_blend
-from .frames import frame_of
+from .bosses import ALIKE
+from .frames import edge_points, frame_of_edges
+from .parts import faces_box
+from .refusals import refuse
 
 MAX_SIDES = 12
 """More sides than this are a faceted circle."""
@@ -29,14 +46,18 @@ class Prism:
     width: float
     height: float
     center: Vector
+    """Of its box along the axes of the file, which has `extents`."""
+    extents: Vector
     tip: Vector
     faces: tuple[int, ...]
     body: int
+    name: str | None = None
+    """Of an outline that has other than plane sides."""
 
     @property
     def outline(self) -> str:
         """What is its cross-section called?"""
-        return NAMES.get(self.sides, "polygonal")
+        return self.name or NAMES.get(self.sides, "polygonal")
 
 
 def recognise_prisms(brep: Brep) -> list[Prism]:
@@ -54,7 +75,13 @@ def recognise_prisms(brep: Brep) -> list[Prism]:
                 continue
             ring = _component(links, start)
             seen |= ring
-            if 3 <= len(ring) <= MAX_SIDES and all(len(links[face]) == 2 for face in ring):
+            if len(ring) < 3 or not all(len(links[face]) == 2 for face in ring):
+                continue
+            if not _faces_out(brep, ring, direction):
+                refuse("prism", ring, "its sides face each other: the walls of a cut")
+            elif len(ring) > MAX_SIDES:
+                refuse("prism", ring, f"its {len(ring)} sides are those of a faceted circle")
+            else:
                 found.append(_prism(brep, ring, direction))
     kept: list[Prism] = []
     for prism in sorted(found, key=lambda p: (p.height, p.faces)):
@@ -102,12 +129,43 @@ def _component(links: dict[int, set[int]], start: int) -> set[int]:
     return group
 
 
+def _faces_out(brep: Brep, ring: set[int], direction: Vector) -> bool:
+    """Do all sides look away from the middle between them?"""
+    corners = _corners(brep, ring, direction)
+    middle = mean([edge.mid for edge in corners])
+    return all(dot(sub(brep.faces[side].point, middle), brep.faces[side].axis) > 0 for side in ring)
+
+
+def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
+    """The edges along the prism in which its sides meet each other, or the roundings between them."""
+    return [
+        edge
+        for side in sorted(ring)
+        for edge, other in brep.neighbours(side)
+        if (other in ring or (brep.faces[other].outward > 0 and is_blend(brep, brep.faces[other])))
+        and edge.kind is EdgeKind.LINE
+        and parallel(unit(sub(edge.end, edge.start)), direction, 1e-3)
+    ]
+
+
 def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
+    """The prism with these sides.
+
+    Of a side that runs on past its corners, level with what the prism stands on, only what lies between them is the
+    prism's.
+    """
     axis = _upwards(direction)
     breaks = _edge_breaks(brep, ring, axis)
     caps = _caps(brep, ring | breaks, axis)
-    frame = frame_of(brep, ring | breaks, axis, None)
+    corners = _corners(brep, ring, direction)
+    whole = {side for side in ring if not _runs_on(brep, side, corners, axis)}
+    edges = {edge.id for edge in corners} | {e for face in whole | breaks for e in brep.face_edges[face]}
+    frame = frame_of_edges(brep, edges, axis, None)
     length, width, height = frame.size
+    own = ring | breaks | caps
+    box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in edge_points(brep, e))
+    assert box is not None  # a ring has corners
+    center = box_center(box)
     return Prism(
         sides=len(ring),
         normal=axis,
@@ -115,11 +173,20 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
         length=length,
         width=width,
         height=height,
-        center=frame.point(0.5, 0.5, 0.5),
-        tip=frame.point(0.5, 0.5, 1.0),
-        faces=tuple(sorted(ring | breaks | caps)),
+        center=center,
+        extents=box_extents(box),
+        tip=add(center, scale(axis, dot(sub(frame.point(0.5, 0.5, 1.0), center), axis))),
+        faces=tuple(sorted(own)),
         body=brep.faces[min(ring)].body,
     )
+
+
+def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:
+    """Does a side reach further across than the corners at its two ends?"""
+    across = cross(axis, brep.faces[side].axis)
+    ends = [dot(p, across) for edge in corners if side in edge.faces for p in (edge.start, edge.end)]
+    reach = [dot(p, across) for e in brep.face_edges[side] for p in edge_points(brep, e)]
+    return max(reach) - min(reach) > ALIKE * (max(ends) - min(ends))
 
 
 def _upwards(direction: Vector) -> Vector:

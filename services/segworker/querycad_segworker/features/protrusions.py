@@ -9,7 +9,9 @@ from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
 
+from .bosses import ALIKE
 from .frames import frame_of, outline_of
+from .refusals import refuse
 
 RIB_RATIO = 3.0
 """A protrusion this much longer than thick is a rib, fin or wall."""
@@ -46,7 +48,11 @@ def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: 
                 continue
             group = _beyond(brep, face, loop)
             walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
-            if group and not walls <= set(round_faces) and _is_minor(brep, face, group):
+            if not group or walls <= set(round_faces):
+                continue
+            if not _is_minor(brep, face, group):
+                refuse("protrusion", group, "it is more than half of its body: the rest stands on it")
+            else:
                 found.append(_protrusion(brep, face, loop, group, tolerances))
     return sorted(found, key=lambda p: p.faces[0])
 
@@ -93,7 +99,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
     tags = []
     if length > RIB_RATIO * width:
         tags.append("rib")
-    if height > max(length, width):
+    if height > ALIKE * max(length, width):
         tags.append("slender")
     elif height < 0.5 * width:
         tags.append("flat")

@@ -7,37 +7,45 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from querycad_contracts import Face, Part, Shape, SurfaceKind
+from querycad_contracts import Face, Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import BodyRecord, Brep
 from querycad_segworker.vectors import box_center, box_extents, dist
 
+from .bearings import recognise_bearings
 from .blends import recognise_blends
-from .block_parts import gear_part, prism_part, protrusion_part, tooth_parts
-from .bodies import body, body_part, model_part
+from .block_parts import gear_part, knurl_part, prism_part, protrusion_part, tooth_parts
+from .bodies import bearing_part, body, body_part, model_part, with_bearing_roles
 from .bosses import Boss, recognise_bosses
 from .clevises import recognise_clevises
+from .depression import Depression
 from .depression_parts import blend_part, depression_part, turned_groove_part
 from .depressions import recognise_depressions
 from .dimples import recognise_dimples
 from .forks import IsClear
-from .gears import recognise_gears
-from .grooves import recognise_turned_grooves
+from .gears import Gear, recognise_gears
+from .grooves import TurnedGroove, recognise_turned_grooves
 from .hole import Hole
 from .hole_parts import dimple_part, hole_part, hole_section_parts, pattern_part
 from .holes import recognise_holes
+from .knurls import recognise_knurls
 from .parts import rib_part
 from .patterns import recognise_patterns
+from .plates import recognise_plates, with_plate_thickness, without_edgewise
 from .prisms import recognise_prisms
 from .protrusions import recognise_protrusions
+from .refusals import gathering, left_refused, refuse
 from .relations import with_relations
-from .ribs import fins, recognise_ribs
+from .ribs import fins, recognise_lugs, recognise_ribs
 from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, surface_parts
+from .turned_bodies import tips_of, turned_body, with_free_tips
+from .united import united
 from .volumes import Volumes
 from .walls import walls
 
 T = TypeVar("T")
+R = TypeVar("R", Boss, Hole, Gear)
 PATTERNED = frozenset(("hole", "cutout", "pocket", "slot", "dimple"))
 """Kinds that are laid out in patterns."""
 
@@ -48,6 +56,8 @@ class Recognised:
 
     shape: Shape
     parts: tuple[Part, ...]
+    refused: tuple[Refusal, ...] = ()
+    """What looked like a part, and why it is none."""
 
 
 def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, mesh: Mesh | None = None) -> Recognised:
@@ -56,26 +66,50 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, m
     Without the `mesh`, depressions with curved floors have no volume.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
+    shape = _shape(brep, thickness_m)
+    whole = united(brep, tolerances)
+    with gathering() as refused:
+        if whole is None:
+            parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh))
+        else:
+            volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
+            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes)
+    left = left_refused(refused, parts)
+    if whole is not None:
+        parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
+        left = tuple(one.model_copy(update={"faces": whole.faces_of_file(one.faces)}) for one in left)
+    return Recognised(shape, tuple(parts), left)
+
+
+def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, volumes: Volumes) -> list[Part]:
+    """All parts, made of faces of `brep`."""
     found_walls = walls(brep, tolerances)
     holes = recognise_holes(brep, found_walls, tolerances, is_clear)
-    bosses = recognise_bosses(brep, found_walls, holes, tolerances)
+    model_m = dist(*brep.box)
+    bosses = with_free_tips(recognise_bosses(brep, found_walls, holes, tolerances), is_clear, model_m)
     hole_parts = _numbered(holes, lambda hole, n: hole_part(brep, hole, n))
     round_faces = {face for hole in holes for face in hole.faces} | {face for boss in bosses for face in boss.faces}
     hole_faces = {face for hole in holes for face in hole.faces}
     blends = recognise_blends(brep, round_faces, tolerances)
     blend_faces = {face for blend in blends for face in blend.faces}
     ribs = recognise_ribs(brep, tolerances)
-    gears = recognise_gears(brep, found_walls, tolerances)
+    knurls = recognise_knurls(brep, found_walls, tolerances)
+    pointed = {face for knurl in knurls for face in knurl.faces}
+    gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
     fin_indices = fins(ribs, tolerances)
     depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
-    depressions += recognise_clevises(brep, ribs, depressions, is_clear)
-    volumes = Volumes(brep, mesh)
-    # Gaps between teeth and turns of a thread are no slots and grooves of their own.
-    toothed = [frozenset(gear.faces) for gear in gears]
-    depressions = [found for found in depressions if not any(faces.issuperset(found.faces) for faces in toothed)]
+    depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
+    # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
+    toothed = [*(frozenset(gear.faces) for gear in gears), *(frozenset(knurl.faces) for knurl in knurls)]
+    blends = [found for found in blends if not pointed.issuperset(found.faces)]
+    depressions = _outside("slot", depressions, toothed, "it is the gap between two teeth")
     threads = [frozenset(hole.faces) for hole in holes if "threaded" in hole.tags]
     grooves = recognise_turned_grooves(brep, found_walls, tolerances)
-    grooves = [found for found in grooves if not any(faces.issuperset(found.faces) for faces in threads)]
+    grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
+    prisms = recognise_prisms(brep)
+    plates = recognise_plates(brep, prisms, ribs, tolerances)
+    prisms = [*without_edgewise(prisms, plates), *plates]
+    sections = [section for hole in holes for section in hole.sections] + [b for boss in bosses for b in boss.breaks]
     parts = [
         *hole_parts,
         *(part for n, hole in enumerate(holes, start=1) for part in hole_section_parts(brep, hole, n)),
@@ -85,7 +119,7 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, m
         *_numbered(grooves, lambda found, n: turned_groove_part(brep, found, n)),
         *_numbered(depressions, lambda found, n: depression_part(brep, found, n, volumes)),
         *_numbered(recognise_protrusions(brep, round_faces, tolerances), lambda p, n: protrusion_part(brep, p, n)),
-        *_numbered(recognise_prisms(brep), lambda prism, n: prism_part(brep, prism, n)),
+        *_numbered(prisms, lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
         *_numbered(
@@ -100,27 +134,60 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, m
             ],
             lambda wall, n: arc_part(brep, wall, n),
         ),
-        *surface_parts(brep, found_walls),
+        *surface_parts(brep, found_walls, sections),
         *_numbered(gears, lambda gear, n: gear_part(brep, gear, n)),
+        *_numbered(knurls, lambda knurl, n: knurl_part(brep, knurl, n)),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
-        *_bodies(brep, bosses, holes, tolerances),
     ]
-    shape = _shape(brep, thickness_m)
-    parts.append(model_part(brep, shape))
+    bearings = recognise_bearings(brep, tolerances)
+    bodies = with_bearing_roles(_bodies(brep, bosses, holes, gears, tolerances, is_clear), bearings)
+    bodies = with_plate_thickness(bodies, prisms, brep)
+    if len(bodies) == 1 and bodies[0].thickness is None:  # the material of the model is that of its only body
+        bodies = [bodies[0].model_copy(update={"thickness": shape.thickness})]
+    parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
+    parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
-    return Recognised(shape, tuple(with_relations(parts, shape, brep)))
+    return with_relations(parts, shape, brep)
 
 
-def _bodies(brep: Brep, bosses: Sequence[Boss], holes: Sequence[Hole], tolerances: Tolerances) -> list[Part]:
-    own_bosses: dict[int, list[Boss]] = defaultdict(list)
-    own_holes: dict[int, list[Hole]] = defaultdict(list)
-    for boss in bosses:
-        own_bosses[boss.body].append(boss)
-    for hole in holes:
-        own_holes[hole.body].append(hole)
-    return _numbered(
-        brep.bodies, lambda body, n: body_part(brep, body, n, tolerances, own_bosses[body.id], own_holes[body.id])
-    )
+D = TypeVar("D", Depression, TurnedGroove)
+
+
+def _outside(kind: str, found: Sequence[D], larger: Sequence[frozenset[int]], reason: str) -> list[D]:
+    """Those that are not made of the faces of something larger; `reason`: why the others are not parts of their own."""
+    kept = []
+    for record in found:
+        if any(faces.issuperset(record.faces) for faces in larger):
+            refuse(kind, record.faces, reason)
+        else:
+            kept.append(record)
+    return kept
+
+
+def _bodies(
+    brep: Brep,
+    bosses: Sequence[Boss],
+    holes: Sequence[Hole],
+    gears: Sequence[Gear],
+    tolerances: Tolerances,
+    is_clear: IsClear,
+) -> list[Part]:
+    own_bosses, own_holes, own_gears = _by_body(bosses), _by_body(holes), _by_body(gears)
+    model_m = dist(*brep.box)
+
+    def make(record: BodyRecord, number: int) -> Part:
+        turned = turned_body(brep, record, own_bosses[record.id], own_holes[record.id], own_gears[record.id])
+        tips = tips_of(turned, is_clear, model_m) if turned is not None and turned.slender else ()
+        return body_part(brep, record, number, tolerances, turned, tips)
+
+    return _numbered(brep.bodies, make)
+
+
+def _by_body(records: Sequence[R]) -> dict[int, list[R]]:
+    own: dict[int, list[R]] = defaultdict(list)
+    for record in records:
+        own[record.body].append(record)
+    return own
 
 
 def _patterns(brep: Brep, parts: Sequence[Part]) -> list[Part]:

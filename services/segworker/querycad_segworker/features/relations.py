@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import Part, Shape
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import line_distance
+from querycad_segworker.vectors import OFF_ROUND, line_distance, line_key
 
 from .carrying import carried
 from .fasteners import fasteners
@@ -38,13 +38,14 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
     fastened = fasteners(parts, brep)
     structural = [part for part in parts if part.id not in fastened]
-    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), fastened, _legs(structural, shape)):
+    held = {part_id: found.tags for part_id, found in fastened.items()}
+    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape)):
         for part_id, names in found.items():
             tags[part_id].extend(names)
     carried_by = carried(parts, brep)
     result = []
     for part in parts:
-        update: dict[str, object] = {}
+        update: dict[str, object] = dict(fastened[part.id].measures) if part.id in fastened else {}
         if len(tags[part.id]) > len(part.tags):
             update["tags"] = tuple(dict.fromkeys(tags[part.id]))
         if part.id in carried_by:
@@ -148,5 +149,4 @@ def _size_key(part: Part, shape: Shape) -> tuple[object, ...]:
     assert part.axis is not None
     assert part.radius is not None
     step = 1e-4 * max(shape.extents)
-    sign = 1.0 if part.axis > tuple(-c for c in part.axis) else -1.0
-    return (round(part.radius / step), *(round(sign * c, 2) + 0.0 for c in part.axis))
+    return round(part.radius * OFF_ROUND / step), line_key(part.axis)

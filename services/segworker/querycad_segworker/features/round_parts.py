@@ -8,13 +8,16 @@ from collections.abc import Sequence
 
 from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import box_center, box_extents, mid
+from querycad_segworker.vectors import OFF_ROUND, binned, box_center, box_extents, mid
 
 from .bosses import Boss
+from .hole import Section, SectionKind
 from .hole_parts import section_part
 from .parts import faces_area, faces_box, geometry, millimetres
 from .walls import Wall
 
+CONE_ROLES = (SectionKind.DRILL_POINT, SectionKind.CHAMFER)
+"""What a cone is named by before it is named a cone."""
 SPHERE_SHARE = 0.2
 """Less than this share of a whole sphere is the rounded corner of a block (an eighth) or a slight crown."""
 
@@ -47,6 +50,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         length=boss.height if axial else max(boss.height, 2 * boss.radius),
         thickness=boss.height if flat else wall,
         tip=boss.tip,
+        tips=boss.tips or (boss.tip,),
         pitch=boss.pitch,
         local_size=(2 * boss.radius, 2 * boss.radius, boss.height),
         area=faces_area(brep, boss.faces),
@@ -86,18 +90,22 @@ def _break_id(number: int, i: int) -> str:
     return f"chamfer-b{number}.{i}"
 
 
-def surface_parts(brep: Brep, walls: Sequence[Wall]) -> list[Part]:
-    """The cones, spheres and tori of the model as such, inner and outer, whatever features they belong to."""
+def surface_parts(brep: Brep, walls: Sequence[Wall], sections: Sequence[Section] = ()) -> list[Part]:
+    """The cones, spheres and tori of the model as such, inner and outer, whatever features they belong to.
+
+    `sections`: those of holes and bosses; cones that are their drill points and chamfers say so by a tag.
+    """
+    roles = {face: section.kind.value for section in sections for face in section.faces if section.kind in CONE_ROLES}
     cones = [wall for wall in walls if wall.kind is SurfaceKind.CONE and wall.encloses]
     tori = [wall for wall in walls if wall.kind is SurfaceKind.TORUS and wall.sweep > math.radians(350.0)]
     return [
-        *(_revolved_part(brep, wall, "cone", n) for n, wall in enumerate(cones, start=1)),
+        *(_revolved_part(brep, wall, "cone", n, roles.get(wall.faces[0])) for n, wall in enumerate(cones, start=1)),
         *(_revolved_part(brep, wall, "torus", n) for n, wall in enumerate(tori, start=1)),
         *(_sphere_part(brep, group, n) for n, group in enumerate(_spheres(brep), start=1)),
     ]
 
 
-def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int) -> Part:
+def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int, role: str | None = None) -> Part:
     """A cone has the radii of both ends, the wider first, and its larger one as radius; a torus its two radii."""
     side = "outer" if wall.outward > 0 else "inner"
     record = brep.faces[wall.faces[0]]
@@ -107,7 +115,7 @@ def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int) -> Part:
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
-        tags=(side, "circular", "toroidal" if torus else "conical"),
+        tags=(side, "circular", "toroidal" if torus else "conical", *((role,) if role else ())),
         label=f"{side} {kind}, diameter {millimetres(wide)}, height {millimetres(wall.height)}",
         faces=wall.faces,
         center=record.origin if torus else wall.axis.at((wall.low + wall.high) / 2),
@@ -130,8 +138,8 @@ def _spheres(brep: Brep) -> list[list[int]]:
     groups: dict[tuple[object, ...], list[int]] = defaultdict(list)
     for face in brep.faces:
         if face.kind is SurfaceKind.SPHERE:
-            place = tuple(round(c / (1e-3 * face.radius)) for c in face.origin)
-            groups[(face.body, face.outward, place, f"{face.radius:.4g}")].append(face.id)
+            place = tuple(round(c * OFF_ROUND / (1e-3 * face.radius)) for c in face.origin)
+            groups[(face.body, face.outward, place, binned(face.radius, 4))].append(face.id)
     corner = SPHERE_SHARE * 4 * math.pi
     return [ids for ids in groups.values() if faces_area(brep, ids) > corner * brep.faces[ids[0]].radius ** 2]
 

@@ -13,6 +13,7 @@ from .axes import SWEEP
 from .depression import Depression, DepressionKind
 from .forks import IsClear
 from .frames import frame_of
+from .refusals import refuse
 
 REACH = 100.0
 """How far apart, in length tolerances, the keys of one line may be."""
@@ -26,9 +27,12 @@ def united_slots(
     for line in _by_line([d for d in found if d.kind is DepressionKind.SLOT], tolerances):
         kept: list[Depression] = []
         for slot in sorted(line, key=lambda slot: dot(slot.center, line[0].direction)):
-            if kept and _one_cut(kept[-1], slot, tolerances) and is_clear(kept[-1].center, slot.center):
+            one_cut = bool(kept) and _one_cut(kept[-1], slot, tolerances)
+            if one_cut and is_clear(kept[-1].center, slot.center):
                 kept[-1] = _united(brep, kept[-1], slot)
             else:
+                if one_cut:
+                    refuse("slot", (*kept[-1].faces, *slot.faces), "two slots in line, with material between")
                 kept.append(slot)
         result.extend(kept)
     return result

@@ -12,6 +12,7 @@ from querycad_segworker.vectors import add, cross, dot, norm, parallel, scale, s
 
 from .depression import Depression, DepressionKind, depression_in
 from .frames import frame_of
+from .refusals import refuse
 
 DRAFT_RAD = math.radians(10.0)
 """Walls may lean by this draft angle and still stand square on their floor."""
@@ -135,6 +136,7 @@ def _v_between(
     normal = unit(add(a.axis, b.axis))
     opening_angle = math.pi - math.acos(max(-1.0, min(1.0, dot(a.axis, b.axis))))
     if norm(along) == 0 or not V_ANGLE_RAD[0] < opening_angle < V_ANGLE_RAD[1]:
+        refuse("slot", group, "two flanks that enclose too much or too little for a V groove")
         return None
     if any(not parallel(end.axis, along, math.sin(DRAFT_RAD)) for end in ends):
         return None

@@ -12,6 +12,7 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord
 
 from .axes import Axis, Wall
+from .refusals import refuse
 
 MIN_TURNS = 2.0
 """Fewer turns are a helical groove, as in twist drills and oil grooves, or a ramp."""
@@ -47,7 +48,9 @@ def with_threads(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> l
     found: list[Wall] = []
     used: set[int] = set()
     for group in helices:
-        if sum(helix.turns for helix in group) < MIN_TURNS:
+        turns = sum(helix.turns for helix in group)
+        if turns < MIN_TURNS:
+            refuse("thread", (f for helix in group for f in helix.edge.faces), f"it has {turns:.1f} turns only")
             continue
         faces = {face for helix in group for face in helix.edge.faces}
         lead = group[0]

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import cross, dot, foot, norm, sub
+from querycad_segworker.vectors import angle_covered, cross, dot, foot, norm, sub
 
 from .axes import Axis, Wall
 from .interrupted import with_interrupted
@@ -26,14 +26,14 @@ def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
     The faces of a modelled thread are one wall.
     """
     faces = [face for face in brep.faces if face.kind in REVOLVED]
-    groups = _Groups(face.id for face in faces)
+    groups = Groups(face.id for face in faces)
     for edge in brep.edges:
         if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.kind in REVOLVED and same_surface(a, b, tolerances):
                 groups.unite(a.id, b.id)
     found = [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
-    return with_interrupted(with_threads(brep, found, tolerances), tolerances)
+    return with_interrupted(brep, with_threads(brep, found, tolerances), tolerances)
 
 
 def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
@@ -51,7 +51,7 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     return along and abs(a.radius - b.radius) <= near and abs(a.minor_radius - b.minor_radius) <= near
 
 
-class _Groups:
+class Groups:
     """Disjoint sets of face ids."""
 
     def __init__(self, ids: Iterable[int]) -> None:
@@ -132,14 +132,4 @@ def _sweep(faces: Sequence[FaceRecord], axis: Axis) -> float:
             return 2 * math.pi
         middle = axis.angle_of(face.point)
         ranges.append((middle - face.sweep / 2, middle + face.sweep / 2))
-    covered: list[tuple[float, float]] = []
-    for start, end in ranges:
-        start, end = start % (2 * math.pi), start % (2 * math.pi) + (end - start)
-        covered.append((start, min(end, 2 * math.pi)))
-        if end > 2 * math.pi:
-            covered.append((0.0, end - 2 * math.pi))
-    total, reach = 0.0, 0.0
-    for start, end in sorted(covered):
-        total += max(0.0, end - max(start, reach))
-        reach = max(reach, end)
-    return total
+    return angle_covered(ranges)

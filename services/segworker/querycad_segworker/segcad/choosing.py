@@ -12,7 +12,7 @@ from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
 
 from .lexicon import Adjective, Choice, Lexicon, Order, Pick, words_of
 from .names import bodies_marked, bodies_named, is_whole
-from .reading import Place, Reading
+from .reading import SIDE_WORDS, Place, Reading
 
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
@@ -30,18 +30,21 @@ WIDE = 0.7
 """A flange or plate is at least this wide, compared with the widest: two flanges of a pipe differ by less."""
 CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""
+FACING = 0.7
+"""Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 _TOUCH_M = 1e-6
-_HOLDING = ("in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through")
+_HOLDING = ("in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through", "across")
 _TRAITS = ("with", "without")
 _IMPLIED = {
     "chamfer": ("beveled", "chamfered"),
     "round": ("rounded",),
     "fillet": ("rounded",),
-    "hole": ("circular", "cylindrical"),
+    "hole": ("circular", "cylindrical", "hollow"),
     "gear": ("toothed",),
 }
 """Attributes that all parts of a kind have."""
 _DIRECTIONS = frozenset(("vertical", "horizontal"))
+_BLENDS = ("fillet", "round", "chamfer")
 _FASTENERS = frozenset(("screw", "nut"))
 _STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
 
@@ -83,9 +86,12 @@ class Parts:
             choices.append(Choice(("body",), confidence=0.7))
         # The name of a single body says what the whole is, not which of its features is meant: looked at last.
         choices.sort(key=lambda choice: self.alone and bool(choice.name))
+        unseen: list[Part] = []
         for loose, choice in [(False, choice) for choice in choices] + [(True, choice) for choice in choices]:
-            if choice.alone and not self.alone:
+            if (choice.alone and not self.alone) or (choice.several and self.alone):
                 continue
+            if choice.kind == ("model",) and is_narrowed(reading, sides):
+                continue  # 'the handle on the right' is a part of the model
             found = [part for part in self.all if self._fits(part, choice)]
             found = found if reading.places else self._but_letters(found)
             found = self._narrowed(found, reading, loose)
@@ -94,17 +100,27 @@ class Parts:
                 if found and place.relation in _TRAITS:
                     found = self._placed(found, place, reading, loose)
             found = self._steps(found, choice.step) if choice.step else found
+            if unseen and not (choice.also and seen_from(found, sides)):
+                return unseen
             if found and (sides is None or any(part.sides for part in found)):
+                following = choices.index(choice) + 1
+                if following < len(choices) and choices[following].also and not seen_from(found, sides):
+                    unseen = found
+                    continue
                 if choice.confidence < 1.0:
                     reading.doubt(f"'{reading.phrase}' was taken in a wider sense", choice.confidence)
                 return found
-        return []
+        return unseen
 
     def told_apart(self, found: list[Part], reading: Reading) -> list[Part]:
         """Of several parts, those that are the large ones, the outer ones, or as many as the description says."""
         for adjective in reading.adjectives:
-            if adjective.order and not self._tagged(found, adjective.tags):
+            tagged = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
+            if adjective.order and len(tagged) in (0, len(found)):
                 found = self._ordered(found, adjective, reading)
+        for side in reading.ends:
+            if not all(_names_side(part, side) for part in found):
+                found = self.at_ends(found, (side,))
         wanted = reading.count
         if wanted is None or wanted < 2 or len(found) == wanted or len(found) < 2:
             return found
@@ -113,6 +129,15 @@ class Parts:
             reading.doubt(f"of {len(found)} the {wanted} of one size were taken", SIZE_CONFIDENCE)
             return groups[0]
         reading.doubt(f"the model has {len(found)} of them, not {wanted}", SIZE_CONFIDENCE)
+        return found
+
+    def at_ends(self, found: list[Part], sides: Sequence[Side]) -> list[Part]:
+        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
+        for side in sides:
+            if len(found) > 1 and self.model is not None:
+                reach = [dot(part.center, side.outward) for part in found]
+                near = 0.02 * max(self.model.extents)
+                found = [part for part, at in zip(found, reach, strict=True) if at >= max(reach) - near]
         return found
 
     def tags(self, part: Part) -> set[str]:
@@ -145,9 +170,14 @@ class Parts:
         for adjective in reading.adjectives:
             if set(adjective.tags) <= _DIRECTIONS and adjective.tags and not self._tagged(found, tuple(_DIRECTIONS)):
                 continue  # corners and flat parts have no axis that could be vertical
-            if adjective.tags and (not adjective.order or self._tagged(found, adjective.tags)):
+            shared = adjective.order and all(not self.tags(part).isdisjoint(adjective.tags) for part in found)
+            if adjective.tags and not shared and (not adjective.order or self._tagged(found, adjective.tags)):
                 kept = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
                 wider = [part for part in found if not self.tags(part).isdisjoint(adjective.fallback)]
+                if adjective.loose and found and not kept and not wider and not any(p.kind == "hole" for p in found):
+                    note = f"'{adjective.name}' was not checked: such details are often not modelled"
+                    reading.doubt(note, LOOSE_PLACE_CONFIDENCE)
+                    continue
                 if wider and not kept and adjective.fallback_confidence < 1.0:
                     reading.doubt(f"'{adjective.name}' was taken in a wider sense", adjective.fallback_confidence)
                 found = kept or wider
@@ -218,6 +248,8 @@ class Parts:
                 return [p for p in found if p.id not in {h.id for h in holders} and _lies_between(p, holders)]
             case "around":
                 around = [p for p in found if any(_encloses(p, h) for h in holders)]
+                if not around and all(p.kind in _BLENDS for p in found):
+                    return _next_to(found, holders)
                 return around or [p for p in found if not any(_coaxial(p, h) for h in holders)]
             case _ if relation in (*_HOLDING, ""):
                 return _held(found, relation, holders)
@@ -290,6 +322,10 @@ class Parts:
             return found
         if adjective.order == "corner":
             kept = [part for part in found if self._out(part) >= CORNER_SHARE - 1e-6]
+            if reading.count and len(kept) > reading.count:
+                alike = [group for group in _by_size(kept) if len(group) == reading.count]
+                ranked = sorted(kept, key=self._out, reverse=True)[: reading.count]
+                kept = max(alike, key=lambda group: min(map(self._out, group))) if alike else ranked
             if not kept:
                 reading.doubt("'corner' could not be checked and was left out", LOOSE_PLACE_CONFIDENCE)
             return kept or found
@@ -321,9 +357,26 @@ class Parts:
         return min(value for i, value in enumerate(offsets) if i != along)
 
 
+def _names_side(part: Part, side: Side) -> bool:
+    """Is the side a word of the body's own name: 'left leaf'?"""
+    return any(word in SIDE_WORDS[side] for word in words_of((part.name or "").replace("_", " ")))
+
+
 def seen_from(found: Sequence[Part], sides: Sequence[Side] | None) -> list[Part]:
     """Those visible from any of the sides; all when None."""
     return [part for part in found if sides is None or set(sides) & set(part.sides)]
+
+
+def is_narrowed(reading: Reading, sides: Sequence[Side] | None) -> bool:
+    """Does the description say which of several, so that it cannot be the whole model?"""
+    return bool(sides or reading.toward or reading.count) or any(place.relation for place in reading.places)
+
+
+def turned_to(found: list[Part], sides: Sequence[Side]) -> list[Part]:
+    """Of what stands out, those that stand towards the sides where any does: a pin is on the top when it points up."""
+    turned = [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
+    standing = [p for p in found if p.kind in _STANDING_OUT and p.kind != "body"]
+    return [p for p in found if p not in standing or p in turned] if any(p in turned for p in standing) else found
 
 
 def _end_of(found: list[Part], key: Callable[[Part], float], most: bool, count: int | None) -> list[Part]:
@@ -427,11 +480,21 @@ def _touches(part: Part, place: Part) -> bool:
 
 
 def _lies_between(part: Part, others: Sequence[Part]) -> bool:
-    """Is the middle of the part in the box that the middles of the others span?"""
-    return all(
-        min(h.center[i] for h in others) - _TOUCH_M <= part.center[i] <= max(h.center[i] for h in others) + _TOUCH_M
-        for i in range(3)
-    )
+    """Does the middle of the part lie between those of two others, no farther aside than they reach?"""
+    for a, b in itertools.combinations(others, 2):
+        apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
+        length = norm(apart)
+        if length < _TOUCH_M or not 0.0 < dot(ahead, apart) < length**2:
+            continue
+        boxed = all(
+            min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - _TOUCH_M
+            <= part.center[i]
+            <= max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2) + _TOUCH_M
+            for i in range(3)
+        )
+        if boxed:
+            return True
+    return False
 
 
 def _coaxial(part: Part, other: Part) -> bool:

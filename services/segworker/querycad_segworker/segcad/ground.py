@@ -5,14 +5,17 @@ from __future__ import annotations
 import difflib
 from collections import Counter
 from collections.abc import Sequence
+from dataclasses import replace
 
 from querycad_contracts import Grounding, Part, Side
 
-from .choosing import Parts, seen_from
+from .choosing import Parts, is_narrowed, seen_from, turned_to
 from .lexicon import Lexicon, lexicon
-from .names import bodies_marked, is_whole, vocabulary
+from .names import bodies_marked, is_whole, name_words, vocabulary
 from .reading import Reading, read
 
+AT_END_CONFIDENCE = 0.7
+"""'The holes at the top' that look elsewhere are the topmost ones."""
 NAME_PART_CONFIDENCE = 0.8
 """A body that has the words in its name, but not as its noun."""
 
@@ -26,12 +29,19 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
     words = lexicon()
     asked = tuple(Side(side) for side in sides) if sides is not None else None
     reading = read(description, words, vocabulary(parts))
+    asked = asked if asked is not None or not reading.toward else tuple(reading.toward)
     model = Parts(parts, words)
     if any(adjective.whole for adjective in reading.adjectives) and reading.term is not None:
         whole = is_whole(parts, reading.phrase.split())
         if whole is not None:
             return _grounding(description, asked, [whole], reading)
+    whole = is_whole(parts, reading.words) if len(reading.words) > 1 else None
+    if whole is not None and not is_narrowed(reading, asked):  # 'the brake disc' of the file 'brake_disc'
+        return _grounding(description, asked, [whole], reading)
     named = model.named(reading, asked)
+    if named and _is_by_head_only(named, reading) and reading.term is not None:
+        known = _understood(model, replace(reading, unknown=[], notes=[]), asked)
+        named = [] if known and known[0].kind not in ("body", "model") else named
     if named:
         reading.unknown.clear()
         return _grounding(description, asked, model.told_apart(named, reading), reading)
@@ -43,7 +53,12 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
         reading.doubt("the words are taken from the names of bodies", NAME_PART_CONFIDENCE)
         found = marked
     if found:
-        seen = seen_from(found, asked)
+        seen = turned_to(seen_from(found, asked), reading.toward)
+        if not seen and reading.toward:
+            seen = model.at_ends(found, reading.toward)
+            reading.doubt(
+                f"none is visible from the {reading.toward[0]}: those at that end were taken", AT_END_CONFIDENCE
+            )
         if seen:
             return _grounding(description, asked, model.told_apart(seen, reading), reading)
         return _missing(parts, description, asked, reading, len(found))
@@ -53,9 +68,20 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
     return _missing(parts, description, asked, reading, 0)
 
 
+def _is_by_head_only(named: Sequence[Part], reading: Reading) -> bool:
+    """Do the words 'screw head' share nothing but 'head' with a body named 'cylinder head'?"""
+    said = reading.phrase.split()
+    have = [name_words(part.name) for part in named]
+    return len(said) > 1 and all(len(words) > 1 and not set(said[:-1]) & set(words) for words in have)
+
+
 def _understood(model: Parts, reading: Reading, sides: Sequence[Side] | None) -> list[Part]:
     """The parts of a known noun: of several, those whose names hold the words that are not known."""
     assert reading.term is not None
+    whole = is_whole(model.all, reading.words) or is_whole(model.all, reading.phrase.split())
+    if reading.term.product and whole is not None and not is_narrowed(reading, sides):
+        reading.ignore_unknown()
+        return [whole]
     whole = is_whole(model.all, reading.words) if reading.term.product else None
     if whole is not None:
         return [whole]

@@ -10,11 +10,13 @@ from typing import Any, Literal
 
 _FILLER_TEXT = """
 a an the and or its their this that these those all any each every both some which are is has have there it them they
-very shaped
+very
 """
 FILLERS = frozenset(_FILLER_TEXT.split())
 """Words that carry no part of the meaning inside a part phrase."""
-_PREPOSITION_TEXT = "in of on at for to from by inside within into onto with without around through near under between"
+_PREPOSITION_TEXT = """
+in of on at for to from by inside within into onto with without around through near under between across
+"""
 PREPOSITIONS = frozenset(_PREPOSITION_TEXT.split())
 """Words that end a noun phrase; what follows is a trait of it, or where it is."""
 _NUMBER_TEXT = "one two three four five six seven eight nine ten eleven twelve"
@@ -38,6 +40,10 @@ class Choice:
     name: tuple[str, ...] = ()
     alone: bool = False
     """Only where the file holds a single body."""
+    several: bool = False
+    """Only where the file holds several bodies: a feature of the only body is never the body."""
+    also: bool = False
+    """As good a reading as the one before it, of which no part is visible from the sides asked for."""
     step: Step | None = None
     pick: Pick | None = None
     confidence: float = 1.0
@@ -66,6 +72,8 @@ class Adjective:
     lacks: tuple[str, ...] = ()
     whole: bool = False
     """It asks for all of what a name means: 'the complete cylinder'."""
+    loose: bool = False
+    """What has it often is not modelled with it: where no part has it, it is left out, at half the confidence."""
     fallback: tuple[str, ...] = ()
     """Looked at where no part has one of `tags`."""
     fallback_confidence: float = 1.0
@@ -91,8 +99,13 @@ def _choice(line: dict[str, Any]) -> Choice:
 
 
 def _product(word: str) -> Term:
-    """'bracket': the body of that name, else the whole model where it is one body."""
-    return Term(word, (Choice(("body",), name=(word,)), Choice(("model",), alone=True, confidence=0.9)), product=True)
+    """'bracket': the whole model where it is one body, else a body with the word in its name, else all of the model."""
+    choices = (
+        Choice(("model",), alone=True, confidence=0.9),
+        Choice(("body",), name=(word,), confidence=0.7),
+        Choice(("model",), confidence=0.6),
+    )
+    return Term(word, choices, product=True)
 
 
 @cache
@@ -103,7 +116,7 @@ def lexicon() -> Lexicon:
     for entry in data["term"]:
         choices = tuple(_choice(line) for line in entry["choose"])
         for phrase in entry["words"]:
-            terms[phrase] = Term(entry["words"][0], choices)
+            terms[phrase] = Term(entry["words"][0], choices, entry.get("product", False))
     adjectives: dict[str, Adjective] = {}
     with_nouns: dict[str, Adjective] = {}
     for entry in data["adjective"]:
@@ -115,6 +128,7 @@ def lexicon() -> Lexicon:
             entry.get("most", True),
             tuple(entry.get("lacks", ())),
             entry.get("whole", False),
+            entry.get("loose", False),
             tuple(entry.get("fallback", ())),
             entry.get("fallback_confidence", 1.0),
         )

@@ -14,7 +14,7 @@ from querycad_segworker.vision.region import faces_of_id, region
 
 from .ground import ground
 from .measuring import Kernel
-from .sight import Networks, Sight, no_networks
+from .sight import Keep, Networks, Sight, keep_here, no_networks
 
 if TYPE_CHECKING:
     from querycad_segworker.vision.ports import VisionOptions
@@ -32,10 +32,14 @@ class LocalSegCad:
         model: Model | None = None,
         networks: Networks = no_networks,
         vision: VisionOptions | None = None,
+        keep: Keep = keep_here,
     ) -> None:
-        """`networks` gives those that look at pictures when vision is asked, or raises WeightsAbsent."""
+        """`networks` gives those that look at pictures when vision is asked, or raises WeightsAbsent.
+
+        `keep` puts the sheets that show how where others find them.
+        """
         self.artefacts = artefacts
-        self._sight = Sight(artefacts, networks, vision)
+        self._sight = Sight(artefacts, networks, vision, keep)
         self._kernel = Kernel(artefacts.kernel_faces)
         self.model = model or artefacts.load_model()
 

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import math
-import subprocess
-import sys
 import threading
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
 
 from querycad_segworker.errors import KernelDied
+from querycad_segworker.kernel_process import KernelProcess
 
 TIMEOUT_S = 60.0
-"""One distance takes milliseconds after the kernel's start of about 2 s; very large freeform faces take seconds."""
+"""One distance takes milliseconds; very large freeform faces take seconds."""
 
 
 class Kernel:
@@ -24,7 +22,7 @@ class Kernel:
     def __init__(self, kernel_faces: Path) -> None:
         self._path = kernel_faces
         self._lock = threading.Lock()
-        self._process: subprocess.Popen[str] | None = None
+        self._process: KernelProcess | None = None
         self._known: dict[str, float] = {}
 
     def measure(self, what: str, first: Sequence[int], second: Sequence[int] = ()) -> float:
@@ -40,17 +38,13 @@ class Kernel:
         timer = threading.Timer(TIMEOUT_S, process.kill)
         timer.start()
         try:
-            assert process.stdin is not None and process.stdout is not None  # noqa: PT018 - both are pipes
-            process.stdin.write(request + "\n")
-            process.stdin.flush()
+            process.say(request)
             line = process.stdout.readline()
-        except OSError:
-            line = ""
         finally:
             timer.cancel()
         if not line:
             self._process = None
-            _end(process)
+            process.close()
             raise KernelDied("the CAD kernel could not measure this: it crashed or took too long")
         answer = json.loads(line)
         if "problem" in answer:
@@ -60,24 +54,8 @@ class Kernel:
             raise KernelDied("the CAD kernel found no such distance")
         return metres
 
-    def _running(self) -> subprocess.Popen[str]:
+    def _running(self) -> KernelProcess:
         if self._process is None:
-            self._process = subprocess.Popen(
-                [sys.executable, "-m", "querycad_segworker.brep.measure", str(self._path)],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.DEVNULL,
-                text=True,
-            )
-            weakref.finalize(self, _end, self._process)
+            self._process = KernelProcess("measure", str(self._path))
+            weakref.finalize(self, self._process.close)
         return self._process
-
-
-def _end(process: subprocess.Popen[str]) -> None:
-    """Ends the process and lets go of its pipes."""
-    process.kill()
-    process.wait()
-    for pipe in (process.stdin, process.stdout):
-        if pipe is not None:
-            with contextlib.suppress(OSError):  # what was not written yet has nobody to read it
-                pipe.close()

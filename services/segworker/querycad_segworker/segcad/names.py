@@ -7,16 +7,8 @@ from collections.abc import Sequence
 from querycad_contracts import Part, Side
 
 from .lexicon import singular, words_of
+from .reading import SIDE_WORDS
 
-SIDE_WORDS = {
-    Side.TOP: ("top", "upper"),
-    Side.BOTTOM: ("bottom", "lower"),
-    Side.LEFT: ("left",),
-    Side.RIGHT: ("right",),
-    Side.FRONT: ("front",),
-    Side.BACK: ("back", "rear"),
-}
-"""How a product's name says a side."""
 GENERIC = frozenset(("body", "part", "component", "solid", "object", "piece", "element", "item"))
 """Nouns that may follow a name without being part of it: 'the piston rod body'."""
 

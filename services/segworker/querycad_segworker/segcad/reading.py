@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 
 from rapidfuzz.distance import OSA
 
+from querycad_contracts import Side
+
 from .lexicon import FILLERS, NUMBERS, PREPOSITIONS, Adjective, Lexicon, Term, singular, words_of
 
 TYPO_MIN_LETTERS = 4
@@ -23,6 +25,18 @@ TYPO_CONFIDENCE = 0.8
 """What is left of it when a misspelt word was read as a known one."""
 
 GREYS = ("grey", "gray", "silver", "black", "white")
+SIDE_WORDS = {
+    Side.TOP: ("top", "upper", "above"),
+    Side.BOTTOM: ("bottom", "lower", "underside", "below"),
+    Side.LEFT: ("left",),
+    Side.RIGHT: ("right",),
+    Side.FRONT: ("front",),
+    Side.BACK: ("back", "rear", "behind"),
+}
+"""How a side is said."""
+SIDE_NOUNS = frozenset(("side", "face", "surface", "end", "hand", "view"))
+"""What may follow: 'on the right hand side'."""
+_SIDES = {word: side for side, words in SIDE_WORDS.items() for word in words}
 _GENERIC = frozenset(("object", "body"))
 """Terms that may follow another noun without adding anything: 'the pipe piece', 'the adapter plate body'."""
 
@@ -49,6 +63,10 @@ class Reading:
     without: list[Adjective] = field(default_factory=list)
     threads: list[str] = field(default_factory=list)
     colors: list[str] = field(default_factory=list)
+    toward: list[Side] = field(default_factory=list)
+    """Sides that they are on: 'on the top', 'at the rear end'."""
+    ends: list[Side] = field(default_factory=list)
+    """Sides said like an adjective: 'the left leg' is the leftmost one."""
     count: int | None = None
     """How many there are, as the description has it: 'the four holes'."""
     unknown: list[str] = field(default_factory=list)
@@ -143,6 +161,7 @@ def _is_typo(word: str, known: str) -> bool:
 def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -> None:
     """The last noun is the head; nouns before it say where it is, words that are adjectives too are that before it."""
     tokens = [token for token in tokens if token not in FILLERS]
+    tokens = [word for i, word in enumerate(tokens) if word != "shaped" or _is_shaped(tokens, i, words)]
     reading.words = [token for token in tokens if token not in NUMBERS]
     nouns: list[tuple[str, Term]] = []
     position = 0
@@ -165,6 +184,12 @@ def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -
     for phrase, term in nouns[:-1]:
         if reading.term is not None and term.name != reading.term.name:
             reading.places.append(Place("", Reading(words=phrase.split(), term=term, phrase=phrase)))
+
+
+def _is_shaped(tokens: Sequence[str], at: int, words: Lexicon) -> bool:
+    """Is 'shaped' a part of a known phrase here, such as 'box shaped'?"""
+    starts = range(max(0, at - 2), at)
+    return any(_longest_phrase(tokens, start, words)[0] > at for start in starts)
 
 
 def _add_adjective(adjective: Adjective, phrase: str, reading: Reading) -> None:
@@ -195,7 +220,9 @@ def _read_word(word: str, words: Lexicon, reading: Reading) -> bool:
         reading.colors.append(word)
     elif word in NUMBERS or (word.isdecimal() and word.isascii() and len(word) <= len("99")):
         reading.count = NUMBERS.get(word) or int(word)
-    elif word not in FILLERS:
+    elif word in _SIDES:
+        reading.ends.append(_SIDES[word])
+    elif word not in FILLERS and word not in ("shaped", "hand"):
         reading.unknown.append(word)
         return False
     return True
@@ -222,6 +249,10 @@ def _read_trait(tokens: Sequence[str], negated: bool, words: Lexicon, reading: R
 
 def _read_place(relation: str, tokens: Sequence[str], words: Lexicon, reading: Reading) -> None:
     """'in the flange': where the head noun is; 'for an M5 screw': which size it has."""
+    said = [token for token in tokens if token not in FILLERS and token not in SIDE_NOUNS]
+    if relation in ("on", "at", "from", "to") and len(said) == 1 and (side := _SIDES.get(said[0])):
+        reading.toward.append(side)
+        return
     place = Reading()
     _read_noun_phrase(tokens, words, place)
     if relation == "for":

@@ -12,7 +12,7 @@ from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.render.raycast import Scene
 from querycad_segworker.render.visibility import FaceVisibility
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, sub
 
 SEEN_SHARE = 0.03
@@ -30,6 +30,16 @@ OPENING_SHARE = 0.25
 """An opening counts as seen when at least this share of the points spread over it is."""
 OPENING_ANGLE_RAD = math.radians(75.0)
 """An opening turned away by more than this shows less than a quarter of its area."""
+TOLD_APART = 0.5
+"""A hole narrower than this share of the one that it is seen through is a hole of its own to anybody who looks."""
+_ROUND = ("boss", "cylinder", "cone", "arc", "gear")
+_RUNNING_OUT = ("slot", "channel", "step", "notch")
+_SQUARE = 0.99
+_PARALLEL = 0.999
+_NEAR = 0.05
+"""Of the radius: holes that lie on one axis, or begin in one plane."""
+
+_Opening = tuple[int, Vector, Vector, list[Vector]]
 
 
 STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib"))
@@ -50,8 +60,8 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
     seen = scene.sees(points, normals) if points else np.zeros((len(Side), 0), dtype=np.bool_)
     opening_sides: dict[int, set[Side]] = {}
     start = 0
-    for index, _, normal, disc in openings:
-        share = seen[:, start : start + len(disc)].mean(axis=1)
+    for (index, _, normal, disc), behind in zip(openings, _behind(openings, parts), strict=True):
+        share = (seen[:, start : start + len(disc)] & ~behind).mean(axis=1)
         start += len(disc)
         found = opening_sides.setdefault(index, set())
         for row, side in enumerate(Side):
@@ -63,13 +73,41 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
             sides = opening_sides[index]
         else:
             sides = {side for row, side in enumerate(Side) if bool(seen_faces[row, list(part.faces)].any())}
+            ends = end_faces(part, brep)
+            sides |= {side for row, side in enumerate(Side) for face in ends
+                      if seen_faces[row, face] and dot(brep.faces[face].axis, side.outward) > FACING}  # fmt: skip
             if part.kind in STANDING_OUT:
-                shown, free = (areas[:, list(part.faces)].sum(axis=1) for areas in (visible_m2, free_m2))
+                faces = [*part.faces, *(ends - set(part.faces))]
+                shown, free = (areas[:, faces].sum(axis=1) for areas in (visible_m2, free_m2))
                 sides = {
                     side for row, side in enumerate(Side) if side in sides and shown[row] >= GLIMPSE_SHARE * free[row]
                 }
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
     return _with_bores(result)
+
+
+def end_faces(part: Part, brep: Brep) -> set[int]:
+    """Which plane faces show a part end-on: the ends of a round one, those that a slot or step runs out at?
+
+    They meet it in convex edges, square to the axis of its cylinders and cones, or to the opening of what is open.
+    """
+    found = set()
+    for index in part.faces:
+        face = brep.faces[index]
+        axis = part.axis if part.kind == "gear" else face.axis
+        round_face = face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE) or part.kind == "gear"
+        turned = round_face and part.kind in _ROUND and axis is not None
+        if not turned and not (part.kind in _RUNNING_OUT and part.normal is not None):
+            continue
+        for edge in (brep.edges[e] for e in brep.face_edges[index]):
+            if edge.convexity is not EdgeConvexity.CONVEX:
+                continue
+            for other in (brep.faces[f] for f in edge.faces if f not in part.faces):
+                along = abs(dot(other.axis, (axis if turned else part.normal) or face.axis))
+                square = along > _SQUARE if turned else along < 1.0 - _SQUARE
+                if other.kind is SurfaceKind.PLANE and square:
+                    found.add(other.id)
+    return found
 
 
 def _with_bores(parts: Sequence[Part]) -> list[Part]:
@@ -110,7 +148,33 @@ def faces_seen(areas_m2: Sequence[float], visibility: FaceVisibility) -> NDArray
     return seen
 
 
-def _openings(parts: Sequence[Part]) -> list[tuple[int, Vector, Vector, list[Vector]]]:
+def _behind(openings: Sequence[_Opening], parts: Sequence[Part]) -> list[NDArray[np.bool_]]:
+    """Which points of each opening are seen through another hole on the same axis, which is the one that one sees?
+
+    (N,) bool an opening; false for what is no hole. The eye takes holes in a row for one, as in plates that are screwed
+    together or the walls of a housing; a hole less than half as wide as the one before it is told apart.
+    """
+    radii = np.array([(parts[i].radius or 0.0) if parts[i].kind == "hole" else 0.0 for i, *_ in openings])
+    owners = np.array([i for i, *_ in openings])
+    centers = np.array([center for _, center, _, _ in openings]).reshape(-1, 3)
+    normals = np.array([normal for _, _, normal, _ in openings]).reshape(-1, 3)
+    found = []
+    for row, (_, _, _, disc) in enumerate(openings):
+        hidden = np.zeros(len(disc), dtype=np.bool_)
+        ahead = centers - centers[row]
+        along = ahead @ normals[row]
+        aside = np.linalg.norm(ahead - along[:, None] * normals[row], axis=1)
+        before = (owners != owners[row]) & (normals @ normals[row] > _PARALLEL) & (aside < _NEAR * radii[row])
+        before &= (along > _NEAR * radii[row]) & (radii > 0) & (radii[row] >= TOLD_APART * radii)
+        for other in np.nonzero(before)[0]:
+            offsets = np.asarray(disc) - centers[other]
+            offsets -= (offsets @ normals[row])[:, None] * normals[row]
+            hidden |= np.linalg.norm(offsets, axis=1) <= radii[other]
+        found.append(hidden)
+    return found
+
+
+def _openings(parts: Sequence[Part]) -> list[_Opening]:
     """(index of the part, centre, outward normal, points spread over the opening) for each opening of each part."""
     found = []
     for index, part in enumerate(parts):

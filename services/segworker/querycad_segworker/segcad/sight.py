@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import hashlib
+import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Face, GroundedBy, Grounding, Part
+from querycad_contracts import AnswerRecord, Face, GroundedBy, Grounding, Part
 from querycad_segworker.model import Artefacts
 
 if TYPE_CHECKING:
@@ -20,13 +21,24 @@ PHRASES_KEPT = 32
 Networks = Callable[[], "VisionModels"]
 """Gives the networks that look at pictures, loaded when it is called. Raises WeightsAbsent."""
 
+Keep = Callable[[Path, Path], None]
+"""Gives a finished picture, the first path, its place, the second one, on the same file system."""
+
+
+def keep_here(unfinished: Path, place: Path) -> None:
+    """Keeps a picture on this machine, all at once."""
+    unfinished.replace(place)
+
 
 class Sight:
     """What vision finds in one model."""
 
-    def __init__(self, artefacts: Artefacts, networks: Networks, options: VisionOptions | None = None) -> None:
+    def __init__(
+        self, artefacts: Artefacts, networks: Networks, options: VisionOptions | None = None, keep: Keep = keep_here
+    ) -> None:
         self._artefacts = artefacts
         self._networks = networks
+        self._keep = keep
         self._options = options
         self._seen: dict[str, Seen] = {}
 
@@ -40,7 +52,7 @@ class Sight:
         try:
             seen = self._look(phrase, len(faces))
         except (WeightsAbsent, UnknownLayout) as unusable:
-            return _without_weights(by_words, mode, str(unusable))
+            return _without_weights(by_words, str(unusable))
         expected = by_words.parts if mode is GroundedBy.FUSED else ()
         found = sightings(seen, phrase, parts, faces, expected)
         result = by_vision(phrase, by_words.sides, found) if mode is GroundedBy.VISION else fuse(by_words, found)
@@ -52,9 +64,13 @@ class Sight:
             models = self._networks()
             from querycad_segworker.vision.show import look_and_draw
 
-            self._seen[phrase] = look_and_draw(
-                self._artefacts, face_count, phrase, models, self._artefacts.sight(sheet_name(phrase)), self._options
-            )
+            sheet = self._artefacts.sight(sheet_name(phrase))
+            sheet.parent.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryDirectory(prefix="draw-", dir=sheet.parent) as scratch:
+                drawn = Path(scratch) / sheet.name
+                seen = look_and_draw(self._artefacts, face_count, phrase, models, drawn, self._options)
+                self._keep(drawn, sheet)
+            self._seen[phrase] = seen
             while len(self._seen) > PHRASES_KEPT:
                 self._seen.pop(next(iter(self._seen)))
         return self._seen[phrase]
@@ -65,23 +81,23 @@ def sheet_name(phrase: str) -> str:
     return f"{hashlib.sha256(phrase.encode()).hexdigest()[:32]}.png"
 
 
+def sheets_of(record: AnswerRecord) -> tuple[str, ...]:
+    """Which sheets show what vision saw of this answer? Names of files, each once."""
+    names = (part.evidence.picture for part in record.parts)
+    return tuple(dict.fromkeys(Path(name).name for name in names if name is not None))
+
+
 def _with_picture(part: Part, phrase: str) -> Part:
     """Where vision had a say, the evidence tells which sheet shows what it saw."""
     evidence = part.evidence.model_copy(update={"picture": sheet_name(phrase)})
     return part.model_copy(update={"evidence": evidence})
 
 
-def _without_weights(by_words: Grounding, mode: GroundedBy, why: str) -> Grounding:
-    """Without weights vision finds nothing, and says so; both together are geometry alone."""
-    if mode is GroundedBy.FUSED:
+def _without_weights(by_words: Grounding, why: str) -> Grounding:
+    """Without weights geometry answers alone, and says so."""
+    if by_words.parts:
         return by_words.model_copy(update={"warnings": (*by_words.warnings, f"grounded on geometry alone: {why}")})
-    return Grounding(
-        description=by_words.description,
-        sides=by_words.sides,
-        parts=(),
-        understood=False,
-        message=f"vision cannot look: {why}",
-    )
+    return by_words.model_copy(update={"message": f"{by_words.message}; vision cannot look: {why}"})
 
 
 def networks_in(weights: Path, options: VisionOptions | None = None) -> Networks:

@@ -1,0 +1,16 @@
+"""What do processes do about one another?"""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+import sys
+from typing import Final
+
+_PR_SET_PDEATHSIG: Final = 1
+
+
+def end_with_parent(by: signal.Signals = signal.SIGTERM) -> None:
+    """Asks the system to end this process when its parent is killed; Linux only, elsewhere orphans stay."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, by)

@@ -1,0 +1,128 @@
+"""Forks a process for every piece of the CAD kernel's work: `python -m querycad_segworker.kernel_host DESCRIPTOR`.
+
+The kernel and what goes with it take 1.5 to 2 s of processor time to import, more than most files take to read. The
+host imports them once and starts no thread, so that its forks are whole; each does one piece of work and ends. Who
+asks sends one byte with four descriptors over the socket DESCRIPTOR: a line, standard input, output and error. The
+first line of standard input is JSON, the name of the work and its arguments. Over the line the host tells the exit
+code, negative for a signal; who closes it has the process killed. When the socket closes, the host ends, and its forks.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import json
+import os
+import selectors
+import signal
+import socket
+import sys
+import traceback
+from collections.abc import Callable
+from typing import Final
+
+from querycad_contracts import end_with_parent
+
+from . import ingest_child
+from .brep import measure
+
+READY: Final = b"r"
+WORK: Final[dict[str, Callable[..., None]]] = {"ingest": ingest_child.work, "measure": measure.work}
+
+
+class _Host:
+    def __init__(self, control: socket.socket) -> None:
+        self._control = control
+        self._lines: dict[int, socket.socket] = {}  # by process
+        self._selector = selectors.DefaultSelector()
+        self._ended, self._signalled = socket.socketpair()
+
+    def serve(self) -> None:
+        """Forks until the other end of the socket is closed."""
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all at a terminal; who asked decides
+        signal.signal(signal.SIGCHLD, lambda *_: None)
+        for end in (self._ended, self._signalled):
+            end.setblocking(False)
+        signal.set_wakeup_fd(self._signalled.fileno(), warn_on_full_buffer=False)
+        self._selector.register(self._control, selectors.EVENT_READ)
+        self._selector.register(self._ended, selectors.EVENT_READ)
+        gc.collect()
+        gc.freeze()  # forks share these pages as long as nobody counts in them
+        self._control.sendall(READY)
+        while True:
+            for key, _ in self._selector.select():
+                if key.fileobj is self._control:
+                    if not self._fork():
+                        self._kill_all()
+                        return
+                elif key.fileobj is self._ended:
+                    self._tell_ended()
+                else:
+                    self._selector.unregister(key.fileobj)
+                    os.kill(key.data, signal.SIGKILL)  # not reaped yet, so it is still this process
+
+    def _fork(self) -> bool:
+        """Begins the work that was asked for; False when nobody will ask any more."""
+        asked, descriptors, _, _ = socket.recv_fds(self._control, 1, 4)
+        if not asked:
+            return False
+        line, *standard = descriptors
+        process = 0
+        try:
+            process = os.fork()
+            if not process:
+                self._become_worker(line, standard)
+            self._lines[process] = socket.socket(fileno=line)
+            self._selector.register(self._lines[process], selectors.EVENT_READ, process)
+        except OSError:  # no more processes: the closed line tells
+            traceback.print_exc()
+            os.close(line)
+        for descriptor in standard:
+            os.close(descriptor)
+        return True
+
+    def _become_worker(self, line: int, standard: list[int]) -> None:
+        """Does the work in the forked process, and ends it."""
+        code = 1
+        try:
+            end_with_parent(signal.SIGKILL)
+            signal.set_wakeup_fd(-1)
+            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+            self._selector.close()
+            for each in (self._control, self._ended, self._signalled, *self._lines.values()):
+                each.close()
+            for number, descriptor in enumerate(standard):
+                os.dup2(descriptor, number)
+                os.close(descriptor)
+            os.close(line)
+            name, *arguments = json.loads(sys.stdin.readline())
+            WORK[name](*arguments)
+            code = 0
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            with contextlib.suppress(OSError):
+                sys.stdout.flush()
+                sys.stderr.flush()
+            os._exit(code)
+
+    def _tell_ended(self) -> None:
+        """Tells of each process that has ended how it did."""
+        with contextlib.suppress(BlockingIOError):
+            self._ended.recv(4096)
+        with contextlib.suppress(ChildProcessError):  # there is none
+            while (found := os.waitpid(-1, os.WNOHANG))[0]:
+                process, status = found
+                line = self._lines.pop(process)
+                with contextlib.suppress(KeyError):  # it was killed
+                    self._selector.unregister(line)
+                with line, contextlib.suppress(OSError):
+                    line.sendall(str(os.waitstatus_to_exitcode(status)).encode())
+
+    def _kill_all(self) -> None:
+        for process in self._lines:
+            os.kill(process, signal.SIGKILL)
+
+
+if __name__ == "__main__":
+    _Host(socket.socket(fileno=int(sys.argv[1]))).serve()

@@ -1,0 +1,146 @@
+"""Processes that work with the CAD kernel: their crash is an exit code. They are forked by `kernel_host`.
+
+One host serves this process; it is started when the first is needed, and ends with this process.
+"""
+
+from __future__ import annotations
+
+import atexit
+import contextlib
+import json
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+from types import TracebackType
+from typing import Self
+
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+"""NumPy's linear algebra starts threads when it is imported. They do not come along in a fork; and waiting for one
+another over arrays as small as ours, two of them use 1.4 times the processor time of one."""
+
+
+class KernelProcess:
+    """One piece of work in a process of its own. Use it as a context manager: it does not outlive the block."""
+
+    def __init__(self, work: str, *arguments: str | int, errors: int = subprocess.DEVNULL) -> None:
+        """`work`: a name in `kernel_host.WORK`. `errors`: descriptor that its standard error goes to."""
+        self._code: int | None = None
+        with contextlib.ExitStack() as theirs, contextlib.ExitStack() as ours:
+            stdin, into = os.pipe()
+            theirs.callback(os.close, stdin)
+            self.stdin = ours.enter_context(os.fdopen(into, "w", encoding="utf-8"))
+            out_of, stdout = os.pipe()
+            theirs.callback(os.close, stdout)
+            self.stdout = ours.enter_context(os.fdopen(out_of, encoding="utf-8", errors="replace"))
+            if errors == subprocess.DEVNULL:
+                errors = os.open(os.devnull, os.O_WRONLY)
+                theirs.callback(os.close, errors)
+            self._line, line = socket.socketpair()
+            theirs.enter_context(line)
+            ours.enter_context(self._line)
+            _host.fork([line.fileno(), stdin, stdout, errors])
+            ours.pop_all()
+        self.say(json.dumps([work, *arguments]))
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def say(self, line: str) -> None:
+        """Writes a line to its standard input; nothing happens where it has ended."""
+        with contextlib.suppress(OSError):
+            self.stdin.write(line + "\n")
+            self.stdin.flush()
+
+    def kill(self) -> None:
+        """Ends it at once; from any thread."""
+        with contextlib.suppress(OSError):
+            self._line.shutdown(socket.SHUT_WR)
+
+    def wait(self) -> int:
+        """How did it end? The exit code, or the negative number of the signal that ended it."""
+        if self._code is None:
+            told = self._line.recv(16)
+            self._code = int(told) if told else -signal.SIGKILL  # the host is gone, and took it along
+        return self._code
+
+    def close(self) -> None:
+        """Ends it and lets go of its pipes."""
+        self.kill()
+        self.wait()
+        for pipe in (self.stdin, self.stdout):
+            with contextlib.suppress(OSError):  # what was not written yet has nobody to read it
+                pipe.close()
+        self._line.close()
+
+
+class _Host:
+    """The host of this process. Thread safe; a forked process has a host of its own."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._control: socket.socket | None = None
+
+    def fork(self, descriptors: list[int]) -> None:
+        """Has a process forked that gets these descriptors: a line, standard input, output and error."""
+        with self._lock:
+            try:
+                socket.send_fds(self._running(), [b"f"], descriptors)
+            except OSError:  # it was killed since
+                self._stop()
+                socket.send_fds(self._running(), [b"f"], descriptors)
+
+    def start(self) -> None:
+        """Starts the host if it does not run, and waits until it is ready."""
+        with self._lock:
+            self._running()
+
+    def stop(self) -> None:
+        """Ends the host, and all that it has forked."""
+        with self._lock:
+            self._stop()
+
+    def forget(self) -> None:
+        """In a forked process: the host belongs to the parent."""
+        if self._control is not None:
+            self._control.close()
+        if self._process is not None:
+            self._process.returncode = 0  # nothing to wait for
+        self._lock, self._process, self._control = threading.Lock(), None, None
+
+    def _running(self) -> socket.socket:
+        if self._control is None:
+            self._control, theirs = socket.socketpair()
+            with theirs:
+                self._process = subprocess.Popen(
+                    [sys.executable, "-m", "querycad_segworker.kernel_host", str(theirs.fileno())],
+                    env={**os.environ, **ONE_THREAD},
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    pass_fds=[theirs.fileno()],
+                )
+            if not self._control.recv(1):
+                self._stop()
+                raise OSError("the CAD kernel cannot be loaded; standard error says why")
+        return self._control
+
+    def _stop(self) -> None:
+        if self._control is not None:
+            self._control.close()
+        if self._process is not None:
+            self._process.wait()
+        self._control = self._process = None
+
+
+_host = _Host()
+start_host = _host.start
+os.register_at_fork(after_in_child=_host.forget)
+atexit.register(_host.stop)

@@ -1,0 +1,95 @@
+"""Fillets and rounds: along straight and round edges, between curved faces, in corners, and of changing radius."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
+from tests.segworker.shapes import box, cut, cylinder, edges, filleted, find, fuse, nurbs, plate, rims, turned, upright
+
+MM = 1e-3
+MOVES = {"as built": lambda shape: shape, "oblique": lambda shape: turned(shape, (1, 2, 3), 37), "B-splines": nurbs}
+
+
+def changing(shape: TopoDS_Shape, first: float, last: float, *chosen: TopoDS_Edge) -> TopoDS_Shape:
+    """Rounds whose radius grows along the edge."""
+    maker = BRepFilletAPI_MakeFillet(shape)
+    for edge in chosen:
+        maker.Add(first, last, edge)
+    return maker.Shape()
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_three_rounds_and_the_ball_in_their_corner_are_one_round(move: str) -> None:
+    block = box((30, 20, 10))
+    corner = [e for e in edges(block) if _touches(e, (0, 0, 0))]
+    found = find(MOVES[move](filleted(block, 2.0, *corner)))
+    (made,) = found.of("round")
+    assert made.radius == pytest.approx(2 * MM, rel=1e-3)
+    assert len(made.faces) == 4
+    assert found.of("fillet") == []
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_all_edges_of_a_block_rounded_are_one_round(move: str) -> None:
+    block = box((30, 20, 10))
+    (made,) = find(MOVES[move](filleted(block, 2.0, *edges(block)))).of("round")
+    assert len(made.faces) == 12 + 8
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_the_foot_of_a_boss_on_a_shaft_is_a_fillet_between_curved_faces(move: str) -> None:
+    """Two cylinders meet: the fillet between them is freeform."""
+    cross = fuse(cylinder(10, 60), cylinder(5, 25, (0, 0, 30), (1, 0, 0)))
+    meeting = [e for e in edges(cross) if _is_space_curve(e)]
+    found = find(MOVES[move](filleted(cross, 1.5, *meeting)))
+    (made,) = found.of("fillet")
+    assert made.radius == pytest.approx(1.5 * MM, rel=0.02)
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_the_foot_of_a_boss_on_a_plate_is_a_fillet(move: str) -> None:
+    body = fuse(plate(), cylinder(8, 12))
+    (made,) = find(MOVES[move](filleted(body, 2.0, *rims(body, 8, 0)))).of("fillet")
+    assert made.radius == pytest.approx(2 * MM, rel=1e-3)
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_a_round_of_changing_radius_is_a_round_between_its_radii(move: str) -> None:
+    block = plate()
+    found = find(MOVES[move](changing(block, 2.0, 5.0, upright(block)[0])))
+    (made,) = found.of("round")
+    assert 2 * MM <= (made.radius or 0) <= 5 * MM
+    assert "variable" in made.tags
+    assert list(made.radii) == pytest.approx([2 * MM, 5 * MM], rel=0.02)
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_an_inner_corner_of_changing_radius_is_a_fillet(move: str) -> None:
+    angle = cut(box((40, 30, 30)), box((40, 30, 30), (0, 10, 10)))
+    inner = [e for e in edges(angle) if _touches(e, (0, 10, 10)) and _touches(e, (40, 10, 10))]
+    (made,) = find(MOVES[move](changing(angle, 3.0, 6.0, inner[0]))).of("fillet")
+    assert "variable" in made.tags
+    assert list(made.radii) == pytest.approx([3 * MM, 6 * MM], rel=0.02)
+
+
+@pytest.mark.parametrize("move", MOVES)
+def test_a_freeform_face_that_is_tangent_on_one_side_only_is_no_fillet(move: str) -> None:
+    dented = cut(plate(), turned(cylinder(60, 100, (0, 55, -50)), (1, 0, 0), 8))
+    assert find(MOVES[move](dented)).of("fillet") == []
+
+
+def _touches(edge: TopoDS_Edge, point: tuple[float, float, float]) -> bool:
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+
+    curve = BRepAdaptor_Curve(edge)
+    ends = (curve.Value(curve.FirstParameter()), curve.Value(curve.LastParameter()))
+    return any(max(abs(a - b) for a, b in zip((p.X(), p.Y(), p.Z()), point, strict=True)) < 1e-6 for p in ends)
+
+
+def _is_space_curve(edge: TopoDS_Edge) -> bool:
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+    from OCP.GeomAbs import GeomAbs_CurveType
+
+    plain = (GeomAbs_CurveType.GeomAbs_Line, GeomAbs_CurveType.GeomAbs_Circle)
+    return BRepAdaptor_Curve(edge).GetType() not in plain

@@ -1,0 +1,55 @@
+"""V grooves of pulleys, D-shaped bores and the washer faces of screws: what belongs to what."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, extruded, find, fuse, plate, shifted, turned
+
+MM = 1e-3
+HEXAGON = [(9.24, 0), (4.62, 8), (-4.62, 8), (-9.24, 0), (-4.62, -8), (4.62, -8)]
+
+
+def pulley(bottom: float) -> TopoDS_Shape:
+    """A groove of 34 degrees with a bottom so wide."""
+    low, high = 15 - bottom / 2, 15 + bottom / 2
+    v = fuse(cone(32, 20, 6, (0, 0, low - 6)), cone(20, 32, 6, (0, 0, high)))
+    v = fuse(v, cylinder(20, bottom, (0, 0, low))) if bottom else v
+    return cut(cylinder(30, 30), cut(cylinder(40, 12 + bottom, (0, 0, low - 6)), v), cylinder(8, 30))
+
+
+@pytest.mark.parametrize("bottom", [0.0, 4.0])
+def test_the_flanks_of_a_pulley_are_no_chamfers_and_its_rims_one_step(bottom: float) -> None:
+    found = find(turned(pulley(bottom), (1, 2, 3), 40))
+    assert found.of("chamfer") == []
+    (groove,) = found.of("groove")
+    assert ("v_shaped" if bottom == 0 else "trapezoidal") in groove.tags
+    (rim,) = found.of("boss")
+    assert [rim.diameter, rim.height] == pytest.approx([60 * MM, 30 * MM])
+
+
+@pytest.mark.parametrize("depth", [30.0, 12.0])
+def test_a_bore_with_a_flat_is_one_hole_that_owns_it(depth: float) -> None:
+    tool = cut(cylinder(8, 40, (0, 0, -depth)), box((20, 40, 60), (6, -20, -40)))
+    found = find(cut(plate(), tool))
+    assert "d_shaped" in found.hole.tags
+    assert found.hole.diameter == pytest.approx(16 * MM)
+    walls = [found.brep.faces[i] for i in found.hole.faces]
+    assert sum(abs(face.axis[0]) > 0.99 and face.outward == 0 for face in walls) == 1
+    assert found.of("pocket") == found.of("step") == found.of("slot") == []
+
+
+def test_a_keyway_does_not_make_a_bore_d_shaped() -> None:
+    found = find(cut(plate(), cylinder(8, 20, (0, 0, -20)), box((6, 5, 20), (5, -2.5, -20))))
+    assert "d_shaped" not in found.hole.tags
+
+
+def test_the_washer_face_under_a_hexagon_belongs_to_the_head() -> None:
+    screw = fuse(extruded(HEXAGON, 0.6, 6.4), cylinder(7.2, 0.6), cylinder(5, 40, along=DOWN))
+    found = find(turned(shifted(screw, (3, 4, 5)), (1, 2, 3), 40))
+    (head,) = [part for part in found.parts if "head" in part.tags]
+    assert head.height == pytest.approx(7 * MM)
+    (face,) = [part for part in found.parts if "washer_face" in part.tags]
+    assert face.diameter == pytest.approx(14.4 * MM)
+    assert set(face.faces) <= set(head.faces)
+    assert "screw" in found.of("body")[0].tags
