@@ -182,5 +182,5 @@ def test_it_is_ready_when_every_queue_has_a_worker(client: httpx.Client, redis: 
     redis.set(alive_key(Queue.SEGCAD), 1)
     response = client.get("/readyz")
     assert response.status_code == 503
-    wanted = {"store": True, "ingest": False, "segcad": True, "questions": False, "sandbox": False}
+    wanted = {"store": True, "ingest": False, "segcad": True, "pictures": False, "questions": False, "sandbox": False}
     assert response.json()["checks"] == wanted

@@ -7,9 +7,12 @@ import subprocess
 import sys
 import threading
 from collections.abc import Iterator
+from contextvars import copy_context
 from http.server import BaseHTTPRequestHandler, HTTPServer
 
 import pytest
+
+from querycad_contracts import carried_trace, carry_trace
 
 OFF = """
 import sys
@@ -80,3 +83,26 @@ def test_a_request_is_a_span_of_its_callers_trace(collector: tuple[str, list[byt
     served = [span for span in spans if span.kind == span.SPAN_KIND_SERVER]
     assert len(served) == 1  # a probe is no request worth a span
     assert served[0].trace_id.hex() == "a" * 32
+
+
+def test_a_task_that_was_sent_with_a_carried_trace_is_of_that_trace() -> None:
+    from celery.app.task import Context
+    from opentelemetry.instrumentation.celery import celery_getter
+    from opentelemetry.propagate import extract
+    from opentelemetry.trace import get_current_span
+
+    given = {"traceparent": f"00-{'a' * 32}-{'b' * 16}-01", "tracestate": "some=1", "cookie": "secret"}
+    sent = copy_context().run(carried, given)
+    assert sent.keys() == {"traceparent", "tracestate"}
+    found = get_current_span(extract(Context(sent), getter=celery_getter)).get_span_context()
+    assert (f"{found.trace_id:032x}", f"{found.span_id:016x}") == ("a" * 32, "b" * 16)
+
+
+def test_what_is_no_trace_is_not_carried() -> None:
+    assert carried_trace() == {}
+    assert copy_context().run(carried, {"traceparent": "a\nb", "tracestate": ""}) == {}
+
+
+def carried(headers: dict[str, str]) -> dict[str, str]:
+    carry_trace(headers)
+    return carried_trace()

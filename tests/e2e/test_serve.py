@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -236,14 +237,15 @@ def test_a_file_whose_workers_die_is_given_up_after_two_of_them(
     service: Service, client: Client, flange: Path, tmp_path: Path
 ) -> None:
     poison = tmp_path / "poison.step"
-    poison.write_bytes(flange.read_bytes() + b"/* the one that kills */\n")
+    slow = (ROOT / "examples/gear_shaft.step").read_bytes()  # long enough to be caught at it
+    poison.write_bytes(slow + b"/* the one that kills */\n")
     uploaded = client.upload(poison)
 
     def reading() -> list[int]:
-        """The ingest workers' children that read the file, by the kernel's process that each has started."""
+        """The ingest worker's children that have the file read: their kernel's host has forked a process for it."""
         worker = service.pids(queue="ingest", module="querycad_segworker.worker")
-        kernels = service.pids(queue="ingest", module="querycad_segworker.ingest_child")
-        return [parent for parent in kernels.values() if worker.get(parent) in worker]
+        kernels = service.pids(queue="ingest", module="querycad_segworker.kernel_host")
+        return [kernels[host] for host in kernels.values() if kernels.get(host) in worker]
 
     killed: set[int] = set()
     for _ in range(2):
@@ -266,6 +268,24 @@ def test_what_runs_for_a_cancelled_question_is_stopped(service: Service, client:
     assert set(categories) <= {"cancelled", ""}
     assert client.ask(model, QUESTION).status is Status.ANSWERED
     assert [client.job(job.id).record for job in ended] == [job.record for job in ended]
+
+
+def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client, model: str) -> None:
+    drawing = list(service.pids(queue="pictures"))
+    for pid in drawing:
+        os.kill(pid, signal.SIGSTOP)
+    try:
+        with ThreadPoolExecutor(4) as pool:
+            views = [pool.submit(client.view, model, width=1000 + number) for number in range(4)]
+            assert client.ask(model, "What is the depth of the part?").status is Status.ANSWERED
+            assert client.segment(model, "hole").parts
+            assert not any(view.done() for view in views)
+            for pid in drawing:
+                os.kill(pid, signal.SIGCONT)
+            assert all(view.result().startswith(b"\x89PNG") for view in views)
+    finally:
+        for pid in drawing:
+            os.kill(pid, signal.SIGCONT)
 
 
 def test_the_events_of_a_question_are_told_as_they_happen(client: Client, model: str) -> None:

@@ -231,6 +231,7 @@ class FakeSegworker(threading.Thread):
         self._ended = threading.Event()
         self._segcad = FakeSegCad()
         self.models: set[str] = set()
+        self.traces: list[str | None] = []
 
     def run(self) -> None:
         queue = self._connection.SimpleQueue(Queue.SEGCAD.value)
@@ -242,6 +243,7 @@ class FakeSegworker(threading.Thread):
             message.ack()
             (payload,), _, _ = message.payload
             self.models.add(payload["model"])
+            self.traces.append(message.headers.get("traceparent"))
             if FOR_EVER in payload.get("description", ""):
                 continue
             outcome = TaskOutcome[Any](value=self._answer(TaskName(message.headers["task"]), payload))

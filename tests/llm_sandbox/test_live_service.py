@@ -53,6 +53,18 @@ def events(response: httpx.Response) -> Iterator[RunEvent]:
             yield reader.validate_json(line.removeprefix("data: "))
 
 
+def test_the_trace_that_a_run_belongs_to_goes_on_to_the_segworker(service: Service) -> None:
+    trace = f"00-{'a' * 32}-{'b' * 16}-01"
+    body = {"code": "solution = len(find_parts('hole'))", "model": MODEL}
+    for accept in ("application/json", "text/event-stream"):
+        service.segworker.traces.clear()
+        service.client.post("/runs", json=body, headers={"traceparent": trace, "Accept": accept})
+        assert set(service.segworker.traces) == {trace}
+    service.segworker.traces.clear()
+    service.client.post("/runs", json=body, headers={"traceparent": "anything else"})
+    assert set(service.segworker.traces) == {None}
+
+
 def test_a_stream_tells_what_happens_and_ends_with_the_outcome(service: Service) -> None:
     code = "parts = find_parts('hole', sides=['top'])\nprint(len(parts))\nsolution = parts[0].distance_to(parts[1])"
     with streaming(service, code) as told:

@@ -7,7 +7,7 @@ import json
 from collections.abc import Awaitable, Sequence
 from typing import Any, TypeVar, cast
 
-from celery import Celery
+from celery import Celery, Signature
 from kombu.exceptions import OperationalError
 from pydantic import TypeAdapter
 from redis.asyncio import Redis as AsyncRedis
@@ -17,7 +17,6 @@ from querycad_contracts import (
     IngestTask,
     ModelTask,
     QuestionTask,
-    Queue,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
@@ -50,15 +49,14 @@ class Broker:
         await self._send(
             TaskName.INGEST,
             task,
-            Queue.INGEST,
-            link=self._app.signature(TaskName.MODEL_READ.value, kwargs=follow, queue=Queue.QUESTIONS.value),
-            link_error=self._app.signature(TaskName.MODEL_LOST.value, kwargs=follow, queue=Queue.QUESTIONS.value),
+            link=self._follow(TaskName.MODEL_READ, follow),
+            link_error=self._follow(TaskName.MODEL_LOST, follow),
         )
 
     async def questions(self, tasks: Sequence[QuestionTask]) -> None:
         """Has questions answered."""
         for task in tasks:
-            await self._send(TaskName.QUESTION, task, Queue.QUESTIONS, task_id=task.job)
+            await self._send(TaskName.QUESTION, task, task_id=task.job)
 
     async def stop(self, jobs: Sequence[str]) -> None:
         """Has what is done for jobs that were ended from outside stopped, if it was begun. Never raises."""
@@ -71,7 +69,7 @@ class Broker:
 
     async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
         """What does a segworker say to this? Raises ModelUnreadable too."""
-        sent = await self._send(name, task, Queue.SEGCAD, expires=timeout_s)
+        sent = await self._send(name, task, expires=timeout_s)
         waiting = self._redis.blpop([reply_key(sent)], timeout_s)
         reply = await cast("Awaitable[tuple[str, str] | None]", waiting)
         if reply is None:
@@ -83,12 +81,16 @@ class Broker:
             raise ServiceUnavailable("the segworker could not do this; its log says why")
         return outcome.value
 
-    async def _send(self, name: TaskName, task: ModelTask, queue: Queue, **options: Any) -> str:
-        """Puts the task on the queue; its id."""
+    def _follow(self, name: TaskName, arguments: dict[str, str]) -> Signature:
+        """What is to be done after a task."""
+        return self._app.signature(name.value, kwargs=arguments, queue=name.queue.value)
+
+    async def _send(self, name: TaskName, task: ModelTask, **options: Any) -> str:
+        """Puts the task on its queue; its id."""
         payload = task.model_dump(mode="json")
         try:
             sent = await asyncio.to_thread(
-                self._app.send_task, name.value, args=[payload], queue=queue.value, ignore_result=True, **options
+                self._app.send_task, name.value, args=[payload], queue=name.queue.value, ignore_result=True, **options
             )
         except (OperationalError, RedisError) as error:
             raise ServiceUnavailable("the queue cannot be reached; try again in a moment") from error

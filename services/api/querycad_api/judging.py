@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from querycad_contracts import (
@@ -22,6 +23,8 @@ from .measured import measures
 from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answer
 
 NO_EXPECTATION = Expectation()
+_LACKS = re.compile(r"AttributeError: part '([\w.-]+)' has no (\w+); it has")
+"""How the sandbox says that a part lacks a measure."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +58,8 @@ def judge(
     if missing is not None:
         failure = Failure(category="not_grounded", message=missing.message, nearest=missing.nearest)
         return Verdict(failure=failure, warnings=warnings, missing=missing)
+    if lacking := _lacking(program, outcome):
+        return Verdict(failure=Failure(category="not_grounded", message=lacking), warnings=warnings)
     if outcome.status is not RunStatus.OK:
         category = "program" if outcome.status in (RunStatus.RAISED, RunStatus.REFUSED) else "limit"
         failure = Failure(category=category, message=outcome.message or f"the program {outcome.status.value}")
@@ -66,6 +71,20 @@ def judge(
     except Unexpected as error:
         return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
     return Verdict(answer=answer, parts=_parts(outcome), warnings=warnings)
+
+
+def _lacking(program: Program, outcome: RunOutcome) -> str:
+    """What to say where the measure that the question asks for is none of the part's; empty where it is not so.
+
+    Programs of language models may ask for what nobody asked: their errors are sent back to them.
+    """
+    found = _LACKS.match(outcome.message) if program.codegen == "parser" else None
+    if found is None:
+        return ""
+    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    part = known.get(found[1])
+    label = part.label if part is not None else found[1]
+    return f"no {found[2].replace('_', ' ')} is known of {label} ({found[1]})"
 
 
 def _typed(program: Program, outcome: RunOutcome, unit: LengthUnit, expect: Expectation) -> Answer:

@@ -16,6 +16,7 @@ import logging
 from collections.abc import AsyncIterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
+from contextvars import copy_context
 
 from pydantic import ValidationError
 from redis.asyncio import Redis
@@ -35,6 +36,7 @@ from querycad_contracts import (
     RunRequest,
     RunStarted,
     TaskFailureKind,
+    carry_trace,
     working_for,
 )
 
@@ -120,6 +122,7 @@ class _Runs:
         except ValidationError as error:
             lines = tuple(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
             return _problem(Problem(title="Not a run request", status=422, errors=lines))
+        carry_trace(request.headers)
         if asked.run in self._under_way:
             return _problem(Problem(title="Run exists", status=409, detail=f"run {asked.run} is under way"))
         if len(self._under_way) >= (1 + QUEUED) * self._settings.sandbox_runs:
@@ -184,7 +187,7 @@ class _Runs:
         self._under_way[asked.run] = control
         loop = asyncio.get_running_loop()
         try:
-            return await loop.run_in_executor(self._threads, self._run_here, asked, control)
+            return await loop.run_in_executor(self._threads, copy_context().run, self._run_here, asked, control)
         except asyncio.CancelledError:
             control.cancel()
             raise

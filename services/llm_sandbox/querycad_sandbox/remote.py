@@ -26,13 +26,13 @@ from querycad_contracts import (
     GroundedBy,
     Grounding,
     ModelTask,
-    Queue,
     Shape,
     Side,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    carried_trace,
     reply_key,
 )
 
@@ -96,7 +96,12 @@ class QueueCaller:
             control.check()
             try:
                 sent = self._app.send_task(
-                    name.value, args=[payload], queue=Queue.SEGCAD.value, expires=timeout_s, ignore_result=True
+                    name.value,
+                    args=[payload],
+                    queue=name.queue.value,
+                    expires=timeout_s,
+                    ignore_result=True,
+                    headers=carried_trace(),
                 )
                 with control.stopped_by(lambda task=sent.id: self._abandon(task)):  # type: ignore[misc]
                     reply = self._reply(sent.id, min(timeout_s, control.left_s()), control)

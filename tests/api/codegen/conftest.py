@@ -46,6 +46,8 @@ class FakePart:
         self.__dict__.update(_si(values))
         if "radius" in values:
             self.diameter = 2 * self.radius
+        if "tip" in values:
+            self.tips = [self.tip]
         self.half_extents = tuple(v / 2 for v in self.extents)
         self.name = values.get("name", "")
         self.faces = [object()] * 3
@@ -118,7 +120,7 @@ class FakeGuest:
             re.sub(r"^\d+ | (?:near|between) .*", "", description).replace(" on ", " in ").partition(" in ")
         )
         found = self._described(noun, sides)
-        if not place:
+        if not place or place in SIDES:
             return found
         side, _, rest = place.partition(" ")
         holders = self.find_parts(rest, [side]) if side in SIDES else self.find_parts(place)

@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -73,9 +74,13 @@ def test_no_unseen_question_is_answered_with_a_wrong_count_of_what_is_there(gues
 
 @pytest.mark.parametrize("wordings", rewordings(), ids=lambda wordings: wordings[0])
 def test_every_wording_of_a_question_gets_the_same_program(wordings: list[str]) -> None:
-    first = parse(wordings[0])
-    others = {wording: parse(wording).code for wording in wordings[1:]}
-    assert {wording: code for wording, code in others.items() if code != first.code} == {}
+    first, *others = (uncounted(parse(wording).code) for wording in wordings)
+    assert {wording: code for wording, code in zip(wordings[1:], others, strict=True) if code != first} == {}
+
+
+def uncounted(code: str) -> str:
+    """The program without how many there are: 'the two legs' says more than 'the legs'."""
+    return re.sub(r'find_parts\("\d+ ', 'find_parts("', code)
 
 
 def test_the_corpus_is_large_and_its_halves_differ() -> None:

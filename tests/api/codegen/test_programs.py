@@ -172,7 +172,8 @@ def test_programs_are_short() -> None:
         (
             "What is the diameter of the shaft?",
             'parts = find_parts("shaft")\n'
-            "solution = parts[0].diameter if len(parts) == 1 else [p.diameter for p in parts]\n",
+            "values = [p.diameter for p in parts]\n"
+            "solution = values[0] if len(different(values)) == 1 else values\n",
         ),
         ("How wide is it?", "solution = shape.width\n"),
         (

@@ -77,14 +77,14 @@ def test_opposite_parts_are_those_farthest_apart() -> None:
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("How large is the chamfer?", "min(parts[0].extents)"),
-        ("How large is the fillet?", "parts[0].radius"),
-        ("How thick is the tube?", "max(parts[0].radii) - min(parts[0].radii)"),
-        ("What is the thickness of the tube's wall?", "max(parts[0].radii) - min(parts[0].radii)"),
-        ("What is the x extent of the rib?", "parts[0].extents[0]"),
-        ("What is the width (shorter side) of the slot?", "min(parts[0].length, parts[0].width)"),
-        ("What is the diameter of the countersink?", "2 * max(parts[0].radii)"),
-        ("At what height is the centre of the hole?", "parts[0].center[2]"),
+        ("How large is the chamfer?", "min(p.extents)"),
+        ("How large is the fillet?", "p.radius"),
+        ("How thick is the tube?", "max(p.radii) - min(p.radii)"),
+        ("What is the thickness of the tube's wall?", "max(p.radii) - min(p.radii)"),
+        ("What is the x extent of the rib?", "p.extents[0]"),
+        ("What is the width (shorter side) of the slot?", "min(p.length, p.width)"),
+        ("What is the diameter of the countersink?", "2 * max(p.radii)"),
+        ("At what height is the centre of the hole?", "p.center[2]"),
     ],
 )
 def test_a_measure_means_what_an_engineer_means(question: str, measure: str) -> None:

@@ -65,6 +65,9 @@ def test_what_was_forgotten_is_put_right_and_nothing_else_changed(said: str, mea
         "import math\nsolution = math.degrees(shape.bodies[0].area)",
         "solution = 4",
         "solution = [0.0053, 0.0053]",
+        "solution = [p.depth for p in find_parts('hole') if p.diameter == 0.0055]",
+        "solution = [p.depth for p in find_parts('hole') if p.center[0] == 0 and p.center[1] == 0]",
+        "solution = min(p.center_distance(p) for p in find_parts('hole'))",
     ],
 )
 def test_a_result_that_is_written_in_or_not_in_metres_is_sent_back(code: str) -> None:
@@ -77,6 +80,7 @@ def test_a_result_that_is_written_in_or_not_in_metres_is_sent_back(code: str) ->
         "solution = [p.radius for p in find_parts('hole') if p.depth > 5 / 1000]",
         "solution = [p for p in find_parts('hole') if p.depth > 5 * 0.001]",
         "solution = shape.width > 10 * shape.height",
+        "solution = [p for p in find_parts('hole') if p.count == 4 and p.radius == max(q.radius for q in [p])]",
         "solution = shape.width / 2",
         "solution = 1000 * len(find_parts('hole'))",
         "solution = round(shape.width, 9)",

@@ -189,6 +189,26 @@ def test_what_the_caller_expects_is_told_and_never_given_up() -> None:
     assert verdict.failure.category == "unexpected"
 
 
+def test_a_doubted_program_is_sent_back_once_and_stands_when_it_comes_again() -> None:
+    seen_from_top = "solution = len(find_parts('hole', sides=['top']))"
+    model = FakeModel(program(seen_from_top))
+    written = write(model, ok(4), asked=AnswerType.COUNT)
+    first, second = written.attempts
+    assert '"top"' in first.problem
+    assert second.code == seen_from_top
+    assert written.candidates[0].verdict.answer is not None
+    assert model.temperatures == [0.0, 0.0]
+    assert len(write(FakeModel(program(seen_from_top)), ok(4), asked=None).attempts) == 1  # words that nobody knows
+
+
+def test_a_repair_that_does_not_run_leaves_the_program_that_was_doubted() -> None:
+    seen_from_top = "solution = len(find_parts('hole', sides=['top']))"
+    model = FakeModel(program(seen_from_top), program("solution = len(find_parts('hole')) / 0"))
+    written = write(model, ok(4), raised("ZeroDivisionError: division by zero"), asked=AnswerType.COUNT)
+    assert [attempt.answer for attempt in written.attempts] == [None, None, None]
+    assert written.candidates[0].program.code == seen_from_top
+
+
 @pytest.mark.parametrize("error", [LlmBusy("the server answered 503"), LlmTooSlow("not in time")])
 def test_a_call_that_fails_keeps_what_was_written_before(error: Any) -> None:
     model = FakeModel(program(COUNT), error)

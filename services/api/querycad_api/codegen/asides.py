@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from . import modifiers
+from .asking import EXTENTS
 from .lexicon import LEXICON
-from .meaning import Distance, Get, Measure, Query, Reduce, Selection
+from .meaning import Distance, Get, Measure, NounClass, Query, Reduce, Selection
 from .phrases import target
 from .text import LEFT_OUT, Text
 from .tokens import Kind, Token, tokenize
@@ -26,9 +27,16 @@ _SENTENCE = re.compile(
     r"|,\s+and\s+(?=(?:how|where)\b[^,]*\b(?:it|they)\b)",
     re.IGNORECASE,
 )
-_ONE_VALUE = re.compile(
-    r"\b(?:one|a single|just one) (?:number|value|figure)\b(?! (?:per|for each|each))", re.IGNORECASE
+_THAT_IS = re.compile(
+    r",?\s+\(?(?:i\.\s?e\.|that is to say|that is,|i mean|in other words|namely)[,:]?\s+", re.IGNORECASE
 )
+_STATED = re.compile(
+    r"(.*\b(?:there\s+(?:is|are)|there['’]s|(?:i|you|we|one)\s+(?:can\s+|could\s+)?(?:see|have|got|need|want|pick|take|choose|"
+    r"consider|notice|find)|(?:it|part|object|model|body|piece)\s+has)\b[^,]*),\s+(?:then\s+|and\s+|so\s+)?"
+    r"((?:how|what|which|where|can\s+you|could\s+you|please|give|tell)\b.*)",
+    re.IGNORECASE | re.DOTALL,
+)
+_ONE_VALUE = re.compile(r"\b(?:one|single) (?:number|value|figure)\b(?! (?:per|for each|each))", re.IGNORECASE)
 _PRONOUNS = ("it", "they", "them")
 _POSSESSIVES = ("its", "their")
 _WH = ("how", "what", "which", "where", "whose")
@@ -58,6 +66,25 @@ def sentences(text: str) -> Asked | None:
         return None
     at = asking[0]
     return Asked(found[at], " ".join(found[:at]), tuple(found[at + 1 :]))
+
+
+def explained(text: str) -> Asked | None:
+    """'How thick is the shaft, i.e. what is its diameter?', '… I mean their diameter': what is said last is asked."""
+    parts = _THAT_IS.split(text, maxsplit=1)
+    if len(parts) < 2 or not parts[0].strip():
+        return None
+    first, last = parts[0].strip(), parts[1].strip().rstrip(")?. ")
+    opening = last.split(maxsplit=1)[0].lower() if last else ""
+    if opening in _POSSESSIVES:
+        return Asked(f"what is {last}?", first, ())
+    pronoun = any(word in last.lower().split() for word in (*_PRONOUNS, *_POSSESSIVES))
+    return Asked(f"{last}?", first, ()) if opening in _WH and pronoun else Asked(first, "", (last,))
+
+
+def introduced(text: str) -> Asked | None:
+    """'There is a slot at the back, how wide is it?': what is stated first, and the question about it."""
+    found = _STATED.fullmatch(text.strip())
+    return None if found is None else Asked(found[2], found[1], ())
 
 
 def _elaborated(first: str, second: str) -> int | None:
@@ -111,7 +138,8 @@ def _asks(sentence: str) -> bool:
 def resolved(text: Text, before: str) -> Text:
     """The question with 'it', 'they', 'its', 'their' replaced by what the sentence before speaks of."""
     at = next((i for i, word in enumerate(text.words) if word in (*_PRONOUNS, *_POSSESSIVES)), None)
-    stated = _subject(before) if before and at is not None else ()
+    several = at is not None and text.words[at] in ("they", "them", "their")
+    stated = _subject(before, several) if before and at is not None else ()
     if at is None or not stated:
         words = Text(tokenize(before))
         if words.skip(0, len(words.tokens), "polite", "noise", "light") < len(words.tokens):
@@ -122,11 +150,22 @@ def resolved(text: Text, before: str) -> Text:
     return Text((*text.tokens[:at], *stated, *mark, *text.tokens[at + 1 :]), text.book)
 
 
-def _subject(sentence: str) -> tuple[Token, ...]:
+def _subject(sentence: str, plural: bool = False) -> tuple[Token, ...]:
     """The parts that a statement is about: what something has ('a slot'), else its subject, else its object."""
     text = Text(tokenize(sentence))
     end = len(text.tokens)
     named: list[tuple[Token, ...]] = []
+    if (stating := text.find("stating", 0, end)) is not None:
+        seen = modifiers.sides(text, 0, stating[0])
+        beside = (Token("visible", "visible"), *text.tokens[: seen[1]]) if seen is not None else ()
+        noun = text.skip(stating[2], end, "quantifier")
+        if isinstance(target(text, noun, end), Selection):
+            return (*text.tokens[noun:end], *beside)
+    if plural:  # 'to drive a screwdriver into the holes': 'they' are the holes
+        for article in (i for i in range(end) if text.match("article", i, end)):
+            of = target(text, article, end)
+            if isinstance(of, Selection) and of.plural:
+                return text.tokens[article:end]
     start = 0
     for at in range(end + 1):
         if at < end and not any(text.after(category, at, end) for category in ("be", "do", "have", "verb", "light")):
@@ -187,10 +226,12 @@ def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text, befor
         sides = [Text(tokenize(said)).match("property", 0, 2) for said in bracketed(asked)]
         named = [Measure(side[0]) for side in sides if side and side[0] in (Measure.SHORT_SIDE, Measure.LONG_SIDE)]
         meaning = replace(meaning, measures=(named[0],)) if named else meaning
+    if isinstance(meaning, Get) and isinstance(meaning.target, Selection) and _is_along_axis(asked):
+        meaning = replace(meaning, measures=tuple(_along_axis(one, meaning.target) for one in meaning.measures))
     if isinstance(meaning, Get) and meaning.reduce is Reduce.EACH and isinstance(meaning.target, Selection):
-        if any(_ONE_VALUE.search(hint) for hint in hints):
-            text.note("One value is given for all: the largest.")
-            return replace(meaning, reduce=Reduce.LARGEST)
+        if any(_ONE_VALUE.search(hint) for hint in (*hints, *asked.split(",")[1:])):
+            text.note("One value is given for all; several where they differ.")
+            return replace(meaning, reduce=Reduce.ONE)
     if not isinstance(meaning, Distance):
         return meaning
     for said in (*hints, *bracketed(asked), asked):
@@ -201,6 +242,23 @@ def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text, befor
             if point or (said is not asked and (point := words.match("distance", at, end)) and point[0] == "surfaces"):
                 return replace(meaning, centers=point[0] == "centers")
     return meaning
+
+
+def _is_along_axis(asked: str) -> bool:
+    """Is a measure asked for 'along the axis'?"""
+    words = Text(tokenize(asked))
+    end = len(words.tokens)
+    return any(_own_axis(words, at, end) for at in range(1, end))
+
+
+def _along_axis(measure: Measure, of: Selection) -> Measure:
+    """What an extent of a round part is when it is taken along the part's axis."""
+    standing = LEXICON.match("standing_noun", (of.phrases[0].noun,), 0, 1) is not None
+    if measure not in EXTENTS | {Measure.THICKNESS, Measure.AXIAL_LENGTH}:
+        return measure
+    if not of.noun_class.is_round and not standing:
+        return measure
+    return Measure.DEPTH if of.noun_class is NounClass.HOLE else Measure.AXIAL_LENGTH
 
 
 def _ends(text: Text, at: int, end: int) -> bool:
@@ -278,6 +336,8 @@ def _is_sized(text: Text, end: int) -> bool:
 def _axis_list(text: Text, at: int, end: int) -> int | None:
     """'along x, y and z'."""
     led = text.after("axis_preposition", _led(text, at, end), end)
+    listed = text.skip_commas(at, end)
+    led = listed if led is None and listed > at else led  # 'the dimensions of the part: width, depth and height'
     after = _axes(text, text.skip(led, end, "article"), end) if led is not None else None
     if after is None or not _is_sized(text, end):
         return None
@@ -285,9 +345,45 @@ def _axis_list(text: Text, at: int, end: int) -> int | None:
     return after if _ends(text, after, end) else None
 
 
+_NOT_SHORTENED = frozenset(("radius", "diameter", "inner_diameter", "outer_diameter", "thickness", "wall_thickness"))
+
+
+def _excepting(text: Text, at: int, end: int) -> int | None:
+    """', without the bevel', ', not the counterbore': what a diameter or a thickness is not taken of."""
+    led = text.skip_commas(at, end)
+    excepting = text.after("minus", led, end) or (led + 1 if text.word_at(led, end, "not") else None)
+    if led == at or excepting is None or end - led > _SPAN or any(text.word_at(i, end, ",") for i in range(led, end)):
+        return None
+    found = [text.match(c, i, at) for i in range(at) for c in ("property", "scale.positive")]
+    return end if any(one and one[0] in _NOT_SHORTENED for one in found) else None
+
+
+def _clause(text: Text, at: int, end: int) -> int | None:
+    """', where the lens goes in', ', which the shaft sits in': a clause about the part behind a whole question."""
+    led = text.skip_commas(at, end)
+    relative = text.word_at(led, end, "where", "which", "that", "whose") or text.word_at(led + 1, end, "which")
+    asked = any(text.match(c, i, at) for i in range(at) for c in ("property", "scale.positive", "count"))
+    later = any(text.match(c, i, end) for i in range(led, end) for c in ("property", "count", "number"))
+    verbal = any(text.match(c, i, end) for i in range(led, end) for c in ("verb", "sink", "protrude", "be", "do"))
+    alone = led > at and relative and asked and verbal and not later
+    return end if alone and end - led <= _SPAN and not text.word_at(led + 1, end, "is", "are") else None
+
+
+def _one_value(text: Text, at: int, end: int) -> int | None:
+    """', one value', ', just a single number please': how it is to be answered."""
+    led = text.skip_commas(at, end)
+    led = text.skip(led, end, "noise") if led > at else end
+    led += text.word_at(led, end, "as")
+    led = text.skip(led, end, "article", "noise")
+    number = text.word_at(led, end, "one", "single")
+    return end if number and text.word_at(led + 1, end, "value", "number", "figure") else None
+
+
 def _own_axis(text: Text, at: int, end: int) -> int | None:
     """'measured along the axis', 'along their axis'."""
     led = _led(text, at, end)
+    if text.word_at(led, end, "over", "across") and text.words[led - 1] == "," and text.match("article", led + 1, end):
+        return end if end - led <= _SPAN and not any(text.word_at(i, end, ",") for i in range(led, end)) else None
     if not text.word_at(led, end, "along", "parallel"):
         return None
     noun = text.skip(led + 1 + text.word_at(led + 1, end, "to"), end, "article")
@@ -316,7 +412,7 @@ def _included(text: Text, at: int, end: int) -> int | None:
         noun = text.skip(led + 1, end, "quantifier") if led else None
         if noun is None or not text.match("article", noun, end):
             return None
-    elif text.word_at(at, end, "including") and not text.match("whole", at - 1, end):
+    elif text.word_at(at, end, "including"):
         noun = text.skip(at + 1, end)
     else:
         return None
@@ -390,6 +486,8 @@ _NO_ADJECTIVE = (
     "scale.positive",
     "axis",
     "property",
+    "spacing",
+    "distance",
     "noun",
     "noise",
     "light",
@@ -397,5 +495,6 @@ _NO_ADJECTIVE = (
     "unit",
 )
 _RULES: tuple[Rule, ...] = (
-    _parenthesis, _drill_tip, _point_to_point, _axis_list, _own_axis, _from_to, _included, _together, _stated,
+    _parenthesis, _drill_tip, _excepting, _clause, _one_value,
+    _point_to_point, _axis_list, _own_axis, _from_to, _included, _together, _stated,
 )  # fmt: skip

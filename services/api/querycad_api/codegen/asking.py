@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .lexicon import LEXICON
-from .meaning import Measure, Reduce
+from .meaning import ENDS, Measure, Reduce
 from .text import Text
 
 EXTENTS = {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT, Measure.LENGTH}
 SCALARS = frozenset(Measure) - {
     Measure.SIZE, Measure.HALF_SIZE, Measure.POSITION, Measure.OPENING, Measure.TIP, Measure.AXIS, Measure.NORMAL,
-    Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM,
+    Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM, *ENDS,
 }  # fmt: skip
 BORES = {
     ("inner", Measure.OUTER_DIAMETER): Measure.INNER_DIAMETER,
@@ -54,7 +54,7 @@ def asked_measures(text: Text, start: int, end: int) -> tuple[Asked, int] | None
         elif (named := text.match("property", at, end)) and not is_part(text, at, named[1], end):
             measures.append(Measure(named[0]))
             several = LEXICON.is_plural(text.words[named[1] - 1]) and text.words[named[1] - 1] != "flats"
-            plural = plural or (measures[-1] in SCALARS and several)
+            plural = plural or (measures[-1] in SCALARS | {Measure.NAME} and several)
             at = named[1]
         else:
             break

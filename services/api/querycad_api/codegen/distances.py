@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Side
 
+from .lexicon import LEXICON
 from .meaning import Angle, Boundary, Distance, Get, Measure, NounClass, Origin, Place, Query, Reduce, Selection, Whole
 from .phrases import selection
 from .relations import of_whole, without_axis
@@ -22,6 +23,7 @@ class Wording:
     reduce: Reduce = Reduce.EACH
     centers: bool | None = None
     axis: int | None = None
+    alike: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +82,7 @@ def between(text: Text, start: int, end: int, wording: Wording) -> Query | None:
     if text.find("adjacent", 0, len(text.tokens)):
         if wording.reduce not in (Reduce.EACH, Reduce.SMALLEST):
             return None
-        wording = replace(wording, reduce=Reduce.SMALLEST)
+        wording = replace(wording, reduce=Reduce.SMALLEST, alike=True)
     ends = _ends(text, 0, len(text.tokens))
     if ends is None:
         return None
@@ -120,7 +122,7 @@ def _distance(text: Text, first: End, second: End | None, wording: Wording) -> Q
     if not any(isinstance(place, Selection) for place in places) or first.place is None:
         return None
     other = second.place if second is not None else None
-    return Distance(first.place, other, centers, wording.axis, wording.reduce)
+    return Distance(first.place, other, centers, wording.axis, wording.reduce, wording.alike)
 
 
 def _between_centers(places: list[Place | None]) -> bool:
@@ -146,8 +148,10 @@ def _spacing(text: Text, wording: Wording) -> Query | None:
     parts = selection(text, text.after("adjacent", at, len(text.words)) or at, len(text.words))
     if parts is None:
         return None
+    if wording.reduce is Reduce.LARGEST:
+        return Distance(parts, None, True, wording.axis, Reduce.LARGEST)
     text.note("The spacing is taken as the smallest distance between the centres of any two of the parts.")
-    return Distance(parts, None, True, wording.axis, Reduce.SMALLEST)
+    return Distance(parts, None, True, wording.axis, Reduce.SMALLEST, alike=True)
 
 
 def _ends(text: Text, start: int, end: int) -> tuple[End, End | None] | None:
@@ -198,9 +202,8 @@ def _end(text: Text, start: int, end: int, like: Selection | None) -> End | None
         after = of_whole(text, point[1], end) or point[1]
         if after >= end:
             return End(Whole(), True)
-    if edge := text.after("edge", at, end):
-        if (of_whole(text, edge, end) or edge) >= end:
-            return End(None)
+    if _is_edge(text, at, end):
+        return End(None)
     side = text.match("side", text.skip(at, end, "whole_adjective"), end)
     if side:
         after = text.skip(side[1], end, "side_noun", "edge")
@@ -218,6 +221,25 @@ def _end(text: Text, start: int, end: int, like: Selection | None) -> End | None
     if parts is None:
         return None
     return End(parts, centers)
+
+
+def _is_edge(text: Text, start: int, end: int) -> bool:
+    """'the edge', 'the edge of the object', 'the part's edge', 'the plate edge'; not the edge of a hole."""
+    if edge := text.after("edge", start, end):
+        if (of_whole(text, edge, end) or edge) >= end:
+            return True
+        return text.word_at(edge, end, "of") and _is_solid(selection(text, edge + 1, end))
+    last = next((i for i in range(start + 1, end) if text.after("edge", i, end) == end), None)
+    if last is None:
+        return False
+    return of_whole(text, start, last) == last or _is_solid(selection(text, start, last))
+
+
+def _is_solid(parts: Selection | None) -> bool:
+    """Is it something with an outer edge, and nothing that is cut in?"""
+    if parts is None or len(parts.phrases) > 1 or parts.noun_class is NounClass.HOLE:
+        return False
+    return LEXICON.match("cut_noun", (parts.phrases[0].noun,), 0, 1) is None
 
 
 def angle(text: Text, start: int, end: int) -> Query | None:

@@ -42,10 +42,22 @@ class Draft:
     """The next modifier is denied."""
     refused: bool = False
     """A word was left over that changes the meaning: the phrase is not understood."""
+    sample: bool = False
+    """Any one of them will do: 'one of the holes'."""
     singular: bool = False
     """One of a plural is meant: 'the deepest of the holes'."""
     ends: list[Side] = field(default_factory=list)
     """Sides named as ends: 'at the left end of the shaft'."""
+    seen: bool = False
+    """The sides are those that the parts are looked at from."""
+    at: bool = False
+    """They are said to be at the top, the left …: at that end, where nothing is visible from there."""
+    this: bool = False
+    """'This knob': the one that the file is about."""
+    highest: bool = False
+    """The 'upper' or 'lower' ones: those highest up or down, whichever way they look."""
+    leading: list[Side] = field(default_factory=list)
+    """Sides said like an adjective: 'the left leg'."""
     side_noun: str = ""
     """'face' in 'the top face', the head when no other follows."""
 
@@ -128,15 +140,28 @@ def _phrase(text: Text, draft: Draft, words: list[str], noun: NounClass, plural:
     elif placed and not plural and not ranks:
         text.note("Of several parts there, the one nearest to the other part is meant.")
         ranks.append(Rank(ByDistance(placed[0]), False))
-    if draft.count and not (draft.filters or draft.ranks or draft.located):
+    sides = list(draft.sides)
+    apart = len(sides) > 1 and draft.seen and not plural
+    if len(draft.leading) == 1 and (apart or draft.highest) and noun is not NounClass.FACE:
+        outward = draft.leading[0].outward  # 'the left leg' is the leftmost one
+        axis = next(i for i, value in enumerate(outward) if value)
+        sides.remove(draft.leading[0])
+        ranks.append(Rank(ByPlace(axis), outward[axis] > 0))
+    said_there = len(sides) == 1 and not draft.seen and not at_end
+    stands = said_there and (noun is NounClass.AXIAL or (draft.at and noun is NounClass.HOLE))
+    if draft.this and not plural and not (draft.filters or ranks or sides or draft.located):
+        adjectives = ["whole", *adjectives]
+    if draft.count and not (draft.filters or draft.ranks):
         adjectives = [str(draft.count), *adjectives]
     return Phrase(
         description=" ".join([*adjectives, *words, *draft.located]),
         noun_class=noun,
         plural=plural,
-        sides=() if at_end else tuple(draft.sides),
+        sides=() if at_end else tuple(sides),
         filters=(*(bounded(condition, noun, text) for condition in draft.filters), *denied),
         ranks=tuple(ranked(rank, noun, text) for rank in ranks),
+        sample=draft.sample,
+        stands=stands,
     )
 
 

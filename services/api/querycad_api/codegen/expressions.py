@@ -6,23 +6,35 @@ import re
 
 from querycad_contracts import AnswerType
 
-from .meaning import Measure, NounClass, Relation
+from .meaning import ENDS, Measure, NounClass, Relation
 
 FOUND = 1e-6
 """Slack of a comparison, metres: above kernel noise (1e-10 m), below drawing accuracy (5e-5 m)."""
 
+
+def _end(outward: tuple[float, float, float]) -> str:
+    """The expression of the middle of a part's box on one side."""
+    axes = [f"{{0}}.center[{i}]" + (f" {'+' if o > 0 else '-'} {{0}}.half_extents[{i}]" if o else "")
+            for i, o in enumerate(outward)]  # fmt: skip
+    return f"({', '.join(axes)})"
+
+
 _PART = {
+    **{measure: _end(side.outward) for measure, side in ENDS.items()},
     Measure.INNER_RADIUS: "min({0}.radii)",
     Measure.OUTER_RADIUS: "max({0}.radii)",
     Measure.INNER_DIAMETER: "2 * min({0}.radii)",
     Measure.OUTER_DIAMETER: "2 * max({0}.radii)",
     Measure.CIRCUMFERENCE: "3.141592653589793 * {0}.diameter",
-    Measure.WALL_THICKNESS: "(max({0}.radii) - min({0}.radii) if len({0}.radii) > 1 else {0}.thickness)",
+    Measure.WALL_THICKNESS: (
+        '(max({0}.radii) - min({0}.radii) if hasattr({0}, "radii") and len({0}.radii) > 1 else {0}.thickness)'
+    ),
     Measure.MAGNITUDE: '({0}.diameter if hasattr({0}, "diameter") else max({0}.extents))',
+    Measure.AXIAL_LENGTH: '({0}.length if {0}.kind in ("body", "model") else {0}.height)',
     Measure.LEAST_EXTENT: "min({0}.extents)",
     Measure.SIZE: "{0}.extents",
-    Measure.SHORT_SIDE: "min({0}.length, {0}.width)",
-    Measure.LONG_SIDE: "max({0}.length, {0}.width)",
+    Measure.SHORT_SIDE: '(min({0}.local_size[:2]) if hasattr({0}, "local_size") else min({0}.length, {0}.width))',
+    Measure.LONG_SIDE: '(max({0}.local_size[:2]) if hasattr({0}, "local_size") else max({0}.length, {0}.width))',
     Measure.HALF_SIZE: "{0}.half_extents",
     Measure.X_EXTENT: "{0}.extents[0]",
     Measure.Y_EXTENT: "{0}.extents[1]",
@@ -63,6 +75,7 @@ _ONE_TYPE = {
     Measure.POSITION: AnswerType.POINT,
     Measure.OPENING: AnswerType.POINT,
     Measure.TIP: AnswerType.POINT,
+    **dict.fromkeys(ENDS, AnswerType.POINT),
     Measure.AXIS: AnswerType.DIRECTION,
     Measure.NORMAL: AnswerType.DIRECTION,
     Measure.DIRECTION: AnswerType.DIRECTION,

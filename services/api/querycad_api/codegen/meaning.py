@@ -27,6 +27,8 @@ class Measure(StrEnum):
     HEIGHT = "height"
     WIDTH = "width"
     LENGTH = "length"
+    AXIAL_LENGTH = "axial_length"
+    """Along its own axis: of what sticks out its height."""
     THICKNESS = "thickness"
     WALL_THICKNESS = "wall_thickness"
     MAGNITUDE = "magnitude"
@@ -46,6 +48,12 @@ class Measure(StrEnum):
     POSITION = "position"
     OPENING = "opening"
     TIP = "tip"
+    TOP_END = "top_end"
+    BOTTOM_END = "bottom_end"
+    LEFT_END = "left_end"
+    RIGHT_END = "right_end"
+    FRONT_END = "front_end"
+    BACK_END = "back_end"
     X = "x"
     Y = "y"
     Z = "z"
@@ -59,6 +67,17 @@ class Measure(StrEnum):
     COLOR = "color"
     SIDES = "sides"
     BOTTOM = "bottom"
+
+
+ENDS = {
+    Measure.TOP_END: Side.TOP,
+    Measure.BOTTOM_END: Side.BOTTOM,
+    Measure.LEFT_END: Side.LEFT,
+    Measure.RIGHT_END: Side.RIGHT,
+    Measure.FRONT_END: Side.FRONT,
+    Measure.BACK_END: Side.BACK,
+}
+"""The ends of a part, by the side that they lie on."""
 
 
 class NounClass(StrEnum):
@@ -112,6 +131,8 @@ class Reduce(StrEnum):
 
     EACH = "each"
     DIFFERENT = "different"
+    ONE = "one"
+    """The value that like parts share; all that differ where they do not."""
     TOTAL = "total"
     MEAN = "mean"
     LARGEST = "largest"
@@ -234,6 +255,10 @@ class Phrase:
     sides: tuple[Side, ...] = ()
     filters: tuple[Filter, ...] = ()
     ranks: tuple[Rank, ...] = ()
+    stands: bool = False
+    """They are said to be on the side, not only to be visible from there; SegCAD looks which way they point."""
+    sample: bool = False
+    """Any one of them is meant: 'one of the holes'. Their different values answer for it."""
 
     @property
     def noun(self) -> str:
@@ -325,6 +350,8 @@ class Distance:
     centers: bool
     axis: int | None = None
     reduce: Reduce = Reduce.EACH
+    alike: bool = False
+    """Of neighbours in a row or circle, which are alike: only like parts are measured, where there are any."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -342,6 +369,8 @@ class Operation(StrEnum):
     """What is made of two numbers."""
 
     MINUS = "minus"
+    WITHOUT = "without"
+    """Minus what a body or the whole model holds: a feature does not hold what stands on it."""
     APART = "apart"
     """Their difference, whichever is larger."""
     PLUS = "plus"

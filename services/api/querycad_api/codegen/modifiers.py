@@ -106,7 +106,8 @@ def _measure_first(text: Text, start: int, end: int) -> tuple[Bound, int] | None
         return None
     at = named[1]
     while True:
-        if found := quantity(text, at, end):
+        found = quantity(text, at, end)
+        if found and not (found[0].spelled and found[0].power is None):  # 'the diameter of the four holes'
             return _in_si(text, Measure(named[0]), found[0]), found[1]
         if (compared := comparative(text, at, end)) and (found := quantity(text, compared[2], end)):
             return _in_si(text, Measure(named[0]), replace(found[0], relation=compared[1])), found[1]
@@ -197,6 +198,10 @@ class Sides:
     all_of_them: bool
     noun: str
     prepositional: bool
+    at: bool = False
+    """'At the top': what lies at that end, where nothing is visible from there."""
+    seen: bool = False
+    """Looked at from there ('visible from the top', 'from above'), and not only said to be there ('on the top')."""
 
 
 def sides(text: Text, start: int, end: int, verbs: bool = True) -> tuple[Sides, int] | None:
@@ -217,7 +222,9 @@ def sides(text: Text, start: int, end: int, verbs: bool = True) -> tuple[Sides, 
         at = joined
     if not found:
         return None
-    return Sides(tuple(dict.fromkeys(found)), "both" in text.words[start:at], noun, prepositional), at
+    seen = any(text.match("seeing", i, at) or text.match("side_word", i, at) for i in range(start, at))
+    ended = text.word_at(text.skip(start, at, "verb"), at, "at") and not noun
+    return Sides(tuple(dict.fromkeys(found)), "both" in text.words[start:at], noun, prepositional, ended, seen), at
 
 
 def _side(text: Text, start: int, end: int) -> tuple[Side, str, bool, int] | None:
@@ -227,8 +234,9 @@ def _side(text: Text, start: int, end: int) -> tuple[Side, str, bool, int] | Non
     if whole := text.match("side_word", start, end):
         return Side(whole[0]), "", True, whole[1]
     at = start
-    if text.word_at(at, end, "inside") and text.match("side_preposition", at + 1, end):
-        return None  # 'the inside on the left'
+    led = text.match("side_preposition", at + 1, end) or text.match("verb", at + 1, end)
+    if text.word_at(at, end, "inside") and led:
+        return None  # 'the inside on the left', 'the inside visible from the top'
     while (after := text.after("side_preposition", at, end)) or (at > start and (after := text.after("verb", at, end))):
         at = after
     preposition = at > start

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import difflib
+from collections.abc import Iterator
+from dataclasses import replace
 
 from querycad_contracts import Program
 
-from .asides import Asked, hinted, resolved, sentences, without_asides
+from .asides import Asked, explained, hinted, introduced, resolved, sentences, without_asides
+from .asking import SCALARS
 from .errors import EmptyQuestion, NotUnderstood
 from .lexicon import LEXICON
-from .meaning import Query, descriptions
-from .questions import question
+from .meaning import Count, Get, Query, Reduce, Selection, Target, descriptions
+from .questions import question, topical
 from .text import LEFT_OUT, Text
 from .tokens import Kind, Token, tokenize
+from .wording import asks_each_once, plainly
 from .writer import write
 
 CODEGEN = "parser"
@@ -51,19 +55,48 @@ def understand(asked: str) -> tuple[Query, Text]:
     """What does a question mean? With the text that keeps its notes. Raises EmptyQuestion or NotUnderstood."""
     if not asked.strip():
         raise EmptyQuestion
-    said = sentences(asked)
+    once, asked = asks_each_once(asked), plainly(asked)
+    said = explained(asked) or sentences(asked)
     if said is None:
         raise NotUnderstood("Ask one question at a time.")
     tokens = tokenize(said.question)
     if len(tokens) > MAX_TOKENS or len(tokenize(said.before)) > MAX_TOKENS:
         raise NotUnderstood(f"The question is too long: ask it in at most {MAX_TOKENS} words.")
     _refuse_foreign(tokens)
-    for reading in (said, Asked(asked, "", ())) if ":" in asked and said.before else (said,):
+    text = Text(tokens if said.question == asked else tokenize(asked))
+    if ":" in asked and (meaning := topical(without_asides(text))) is not None:
+        return hinted(meaning, asked, (), text), text
+    for reading in _readings(asked, said):
         text = resolved(Text(tokenize(reading.question)), reading.before)
         meaning = question(without_asides(text)) or _shortened(text)
         if meaning is not None:
-            return hinted(meaning, reading.question, reading.hints, text, reading.before), text
+            found = hinted(meaning, reading.question, reading.hints, text, reading.before)
+            return _once(found) if once else found, text
     raise _declined(text)
+
+
+def _readings(asked: str, said: Asked) -> Iterator[Asked]:
+    """How may a question be taken apart? A statement before it counts where the question leans on it, or is whole."""
+    stated = introduced(said.question) if not said.before else None
+    if stated is not None:
+        words = Text(tokenize(stated.question))
+        alone = question(without_asides(words))
+        leans = words.find("pronoun", 0, len(words.tokens)) is not None
+        if leans or any(isinstance(one, Selection) for one in _targets(alone)):
+            yield stated
+    yield said
+    if ":" in asked and said.before:
+        yield Asked(asked, "", ())
+
+
+def _targets(meaning: Query | None) -> tuple[Target, ...]:
+    return (meaning.target,) if isinstance(meaning, Get | Count) else ()
+
+
+def _once(meaning: Query) -> Query:
+    """Every value once: the different ones."""
+    each = isinstance(meaning, Get) and meaning.reduce is Reduce.EACH and set(meaning.measures) <= SCALARS
+    return replace(meaning, reduce=Reduce.DIFFERENT) if isinstance(meaning, Get) and each else meaning
 
 
 def _shortened(text: Text) -> Query | None:

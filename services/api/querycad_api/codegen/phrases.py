@@ -22,6 +22,8 @@ from .tokens import Kind
 Rule: TypeAlias = Callable[[Text, int, int, Draft], int | None]
 """Reads one modifier into the draft: where does it end? None when it does not stand there."""
 
+_SHORTEST_CLAUSE = 3
+"""'the shaft enters': an article, a noun and a verb."""
 _MOST_COUNTED = 99
 """More than these nobody counts in a question."""
 _DENIED = re.compile(r"(?:non-?|un)(\w+(?:ed|unk))")
@@ -82,6 +84,8 @@ def _conjunct(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
     if joined is None or not draft.words:
         return None
     rest = text.skip(joined, end, "conjunction", "article")
+    if draft.in_tail and "without" in draft.tail:
+        return None  # 'the tube without keyway and collar'
     if text.match("minus", rest, end):
         return None  # ', without the recess'
     same_parts = any(rule(text, rest, end) for rule in (modifiers.bound, modifiers.sides, modifiers.rank))
@@ -114,6 +118,9 @@ def _relation(rule: Callable[[Text, int, int, Draft, relations.Nested], int | No
 def _quantifier(text: Text, at: int, end: int, draft: Draft) -> int | None:
     if draft.in_tail:
         return None
+    if (after := text.after("sample", at, end)) and not draft.words:
+        draft.sample = True
+        return after
     number = text.number(at, end)
     if number and number.power == 0:
         text.leave_out(at, at + 1)  # '45 degree bevel'
@@ -123,8 +130,7 @@ def _quantifier(text: Text, at: int, end: int, draft: Draft) -> int | None:
             return None
         draft.plural = draft.plural or number.value > 1
         definite = at > 0 and text.word_at(at - 1, end, "the", "these", "those", "its", "both")
-        told_apart = number.value > 2 or text.match("shape_adjective", at + 1, end)  # 'the two outer holes'
-        counted = definite and told_apart and 1 < number.value <= _MOST_COUNTED
+        counted = definite and 1 < number.value <= _MOST_COUNTED
         draft.count = int(number.value) if counted else draft.count
         return at + 1
     if after := text.after("each", at, end):
@@ -221,6 +227,10 @@ def _side(text: Text, at: int, end: int, draft: Draft) -> int | None:
     else:
         draft.sides.extend(side for side in named.sides if side not in draft.sides)
         draft.ends.extend(named.sides if named.noun in ("end", "ends") else ())
+        draft.seen, draft.at = draft.seen or named.seen, draft.at or named.at
+        if not draft.words and not named.prepositional and not named.noun:
+            draft.leading.extend(named.sides)
+            draft.highest = draft.highest or text.word_at(after - 1, after, "upper", "lower")
     if not draft.words and not named.prepositional:
         draft.side_noun = named.noun
     return draft.close(after)
@@ -249,14 +259,28 @@ def _negation(text: Text, at: int, end: int, draft: Draft) -> int | None:
     return after
 
 
+def _contact_clause(text: Text, at: int, end: int, draft: Draft) -> int | None:
+    """'(the plate) the shaft comes out of': a clause without pronoun; it is left out aloud."""
+    if not draft.words or draft.closed or draft.in_tail or not text.match("article", at, end):
+        return None
+    directly = text.words[at - 1] == draft.words[-1]
+    last = text.match("preposition", end - 1, end) or text.match("verb", end - 1, end)
+    if not directly or not last or end - at < _SHORTEST_CLAUSE:
+        return None
+    text.leave_out(at, end)
+    return draft.close(end)
+
+
 def _function_word(text: Text, at: int, end: int, draft: Draft) -> int | None:
     if text.tokens[at].kind is Kind.POSSESSIVE:
         return at + 1
     if text.word_at(at, end, ","):
-        return draft.close(at + 1)
+        more = draft.words and not draft.closed and _only_adjectives(draft)  # 'the inner, smaller cylinder'
+        return at + 1 if more else draft.close(at + 1)
     if text.word_at(at, end, "of", "among", "amongst") and not draft.words:
         return at + 1
     if after := text.after("article", at, end) or text.after("noise", at, end):
+        draft.this = draft.this or (text.words[at] == "this" and not draft.words)
         return after
     if after := text.after("light", at, end):
         return after if not draft.words else draft.close(after)
@@ -272,6 +296,7 @@ def _verb(text: Text, at: int, end: int, draft: Draft) -> int | None:
         if draft.words and _only_adjectives(draft):
             return None
         leads = text.match("side_preposition", after, end) or text.match("axis_adverb", after, end)
+        leads = leads or text.match("preposition", after, end)
         if not draft.words or not leads:
             return None
     return draft.close(after)
@@ -283,6 +308,8 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
     joined = text.after("conjunction", at, end)
     if joined or text.tokens[at].kind is Kind.SYMBOL:
         draft.refused = draft.refused or word == "or"
+        if joined and draft.in_tail and "without" in draft.tail:
+            draft.tail.append("without")  # 'without keyway and collar'
         return joined or at + 1
     named = word == "half" and not draft.closed  # 'the clamp half', 'the half round notch'
     named = named and (bool(draft.words) or text.word_at(at + 1, end, "round", "circular", "circle", "moon"))
@@ -382,6 +409,7 @@ _RULES: tuple[Rule, ...] = (
     _relation(relations.owner),
     _relation(relations.within),
     _negation,
+    _contact_clause,
     _function_word,
     _description,
 )

@@ -12,6 +12,7 @@ from .asking import Asked, asked_measures
 from .distances import Wording, between, distance, two_selections
 from .lexicon import LEXICON
 from .meaning import (
+    ENDS,
     Angle,
     Boundary,
     Calculate,
@@ -40,12 +41,13 @@ from .values import (
     get,
     measured_part,
     operand,
+    taken_off,
     telegraphic,
     value,
 )
 
-_PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP)
-_PREPOSITIONS = {word: Token(word, word) for word in ("of", "between")}
+_PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP, *ENDS)
+_PREPOSITIONS = {word: Token(word, word) for word in ("of", "between", "from")}
 _MUTUAL = {
     "farthest": Reduce.LARGEST,
     "furthest": Reduce.LARGEST,
@@ -72,6 +74,28 @@ def question(text: Text) -> Query | None:
         if start < end and (found := text.attempt(frame, start, end)):
             return found
     return None
+
+
+def topical(text: Text) -> Query | None:
+    """'Holes on top: diameter?', 'For the shaft: what is the length?': what is asked of the parts before the colon."""
+    end = len(text.tokens)
+    colon = next((i for i, token in enumerate(text.tokens) if token.raw == ":"), end)
+    start = _polite(text, 0, end)
+    start = text.after("topic", start, end) or start
+    if colon >= end - 1 or any(text.match(c, i, colon) for i in range(start, colon) for c in ("be", "do", "relative")):
+        return None
+    asking = text.tokens[colon + 1 :]
+    if (side := modifiers.sides(text, start, colon)) and side[1] == colon:  # 'top view: how many holes?'
+        lead = () if side[0].prepositional else (_PREPOSITIONS["from"],)
+        return Text((*asking, *lead, *text.tokens[start:colon]), text.book).attempt(question)
+    if text.find("pronoun", colon, end) or not isinstance(text.attempt(target, start, colon), Selection):
+        return None
+    own = Text(asking).attempt(question)
+    if not (own is None or (isinstance(own, Get) and isinstance(own.target, Whole))):
+        return None
+    wh = Text(asking).match("property", 1, len(asking)) if asking[0].word in ("what", "which") else None
+    asking = asking[1:] if wh is not None and wh[1] == len(asking) else asking  # 'which diameter?' names the measure
+    return Text((*asking, _PREPOSITIONS["of"], *text.tokens[start:colon]), text.book).attempt(question)
 
 
 def _needed(text: Text, start: int, end: int) -> Query | None:
@@ -144,6 +168,8 @@ def _how_many(text: Text, start: int, end: int) -> Query | None:
         return Calculate(Operation.MINUS, first, second)
     if opening[:2] == ("how", "much"):
         at = start + 2
+        if (parts := _how_much_parts(text, at, end)) is not None:
+            return parts
         amount = compared_amount(text, at, end, Operation.MINUS)
         found = (
             amount or text.attempt(distance, at, end) or _property_of(text, at, end) or text.attempt(_reach, at, end)
@@ -154,15 +180,27 @@ def _how_many(text: Text, start: int, end: int) -> Query | None:
     after = text.after("count", start, end)
     unit = text.match("unit", after, end) if after is not None and text.words[start] == "how" else None
     if unit is not None and LEXICON.units[unit[0]][1] == 1:
-        return _how_adjective(text, unit[1], end) or compared_amount(text, unit[1], end, Operation.MINUS)
+        found = _how_adjective(text, unit[1], end) or compared_amount(text, unit[1], end, Operation.MINUS)
+        if found is not None:
+            return found  # else feet are parts
     return counted(text, after, end) if after is not None else None
+
+
+def _how_much_parts(text: Text, start: int, end: int) -> Query | None:
+    """'how much holes has the object': parts in the plural, right behind it, are counted."""
+    noun = next((i for i in range(start, end) if LEXICON.is_plural(text.words[i])), None)
+    if noun is None:
+        return None
+    if any(text.match(c, i, end) for i in range(start, noun + 1) for c in ("property", "be", "do", "have")):
+        return None
+    return counted(text, start, end)
 
 
 def _by_how_much(text: Text, start: int, end: int) -> Query | None:
     """'by how much is A longer than B'."""
     if text.words[start : start + 3] != ("by", "how", "much"):
         return None
-    return compared_amount(text, start + 3, end, Operation.MINUS)
+    return compared_amount(text, start + 3, end, Operation.MINUS) or text.attempt(_reach, start + 3, end)
 
 
 def _how(text: Text, start: int, end: int) -> Query | None:
@@ -185,6 +223,8 @@ def _how_adjective(text: Text, start: int, end: int) -> Query | None:
         at += text.word_at(at, end, "how")
     if not measures:
         return None
+    flats = text.match("property", after, end)  # 'how wide across its flats is the nut'
+    after = flats[1] if flats and measures == [flats[0]] and text.word_at(after, end, "across") else after
     if len(measures) == 1 and (found := text.attempt(_how_one, after, end, measures[0])):
         return found
     at = text.skip(after, end, "be", "do", "noise")
@@ -237,28 +277,36 @@ def _without(text: Text, start: int, end: int, measure: Measure) -> Query | None
         return None
     at, _, after = found
     of = text.attempt(target, start, at)
-    if of is None or not (isinstance(of, Whole) or text.find("property", after, end)):
+    if of is None:
         return None
     left = Get((asked(measure, of, text),), of)
     right = text.attempt(operand, after, end, left)
+    if not (isinstance(of, Whole) or text.find("property", after, end)):
+        return taken_off(text, after, end, left, right)
     return Calculate(Operation.MINUS, left, right) if right is not None else None
 
 
 def _how_far(text: Text, start: int, end: int) -> Query | None:
     """'how far apart are A and B', 'how far is A from B', 'how far does A stick out'."""
     at = start + text.word_at(start, end, "far", "close", "near", "distant")
+    at += text.word_at(at, end, "down", "in", "up", "out", "inwards", "outwards", "downwards", "upwards")
     at = text.skip(text.after("gap", at, end) or at, end, "be", "do", "noise")
-    if found := text.attempt(_reach, at, end):
+    if found := text.attempt(_reach, at, end) or _above_ground(text, at, end):
         return found
     mutual = text.find("reciprocal", at, end)
+    bounds = {"most": Reduce.LARGEST, "maximum": Reduce.LARGEST, "least": Reduce.SMALLEST, "minimum": Reduce.SMALLEST}
+    bound = next((i for i in range(at, end - 1) if text.words[i] == "at" and text.words[i + 1] in bounds), end)
     kept = [i for i in range(at, end) if mutual is None or not mutual[0] <= i < mutual[2]]
+    kept = [i for i in kept if i not in (bound, bound + 1) and text.words[i] not in ("can", "could", "be")]
     kept = [i for i in kept if text.words[i] not in ("apart", "away", "located", "separated", "together")]
     if kept and text.words[kept[0]] == "from":  # 'how far from the edge is the hole'
         verb = next((n for n, i in enumerate(kept) if text.match("be", i, end)), None)
         kept = kept if verb is None else [*kept[verb + 1 :], *kept[:verb]]
-    preposition = "of" if any(text.words[i] == "from" for i in kept) else "between"
+    leads = (text.words[i] == "from" and not text.match("verb", i - 1, end) for i in kept)
+    preposition = "of" if any(leads) else "between"
     extreme = next((i for i in kept if text.words[i] in _MUTUAL), None)  # 'the two farthest holes'
     reduce = Reduce.EACH if extreme is None or preposition == "of" else _MUTUAL[text.words[extreme]]
+    reduce = bounds[text.words[bound + 1]] if bound < end else reduce
     kept = kept if reduce is Reduce.EACH else [i for i in kept if i != extreme]
     worded = Text((_PREPOSITIONS[preposition], *(text.tokens[i] for i in kept)), text.book)
     return between(worded, 0, len(worded.tokens), Wording(reduce))
@@ -269,10 +317,13 @@ def _reach(text: Text, start: int, end: int) -> Query | None:
 
     What sticks out has a height, what goes in a depth; of what passes through another part, what lies outside of it.
     """
+    asserted = text.match("be", start, end) is not None
     at = text.skip(start, end, "be", "do")
     for stop in range(at + 1, end):
         for category, measure in (("protrude", Measure.HEIGHT), ("sink", Measure.DEPTH)):
             found = text.after(category, stop, end)
+            if asserted and found == stop + 1 == end:
+                continue  # 'the whole stand': after 'is' a verb in its plain form is a noun
             of = text.attempt(target, at, stop) if found is not None else None
             if found is None or of is None:
                 continue
@@ -282,12 +333,18 @@ def _reach(text: Text, start: int, end: int) -> Query | None:
             named = modifiers.sides(text, found, end)
             if named is not None and measure is Measure.HEIGHT and isinstance(of, Selection):
                 of = Selection(tuple(replace(phrase, sides=named[0].sides) for phrase in of.phrases))
-            out_of = text.word_at(found, end, "of", "from", "through", "out") and measure is Measure.HEIGHT
-            out_of = out_of and named is None
-            holder = text.attempt(target, text.skip(found + 1, end, "side_preposition"), end) if out_of else None
+            past = text.word_at(found, end, "over", "beyond", "past", "above")
+            out_of = text.word_at(found, end, "of", "from", "through", "out") or past
+            out_of = out_of and measure is Measure.HEIGHT and (named is None or past)
+            inner = text.skip(found + 1, end, "side_preposition")
+            rim = text.skip(text.skip(inner, end, "article"), end, "side", "edge", "side_noun") if past else inner
+            inner = rim + 1 if past and text.word_at(rim, end, "of") else inner  # 'over the left edge of the board'
+            holder = text.attempt(target, inner, end) if out_of else None
             bodily = isinstance(holder, Selection) and holder.noun_class is not NounClass.FACE
             bodily = bodily and not text.find("face_noun", found, end)
             if isinstance(of, Selection) and isinstance(holder, Selection) and bodily:
+                if past:  # the side that it is past decides nothing about where it is seen from
+                    of = Selection(tuple(replace(phrase, sides=()) for phrase in of.phrases))
                 return Overhang(of, holder)
             if found < end:
                 text.leave_out(found, end)
@@ -329,7 +386,12 @@ def _property_of(text: Text, start: int, end: int) -> Query | None:
         return found
     if wanted.plural and text.match("occur", at, end):
         wanted = replace(wanted, reduce=Reduce.DIFFERENT)
-    of = target(text, verb, text.trimmed(verb, end))
+    stop = text.trimmed(verb, end)
+    if (along := extent_along(text, wanted.measures, verb, stop)) is not None:
+        return along
+    of = target(text, verb, stop)
+    if of is None and text.skip(verb, end, "verb", "light", "noise") >= end:
+        of = Whole()  # 'what sheet thickness was used'
     if limit and isinstance(of, Selection):
         kept = bounded(limit[0], of.noun_class, text)
         of = Selection(tuple(replace(phrase, filters=(*phrase.filters, kept)) for phrase in of.phrases))
@@ -346,6 +408,7 @@ def _of_which(text: Text, start: int, end: int) -> Query | None:
     if place[0] == Measure.Z and (found := _above_ground(text, place[1], end)):
         return found
     at = text.skip(place[1], end, "be", "do")
+    end -= place[0] == Measure.POSITION and text.word_at(end - 1, end, "centered")
     found = text.attempt(value, at, end)
     if isinstance(found, Get) and found.measures[0] in _PLACES:
         return replace(found, measures=(Measure.Z,)) if place[0] == Measure.Z else found
@@ -354,12 +417,20 @@ def _of_which(text: Text, start: int, end: int) -> Query | None:
 
 
 def _above_ground(text: Text, start: int, end: int) -> Query | None:
-    """'(at what height) above the bottom is the hole', '(how high) above the ground is the shaft'."""
-    ground = text.after("ground", text.skip(start + 1, end), end) if text.word_at(start, end, "above", "over") else None
+    """'(at what height) above the bottom is the hole', '(how far) below the top face is the shaft'."""
+    noun = text.skip(start + 1, end)
+    under = text.word_at(start, end, "below", "under", "beneath")
+    above = text.word_at(start, end, "above", "over")
+    ground = text.after("ceiling", noun, end) if under else text.after("ground", noun, end) if above else None
     if ground is None:
         return None
-    of = target(text, text.skip(of_whole(text, ground, end) or ground, end, "be", "do"), end)
-    return Distance(of, Boundary(Side.BOTTOM), True, 2) if isinstance(of, Selection) else None
+    after = of_whole(text, ground, end) or ground
+    if after == ground and text.word_at(ground, end, "of"):
+        after = next((i for i in range(ground, end) if text.match("be", i, end) or text.match("do", i, end)), ground)
+        text.leave_out(ground, after)
+    of = target(text, text.skip(after, end, "be", "do"), end)
+    boundary = Boundary(Side.TOP if under else Side.BOTTOM)
+    return Distance(of, boundary, True, 2) if isinstance(of, Selection) else None
 
 
 def _what(text: Text, start: int, end: int) -> Query | None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from .meaning import AnyOf, Bound, ByMeasure, ByPlace, Filter, Get, Measure, NounClass, Order, Rank, Target, Whole
+from .meaning import ENDS, AnyOf, Bound, ByMeasure, ByPlace, Filter, Get, Measure, NounClass, Order, Rank, Target, Whole
 from .text import Text
 
 _LENGTHS_OF_ROUND = {
     (Measure.LENGTH, NounClass.HOLE): (Measure.DEPTH, "The length of a hole is taken as its depth along its axis."),
-    (Measure.LENGTH, NounClass.AXIAL): (Measure.HEIGHT, "The length of what sticks out is taken along its own axis."),
+    (Measure.LENGTH, NounClass.AXIAL): (
+        Measure.AXIAL_LENGTH,
+        "The length of what sticks out is taken along its own axis.",
+    ),
 }
 _STEPS = "A stepped hole is as large as its widest step and as small as its narrowest."
 _SIZES: dict[str, tuple[Measure, str]] = {
@@ -27,6 +30,10 @@ _OF_NOUN = {
         (Measure.THICKNESS, noun): (Measure.WALL_THICKNESS, "The thickness of a tube is that of its wall.")
         for noun in ("tube", "pipe", "sleeve", "bushing", "bush", "nozzle")
     },
+    **{
+        (Measure.THICKNESS, noun): (Measure.DIAMETER, "The thickness of a round bar is its diameter.")
+        for noun in ("shaft", "rod", "pin", "axle", "spindle", "dowel", "peg", "stud", "cylinder", "column", "pillar")
+    },
     (Measure.DIAMETER, "countersink"): (Measure.OUTER_DIAMETER, "The diameter of a countersink is its widest."),
     (Measure.RADIUS, "countersink"): (Measure.OUTER_RADIUS, "The radius of a countersink is its widest."),
 }
@@ -42,6 +49,7 @@ _NOTES = {
     Measure.DEPTH: "Depth is taken along the part's own axis, from its opening to its bottom.",
     Measure.WIDTH: "The width of a hole is that of its widest step.",
     Measure.EDGE_DISTANCE: "The distance to the edge is taken from the part's surface to the outer edge of its face.",
+    **dict.fromkeys(ENDS, "An end of a part is the middle of its box on that side."),
     Measure.POSITION: "The position of a part is its centre; of a hole, half-way between its ends on its axis.",
 }
 

@@ -13,10 +13,12 @@ from .lexicon import LEXICON
 from .meaning import (
     Bound,
     ByDistance,
+    ByPlace,
     Centered,
     Get,
     Measure,
     Origin,
+    Phrase,
     Placed,
     Rank,
     Relation,
@@ -78,6 +80,12 @@ def without_axis(text: Text) -> tuple[Text, int | None]:
             found = text.match("axis", text.skip(after, end, "article"), end)
         if found is None:
             continue
+        if text.words[found[1] - 1] in ("vertical", "horizontal") and modifiers.starts_noun(text, found[1], end):
+            continue  # 'in the vertical leg'
+        of_part = text.word_at(found[1], end, "of") and text.match("article", found[1] + 1, end)
+        if of_part and text.word_at(at, end, "along"):
+            stop = _end_of_noun(text, text.skip(found[1] + 1, end), end)  # 'along the width of the cover'
+            return text.rearranged([*range(at), *range(stop, end)]), int(found[0])
         lettered = text.words[found[1] - 1] in _AXES  # 'the width in x of the pin', but not 'the width of the pin'
         if text.word_at(found[1], end, "of") and not lettered and not of_whole(text, found[1], end):
             continue
@@ -117,6 +125,13 @@ def nearness(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int
     rest = text.skip(found[1], end, "article")
     point = text.after("center", rest, end)
     reference: Target | Origin | None
+    side = text.match("side", rest, end)
+    stop = text.skip(side[1], end, "side_noun", "edge") if side else end
+    if side is not None and (of_whole(text, stop, end) or stop) >= end:  # 'nearest to the front'
+        outward = Side(side[0]).outward
+        axis = next(i for i, value in enumerate(outward) if value)
+        draft.ranks.append(Rank(ByPlace(axis), (outward[axis] > 0) == (found[0] == "near")))
+        return draft.close(end)
     if text.match("edge", rest, end):
         reference = None
     elif text.match("origin", rest, end):
@@ -266,15 +281,26 @@ def _end_of_noun(text: Text, noun: int, end: int) -> int:
     return stop
 
 
+def _end_named(phrase: Phrase) -> tuple[str, ...]:
+    """'upper', where the phrase means the one at that end: SegCAD knows 'the upper plate' by name or place."""
+    if len(phrase.ranks) != 1 or not isinstance(phrase.ranks[0].order, ByPlace):
+        return ()
+    axis, largest = phrase.ranks[0].order.axis, phrase.ranks[0].largest
+    return ((("left", "right"), ("front", "back"), ("lower", "upper"))[axis][largest],)
+
+
 def _inside(text: Text, draft: Draft, holder: Target | None, after: int, link: str = "in") -> int | None:
     """The place goes into the description where words can say it, else into a filter."""
     if not isinstance(holder, Selection):
         return None
     text.note(_WITHIN)
     phrase = holder.phrases[0]
-    if len(holder.phrases) == 1 and not phrase.filters and not phrase.ranks and len(phrase.sides) < 2:
+    end = _end_named(phrase)
+    if len(holder.phrases) == 1 and not phrase.filters and (not phrase.ranks or end) and len(phrase.sides) < 2:
         draft.plural = draft.plural or phrase.plural  # 'the bore of the counterbored holes': one each
-        draft.located += [link, *(side.value for side in phrase.sides), *phrase.description.split()]
+        words = phrase.description.removeprefix("whole ").split()
+        draft.located += [link, *end, *(side.value for side in phrase.sides), *words]
         return draft.close(after)
+    draft.plural = draft.plural or holder.plural
     draft.filters.append(Within(holder))
     return draft.close(after)

@@ -211,7 +211,8 @@ def _is_beside(condition: Filter) -> bool:
 def _find(phrase: Phrase) -> str:
     if not phrase.sides:
         return f"find_parts({_quoted(phrase.description)})"
-    return f"find_parts({_quoted(phrase.description)}, sides={json.dumps([side.value for side in phrase.sides])})"
+    description = f"{phrase.description} on {phrase.sides[0].value}" if phrase.stands else phrase.description
+    return f"find_parts({_quoted(description)}, sides={json.dumps([side.value for side in phrase.sides])})"
 
 
 def _quoted(text: str) -> str:

@@ -158,9 +158,15 @@ def _correct(word: str) -> str:
         (distance, other)
         for other in LEXICON.corrected_to
         if len(other) >= 5 and abs(len(other) - len(word)) <= allowed and other[0] in word[:2]
+        if not _inflected(word, other)
         if (distance := edit_distance(word, other)) <= allowed
     )
     return min(candidates, default=(0, word))[1]
+
+
+def _inflected(word: str, other: str) -> bool:
+    """Is it another form of a verb ('locating', 'location') and no slip?"""
+    return any(word.endswith(ending) and not other.endswith(ending) for ending in ("ing", "ed"))
 
 
 def edit_distance(a: str, b: str) -> int:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from .asking import BORE_WORDS, BORES, EXTENTS, SCALARS, Asked, asked_measures, is_part
 from .distances import angle, distance
+from .draft import MODEL_NOUN
 from .lexicon import LEXICON
 from .meaning import (
     Calculate,
@@ -14,6 +15,7 @@ from .meaning import (
     Measure,
     NounClass,
     Operation,
+    Phrase,
     Query,
     Reduce,
     Scalar,
@@ -27,7 +29,12 @@ from .relations import without_axis
 from .text import Text
 
 _ALONG = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
-_MEASURED_THERE = {*EXTENTS, Measure.DIAMETER, Measure.RADIUS, Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER}
+_MEASURED_THERE = {
+    *EXTENTS, Measure.THICKNESS, Measure.AXIAL_LENGTH, Measure.DIAMETER, Measure.RADIUS, Measure.OUTER_DIAMETER,
+    Measure.INNER_DIAMETER,
+}  # fmt: skip
+_TAKEN_OFF = {Measure.HEIGHT, Measure.LENGTH, Measure.AXIAL_LENGTH}
+"""Extents that become less when what sticks out is taken away."""
 _OF_BOX = {Measure.MAGNITUDE: Measure.SIZE, Measure.VOLUME: Measure.BOX_VOLUME}
 _TUBES = {"tube", "pipe", "sleeve", "bushing", "bush", "nozzle", "collar", "ring", "cylinder", "standoff"}
 
@@ -53,10 +60,18 @@ def get(text: Text, wanted: Asked, of: Target) -> Get | None:
     """The values of the wanted measures of parts or of the whole; None when the whole cannot have them."""
     of, thick = _of_wall(of, wanted.measures)
     measures = tuple(asked(Measure.WALL_THICKNESS if thick else measure, of, text) for measure in wanted.measures)
+    if isinstance(of, Whole) and measures == (Measure.NAME,) and wanted.plural:
+        return Get(measures, Selection((Phrase(MODEL_NOUN, NounClass.BODY, plural=True),)), Reduce.DIFFERENT)
     if isinstance(of, Whole) and len(measures) == 3 and set(measures) <= EXTENTS:
         text.note("Length, width and height of the whole model are given as its extents along x, y and z.")
         measures = (Measure.SIZE,)
     reduce = wanted.reduce
+    if measures == (Measure.NAME,) and reduce is Reduce.EACH and isinstance(of, Selection):
+        different = [replace(p, description=p.description.removeprefix("different ")) for p in of.phrases]
+        if different != list(of.phrases):
+            of, reduce = Selection(tuple(different)), Reduce.DIFFERENT  # 'the names of the different bodies'
+    if isinstance(of, Selection) and of.phrases[0].sample and reduce is Reduce.EACH and measures[0] in SCALARS:
+        reduce = Reduce.ONE
     if isinstance(of, Selection) and wanted.plural and reduce is Reduce.EACH and not of.single:
         of = Selection(tuple(replace(phrase, plural=True) for phrase in of.phrases))
     if measures == (Measure.SIZE,) and reduce in (Reduce.LARGEST, Reduce.SMALLEST):
@@ -162,7 +177,7 @@ def measured_part(text: Text, measures: tuple[Measure, ...], start: int, end: in
 
 def extent_along(text: Text, measures: tuple[Measure, ...], start: int, end: int) -> Get | None:
     """'(the length of) the part in y direction', '(the extent of) the rib in z': full extents along an axis."""
-    if len(measures) > 1 or measures[0] not in EXTENTS | {Measure.SIZE, Measure.MAGNITUDE}:
+    if len(measures) > 1 or measures[0] not in EXTENTS | {Measure.SIZE, Measure.MAGNITUDE, Measure.THICKNESS}:
         return None
     if across := text.find("across_axis", start, end):
         of = target(
@@ -171,6 +186,7 @@ def extent_along(text: Text, measures: tuple[Measure, ...], start: int, end: int
         return Get((_ALONG[int(across[1])],), of) if of is not None else None
     rest, axis = without_axis(text.rearranged(range(start, end)))
     of = target(rest, 0, len(rest.tokens)) if axis is not None else None
+    of = Whole() if axis is not None and not rest.tokens else of  # 'the overall size in the width direction'
     if of is None or axis is None:
         return None
     return Get((_ALONG[axis],), of)
@@ -222,6 +238,8 @@ def _compound(text: Text, start: int, end: int) -> Query | None:
         at = text.skip(at, end, "article", "noise")
         if found := text.match("reduce", at, end):
             wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]
+        elif (all_of := text.after("quantifier", at, end)) and text.match("reduce", all_of, end):
+            at = all_of  # 'all unique hole radii'
         elif (ordinal := text.match("ordinal", at, end)) and text.match("extreme", ordinal[1], end):
             wanted, at = replace(wanted, nth=int(ordinal[0])), ordinal[1]
         elif found := text.match("extreme", at, end):
@@ -307,7 +325,22 @@ def _with_or_without(text: Text, start: int, end: int) -> Query | None:
             whole = isinstance(left, Get) and isinstance(left.target, Whole)
             if isinstance(left, Get | Count) and right is not None and (explicit or whole):
                 return Calculate(operation, left, right)
+            if operation is Operation.MINUS and (rest := taken_off(text, after, end, left, right)) is not None:
+                return rest
     return None
+
+
+def taken_off(
+    text: Text, start: int, end: int, left: Scalar | float | None, right: Scalar | float | None
+) -> Calculate | None:
+    """'(the height of the motor without) the shaft': one that is there, taken away from what it is a part of."""
+    if not isinstance(left, Get) or not isinstance(right, Get) or left.measures[0] not in _TAKEN_OFF:
+        return None
+    if not text.word_at(start, end, "the") or not isinstance(right.target, Selection) or right.target.plural:
+        return None
+    if right.measures == (Measure.LENGTH,) and right.target.noun_class is not NounClass.HOLE:
+        right = replace(right, measures=(Measure.AXIAL_LENGTH,))
+    return Calculate(Operation.WITHOUT, left, right)
 
 
 def operand(text: Text, start: int, end: int, like: Query | float | None) -> Scalar | None:

@@ -21,6 +21,7 @@ from .meaning import (
     Filter,
     Get,
     Measure,
+    NounClass,
     Operation,
     Overhang,
     Parts,
@@ -44,6 +45,8 @@ _COUNTS = {
     Relation.AT_LEAST: ">=",
     Relation.UNEQUAL: "!=",
 }
+_LONG = 40
+"""Longer expressions of a measure are written once, not for one part and for several."""
 _OVERHANG = """def overhang(p: Part, q: Part) -> float:
     reach = []
     for i in range(3):
@@ -117,6 +120,8 @@ class _Writer:
             return self._reduced(query)
         if len(query.measures) > 1:
             return self._several(query)
+        if query.measures == (Measure.TIP,):
+            return self._tips(query.target)
         return self._each(of_part(query.measures[0], "{0}"), query.target, answer_type(query.measures[0], False))
 
     def _each(self, template: str, target: Selection, kind: AnswerType) -> tuple[str, AnswerType]:
@@ -127,7 +132,22 @@ class _Writer:
         listed = f"[{template.format('p')} for p in {chosen.name}]"
         if chosen.plural:
             return listed, many(kind)
+        if len(template) > _LONG or kind is AnswerType.LENGTH:  # like parts share one value
+            name = self.select.name("values")
+            self.select.lines.append(f"{name} = {listed}")
+            one = f"len(different({name})) == 1" if kind is AnswerType.LENGTH else f"len({name}) == 1"
+            return f"{name}[0] if {one} else {name}", kind
         return f"{template.format(chosen.first)} if len({chosen.name}) == 1 else {listed}", kind
+
+    def _tips(self, target: Selection) -> tuple[str, AnswerType]:
+        """All free ends: a rod whose ends are both free has two, though it is one part."""
+        chosen = self.select.choose(target)
+        ends = f"[tip for p in {chosen.listed} for tip in p.tips]"
+        if chosen.plural:
+            return ends, many(AnswerType.POINT)
+        name = self.select.name("tips")
+        self.select.lines.append(f"{name} = {ends}")
+        return f"{name}[0] if len({name}) == 1 else {name}", AnswerType.POINT
 
     def _several(self, query: Get) -> tuple[str, AnswerType]:
         """Several measures: one after the other, part by part."""
@@ -170,6 +190,11 @@ class _Writer:
         match query.reduce:
             case Reduce.DIFFERENT:
                 return self._different(measure, chosen), many(kind)
+            case Reduce.ONE:
+                slack = ", 1e-12" if kind in (AnswerType.AREA, AnswerType.VOLUME) else ""
+                name = self.select.name("values")
+                self.select.lines.append(f"{name} = different([{values}]{slack})")
+                return f"{name}[0] if len({name}) == 1 else {name}", kind
             case Reduce.TOTAL:
                 return f"sum({values})", kind
             case Reduce.MEAN:
@@ -204,7 +229,7 @@ class _Writer:
     def _overhang(self, target: Selection, holder: Selection) -> tuple[str, AnswerType]:
         other = self.select.choose(holder).first
         self.select.lines.insert(0, _OVERHANG)
-        return self._each(f"overhang({{0}}, {other})", target, AnswerType.LENGTH)
+        return self._each(f"(overhang({{0}}, {other}) or {{0}}.height)", target, AnswerType.LENGTH)
 
     # Two values
 
@@ -242,6 +267,11 @@ class _Writer:
                 return f"abs({left} - {_grouped(right)})", kind
             case Operation.MINUS:
                 return f"{left} - {_grouped(right)}", kind
+            case Operation.WITHOUT:
+                assert isinstance(query.left, Get)
+                assert isinstance(query.left.target, Selection)
+                holder = self.select.choose(query.left.target).first
+                return f'{left} - ({right} if {holder}.kind in ("body", "model") else 0.0)', kind
 
     def _term(self, value: Scalar, operation: Operation) -> str:
         """One number of a calculation; in a sum, all parts count."""
@@ -293,13 +323,19 @@ class _Writer:
         if second is not None and not isinstance(second, Selection):
             return self._to_place(first, second, query)
         if isinstance(second, Selection) and first.single and second.single:
-            a, b = self.select.choose(first).name, self.select.choose(second).name
+            a, b = self.select.choose(first).first, self.select.choose(second).first
             return _apart(query.centers, query.axis, a, b), AnswerType.LENGTH
         pairs = self._pairs(first, second)
         name = self.select.name("distances")
-        self.select.lines.append(f"{name} = [{_apart(query.centers, query.axis)} {pairs}]")
-        if query.axis is not None and second is None and query.reduce is Reduce.SMALLEST:
-            self.select.lines.append(f"{name} = [d for d in {name} if d > {FOUND:g}]")
+        alike = query.alike and second is None and first.noun_class is NounClass.HOLE
+        like = " if close(a.diameter, b.diameter)" if alike else ""
+        self.select.lines.append(f"{name} = [{_apart(query.centers, query.axis)} {pairs}{like}]")
+        if alike:
+            self.select.lines.append(f"{name} = {name} or [{_apart(query.centers, query.axis)} {pairs}]")
+        if query.axis is not None and second is None and query.reduce in (Reduce.SMALLEST, Reduce.EACH):
+            each = query.reduce is Reduce.EACH  # 'the distance between the holes along x': of those that lie apart
+            apart = f"[d for d in {name} if d > {FOUND:g}]"
+            self.select.lines.append(f"{name} = {f'different({apart})' if each else apart} or {name}")
         match query.reduce:
             case Reduce.EACH if second is None:
                 return f"{name}[0] if len({name}) == 1 else {name}", AnswerType.LENGTH

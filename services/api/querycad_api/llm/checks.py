@@ -9,6 +9,14 @@ import re
 _TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 39.37, 39.3701, 39.37007874)
 """Factors from metres (m2, m3) to millimetres and inches."""
 _UNITS_IN_METRES = (0.001, 1e-6, 1e-9, 0.0254)
+_BETWEEN_TWO = ("center_distance", "distance_to", "angle_to")
+_MEASURED = frozenset(
+    {
+        *("radius", "diameter", "depth", "height", "width", "length", "thickness", "pitch", "angle", "volume", "area"),
+        *("center", "opening", "tip", "extents", "half_extents", "local_size", "min_corner", "max_corner"),
+        *("edge_distance", *_BETWEEN_TWO),
+    }
+)
 _ROUGH_DIGITS = 5
 """Digits after the point below which rounding metres loses what a drawing tells: 0.01 mm."""
 
@@ -64,9 +72,29 @@ def _problem(node: ast.AST) -> str | None:
             return f"`{ast.unparse(node)}` converts the result: leave it in metres."
         case ast.Call(func=ast.Name(id="round"), args=[value, digits]) if _is_rough(digits) and _number(value) is None:
             return f"`{ast.unparse(node)}` loses digits, as values are in metres: do not round."
+        case ast.Call(func=ast.Attribute(value=part, attr=name), args=[other]) if _are_one(name, part, other):
+            return f"`{ast.unparse(node)}` is between a part and itself: 0."
+        case ast.Compare(left=left, ops=[ast.Eq()], comparators=[right]) if _is_exact(left, right) or _is_exact(
+            right, left
+        ):
+            return f"`{ast.unparse(node)}` is hardly ever true, as lengths are measured: compare with close(a, b)."
         case ast.Call(func=ast.Attribute(attr="degrees") | ast.Name(id="degrees")):
             return f"`{ast.unparse(node)}` converts the result: leave angles in radians."
     return None
+
+
+def _are_one(measure: str, part: ast.expr, other: ast.expr) -> bool:
+    """Is it a measure between two parts, both of which are the same?"""
+    return measure in _BETWEEN_TWO and ast.dump(part) == ast.dump(other)
+
+
+def _is_exact(measure: ast.expr, number: ast.expr) -> bool:
+    """Is it something measured, and a number that it would have to be to the last digit?"""
+    if isinstance(measure, ast.Subscript):
+        measure = measure.value
+    if isinstance(measure, ast.Call):
+        measure = measure.func
+    return isinstance(measure, ast.Attribute) and measure.attr in _MEASURED and _number(number) is not None
 
 
 def _converts(value: ast.expr, factor: ast.expr) -> bool:

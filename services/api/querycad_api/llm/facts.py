@@ -34,4 +34,4 @@ def _listed(counts: Iterable[tuple[str, int]], total: int) -> str:
 
 def _clean(name: str) -> str:
     """A name on one line, without what could be taken for a part of the prompt's own layout."""
-    return " ".join("".join(c if c.isalnum() or c in " -_.,+/()" else " " for c in name).split())[:NAME_CHARS]
+    return " ".join("".join(c if c.isalnum() or c in " -.,+/()" else " " for c in name).split())[:NAME_CHARS]

@@ -13,6 +13,7 @@ from .files import prompt_data
 K1, B = 1.2, 0.75
 """The usual parameters: how soon a repeated word stops counting, and how much a long text is marked down."""
 _WORD = re.compile(r"[a-z]+|\d+(?:[.,]\d+)*")
+_IRREGULAR = {"feet": "foot", "teeth": "tooth"}
 NUMBER, SIDE = "#", "@"
 ASKED_FOR_WEIGHT = 2.0
 """A program follows the measure that is asked for more than the part: another part changes one word of it."""
@@ -28,8 +29,19 @@ def _listed(name: str) -> frozenset[str]:
 
 
 def words(text: str) -> list[str]:
-    """The words that say something, lower-case and without a plural's s; all numbers are one word, and all sides."""
+    """The words that say something, lower-case, in the singular; numbers are one word, sides and synonyms too."""
     return [_form(word) for word in _WORD.findall(text.lower()) if word not in _listed("say_nothing")]
+
+
+def singular(word: str) -> str:
+    """The word without the ending of a plural: bodies, bosses, holes."""
+    if word in _IRREGULAR:
+        return _IRREGULAR[word]
+    if len(word) > len("ties") and word.endswith("ies"):
+        return f"{word[:-3]}y"
+    if len(word) > len("axes") and word.endswith(("sses", "shes", "ches", "xes")):
+        return word[:-2]
+    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
 
 
 def _form(word: str) -> str:
@@ -37,7 +49,20 @@ def _form(word: str) -> str:
         return NUMBER
     if word in _listed("sides"):
         return SIDE
-    return word[:-1] if len(word) > 3 and word.endswith("s") and not word.endswith("ss") else word
+    return _same().get(singular(word), singular(word))
+
+
+@cache
+def _particular() -> frozenset[str]:
+    """What a program follows most: the measure that is asked for, a side, a number."""
+    return _listed("asked_for") | {NUMBER, SIDE}
+
+
+@cache
+def _same() -> dict[str, str]:
+    """The word that each of words.toml's `same` stands for."""
+    same: dict[str, list[str]] = prompt_data("words.toml")["questions"]["same"]
+    return {other: word for word, others in same.items() for other in others}
 
 
 class Nearest:
@@ -51,19 +76,20 @@ class Nearest:
         found_in = Counter(word for counts in self._counts for word in counts)
         self._weight = {
             word: math.log(1 + (len(texts) - number + 0.5) / (number + 0.5))
-            * (ASKED_FOR_WEIGHT if word in _listed("asked_for") else 1.0)
+            * (ASKED_FOR_WEIGHT if word in _particular() else 1.0)
             for word, number in found_in.items()
         }
 
     def ranked(self, query: str) -> list[int]:
         """Indices of the texts, the most alike first; ties in the order of the collection.
 
-        What a text asks for and the query does not counts against it: "different diameters" is not "the diameter".
+        What a text asks for and the query does not counts against it: "different diameters" is not "the diameter". So
+        does a side or number: a writer takes it over into its program.
         """
         asked = set(words(query))
         scores = [
             sum(self._score(word, counts[word], down) for word in asked & counts.keys())
-            - UNASKED * sum(self._weight[word] for word in (counts.keys() - asked) & _listed("asked_for"))
+            - UNASKED * sum(self._weight[word] for word in (counts.keys() - asked) & _particular())
             for counts, down in zip(self._counts, self._marked_down, strict=True)
         ]
         return sorted(range(len(scores)), key=lambda i: -scores[i])

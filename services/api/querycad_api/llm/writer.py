@@ -12,6 +12,7 @@ from querycad_api.typed import unit_of
 from querycad_contracts import AnswerType, Attempt, Expectation, LlmOptions, ModelSummary, Program, TokenUse, Unit
 
 from .checks import problems
+from .doubts import doubts
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .nearest import words
@@ -65,11 +66,15 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class _Tried:
-    """One reply: its program, what came of that, and what is to be repaired; no problem means that it stands."""
+    """One reply: its program, what came of that, and what is to be repaired; no problem means that it stands.
+
+    A program with an answer that is only doubted stands when it comes again.
+    """
 
     candidate: Candidate | None
     problem: str
     code: str | None = None
+    is_doubted: bool = False
 
 
 class LlmWriter:
@@ -120,8 +125,8 @@ class LlmWriter:
             reply = model.reply(messages, temperature, sample, deadline)
             tried = _try(task, reply, self.codegen)
             written.attempts.append(self._attempt(sample, tried, reply.tokens, time.perf_counter() - began))
-            last = tried.candidate or last
-            if not tried.problem:
+            last = _further(last, tried.candidate)
+            if not tried.problem or (tried.is_doubted and tried.code in earlier):
                 return tried.candidate
             earlier.add(tried.code)
             messages = (*start, Message(Role.ASSISTANT, reply.text[:SAID_CHARS]), repair(tried.problem))
@@ -155,7 +160,25 @@ def _try(task: Task, reply: Reply, codegen: str) -> _Tried:
         return _Tried(None, " ".join(found), code)
     program = Program(code=code, codegen=codegen, expects=task.wanted)
     candidate = Candidate(program, task.judge(program))
-    return _Tried(candidate, _problem(task, candidate), code)
+    if problem := _problem(task, candidate):
+        return _Tried(candidate, problem, code)
+    doubt = _doubt(task, code) if candidate.verdict.answer is not None else ""
+    return _Tried(candidate, doubt, code, is_doubted=bool(doubt))
+
+
+def _further(last: Candidate | None, candidate: Candidate | None) -> Candidate | None:
+    """Which of two programs is to be kept: the later one, unless only the earlier one has an answer."""
+    if candidate is None or (last is not None and last.verdict.answer is not None and candidate.verdict.answer is None):
+        return last
+    return candidate
+
+
+def _doubt(task: Task, code: str) -> str:
+    """What of the question is not in the program? Nothing where the parser does not know the question's words."""
+    if task.asked is None:
+        return ""
+    terms = task.summary.terms if task.summary is not None else ()
+    return " ".join(doubts(code, task.question, task.asked, terms))
 
 
 def _problem(task: Task, candidate: Candidate) -> str:
@@ -164,14 +187,14 @@ def _problem(task: Task, candidate: Candidate) -> str:
     if verdict.answer is not None:
         return _other_measure(code, task.wanted)
     if verdict.missing is not None:
-        return _unfound(task, verdict)
+        return _doubt(task, code) or _unfound(task, verdict)
     assert verdict.failure is not None
     message = verdict.failure.message
     if verdict.failure.category == "unexpected":
         return f"{message}."
     if task.wanted is not None and "is not of type" in message:
         return f"{message}: the question asks for {in_words(task.wanted)}."
-    return f"{message}. {hint(message)}".strip()
+    return " ".join(filter(None, (f"{message}.", hint(message), _doubt(task, code))))
 
 
 def _other_measure(code: str, wanted: AnswerType | None) -> str:
