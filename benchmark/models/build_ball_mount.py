@@ -9,7 +9,7 @@ from build123d import Axis, Part, Plane, Polyline, chamfer, extrude, make_face
 from benchmark.kit import INCH, Item, Model, count, length, lengths, size
 from benchmark.shapes import BACK, block, rod
 
-MODEL = Model("Ball mount of a trailer hitch", "held_out", unit="in")
+MODEL = Model("Ball mount of a trailer hitch", "dev", unit="in")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Item, Model, count, length, lengths
 from benchmark.shapes import DOWN, circle, cone, rod, slot
 
-MODEL = Model("Brake disc", "held_out")
+MODEL = Model("Brake disc", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Part
 from benchmark.kit import Form, Item, Model, count, length, lengths
 from benchmark.shapes import BACK, DOWN, RIGHT, circle, rod
 
-MODEL = Model("Piston", "held_out", Form.BSPLINE)
+MODEL = Model("Piston", "dev", Form.BSPLINE)
 
 
 @dataclass(frozen=True, slots=True)

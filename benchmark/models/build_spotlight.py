@@ -10,7 +10,7 @@ from build123d import Part
 from benchmark.kit import Form, Item, Model, angle, count, length, lengths
 from benchmark.shapes import BACK, circle, cone, rod
 
-MODEL = Model("Spotlight", "held_out", Form.SURFACES)
+MODEL = Model("Spotlight", "dev", Form.SURFACES)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Compound, Part
 from benchmark.kit import Item, Model, count, length, lengths, point, size
 from benchmark.shapes import DOWN, FRONT, RIGHT, assembly, block, grid, named, rod
 
-MODEL = Model("Stereo amplifier", "held_out", bodies=5)
+MODEL = Model("Stereo amplifier", "dev", bodies=5)
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import pytest
+from tests.api.llm.test_prompt import summary
 
 from querycad_api.llm.doubts import doubts
 from querycad_contracts import AnswerType
 
 LENGTH, LENGTHS, COUNT, POINT = AnswerType.LENGTH, AnswerType.LENGTHS, AnswerType.COUNT, AnswerType.POINT
-TERMS = ("blind hole", "slot", "boss", "flange")
+MODEL = summary("power_inlet", terms={"blind hole": 3, "slot": 2, "boss": 1, "flange": 1})
+"""With a body called "Base plate"."""
 
 
 @pytest.mark.parametrize(
@@ -31,7 +33,7 @@ TERMS = ("blind hole", "slot", "boss", "flange")
     ],
 )  # fmt: skip
 def test_what_differs_from_the_question_is_doubted(question: str, wanted: AnswerType, code: str, said: str) -> None:
-    (doubt,) = doubts(f"solution = {code}", question, wanted, TERMS)
+    (doubt,) = doubts(f"solution = {code}", question, wanted, MODEL)
     assert said in doubt
 
 
@@ -43,6 +45,8 @@ def test_what_differs_from_the_question_is_doubted(question: str, wanted: Answer
         ("How deep are the holes in the flange?", LENGTHS, '[p.depth for p in find_parts("hole in the flange")]'),
         ("How high are the bosses with a hole?", LENGTHS, '[p.height for p in find_parts("boss with a hole")]'),
         ("How long is the shaft?", LENGTH, 'find_parts("shaft of the part")[0].length'),
+        ("How thick is the plate?", LENGTH, 'find_parts("base plate")[0].thickness'),
+        ("How large is the inlet?", LENGTH, 'find_parts("power inlet")[0].extents'),
         ("How many red bodies are there?", COUNT, 'len(find_parts("red body"))'),
         ("How many hexagonal pockets are there?", COUNT, 'len(find_parts("hexagon pocket"))'),
         ("What is the radius of the largest hole?", LENGTH, 'max(max(p.radii) for p in find_parts("hole"))'),
@@ -61,4 +65,4 @@ def test_what_differs_from_the_question_is_doubted(question: str, wanted: Answer
     ],
 )  # fmt: skip
 def test_what_says_the_same_as_the_question_is_not_doubted(question: str, wanted: AnswerType, code: str) -> None:
-    assert doubts(f"solution = {code}", question, wanted, TERMS) == ()
+    assert doubts(f"solution = {code}", question, wanted, MODEL) == ()

@@ -201,6 +201,15 @@ def test_a_doubted_program_is_sent_back_once_and_stands_when_it_comes_again() ->
     assert len(write(FakeModel(program(seen_from_top)), ok(4), asked=None).attempts) == 1  # words that nobody knows
 
 
+def test_a_size_below_zero_is_doubted_and_a_coordinate_is_not() -> None:
+    size = program("solution = shape.extents[2] - shape.extents[1]")
+    first, _ = write(FakeModel(size), ok(-0.01), question="How high is it?", asked=AnswerType.LENGTH).attempts
+    assert "negative" in first.problem
+    coordinate = program("solution = shape.center[2]")
+    (only,) = write(FakeModel(coordinate), ok(-0.01), question="At which z is it?", asked=AnswerType.LENGTH).attempts
+    assert only.problem == ""
+
+
 def test_a_repair_that_does_not_run_leaves_the_program_that_was_doubted() -> None:
     seen_from_top = "solution = len(find_parts('hole', sides=['top']))"
     model = FakeModel(program(seen_from_top), program("solution = len(find_parts('hole')) / 0"))

@@ -142,6 +142,25 @@ def test_slots_towards_the_axis_of_a_disc_are_radial(count: int) -> None:
     assert slots[0].width == pytest.approx(4 * MM)
 
 
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_slots_in_the_wall_of_a_tube_are_radial_and_not_one_across_its_bore(degrees: float) -> None:
+    """The tube stands on a foot: it is not the whole body that is round."""
+    tube = fuse(cylinder(25, 28), box((60, 40, 8), (-30, 20, 0)))
+    slots = [turned(box((10, 4, 3), (17, -2, 25)), (0, 0, 1), 45 + 90 * i) for i in range(4)]
+    found = find(turned(cut(tube, cylinder(20, 28), *slots), (1, 2, 3), degrees))
+    assert len(found.of("slot")) == 4
+    for slot in found.of("slot"):
+        assert "radial" in slot.tags
+        assert [slot.width, slot.depth] == near(4, 3)
+
+
+def test_a_slot_that_a_small_bore_interrupts_is_one() -> None:
+    shape = cut(cylinder(25, 28), cylinder(6, 28), box((60, 4, 3), (-30, -2, 25)))
+    slot = only(find(shape).of("slot"))
+    assert "radial" not in slot.tags
+    assert slot.length == pytest.approx(50 * MM, rel=0.01)
+
+
 def test_a_slot_across_a_screw_head_is_not_radial() -> None:
     slot = only(find(cut(cylinder(10, 10), box((30, 2, 3), (-15, -1, 7)))).of("slot"))
     assert not {"radial", "keyway"} & set(slot.tags)

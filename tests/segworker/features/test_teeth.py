@@ -116,3 +116,42 @@ def test_slots_around_a_disc_are_slots_and_no_gear(radius: float) -> None:
     found = find(cut(disc, *slots))
     assert found.of("gear") == []
     assert len(found.of("slot")) == 9
+
+
+def test_teeth_whose_flanks_stand_at_nearly_equal_angles_are_counted_once() -> None:
+    """The teeth end on a wider flange; their flanks seem to repeat twice as often as they do."""
+    pitch = 2 * math.pi / 30
+    outline = [
+        (r * math.cos((i + share) * pitch), r * math.sin((i + share) * pitch))
+        for i in range(30)
+        for r, share in ((41, -0.18), (41, 0.18), (48, 0.34), (48, 0.66))
+    ]
+    found = find(fuse(extruded(outline, 0, 24), cylinder(56, 8, (0, 0, -8)), cylinder(12, 30, (0, 0, 24))))
+    (gear,) = found.of("gear")
+    assert gear.count == 30 == len(gear.children)
+    assert gear.diameter == pytest.approx(96 * MM)
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_a_rim_with_deep_slots_and_hollows_is_still_a_disc_and_no_gear(degrees: float) -> None:
+    slot = fuse(box((40, 8, 10), (28, -4, 0)), cylinder(4, 10, (28, 0, 0)))
+    slots = [turned(slot, (0, 0, 1), 60 * i) for i in range(6)]
+    hollows = [turned(cylinder(22, 10, (69.28, 0, 0)), (0, 0, 1), 60 * i + 30) for i in range(6)]
+    wheel = fuse(cut(cylinder(60, 10), *slots, *hollows), cylinder(18, 14, (0, 0, 10)))
+    found = find(turned(wheel, (1, 2, 3), degrees))
+    assert found.of("gear") == []
+    assert sorted(boss.diameter or 0 for boss in found.of("boss")) == pytest.approx([36 * MM, 120 * MM])
+    (disc,) = (boss for boss in found.of("boss") if "flat" in boss.tags and (boss.diameter or 0) > 0.1)
+    assert disc.height == pytest.approx(10 * MM)
+    assert len(found.of("slot")) == 6
+    for part in found.of("slot"):
+        assert {"through", "radial", "open"} <= set(part.tags)
+        assert part.width == pytest.approx(8 * MM)
+
+
+def test_three_arms_of_one_radius_are_no_disc() -> None:
+    arms = [turned(box((40, 12, 6), (0, -6, 0)), (0, 0, 1), 120 * i) for i in range(3)]
+    star = fuse(fuse(*arms), cylinder(15, 6))
+    ring = cut(cylinder(60, 6), cylinder(38, 6))
+    found = find(cut(star, ring))
+    assert [boss for boss in found.of("boss") if (boss.diameter or 0) > 0.07] == []

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 from querycad_api.measured import measures
-from querycad_contracts import AnswerType
+from querycad_contracts import AnswerType, ModelSummary
 
 from .files import prompt_data
 from .nearest import singular
@@ -28,14 +28,14 @@ _AXES = {"width": 0, "depth": 1, "height": 2, "x": 0, "y": 1, "z": 2}
 _ALONG = re.compile(r"\balong (?:the |its )?(width|depth|height|[xyz])\b|\bin ([xyz])[- ]direction\b")
 
 
-def doubts(code: str, question: str, wanted: AnswerType | None, terms: Iterable[str] = ()) -> tuple[str, ...]:
-    """What should the writer look at again, a sentence each? `terms` are names that parts of the model go by."""
+def doubts(code: str, question: str, wanted: AnswerType | None, summary: ModelSummary | None = None) -> tuple[str, ...]:
+    """What should the writer look at again, a sentence each? `summary` is what it was told of the model."""
     try:
         tree = ast.parse(code)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ()
     asked = _WORD.findall(question.lower())
-    found = [*_sides(tree, asked), *_descriptions(tree, question, terms), *_extreme(tree, asked)]
+    found = [*_sides(tree, asked), *_descriptions(tree, question, summary), *_extreme(tree, asked)]
     if wanted in (AnswerType.LENGTH, AnswerType.LENGTHS):
         found += [*_radius_or_diameter(code, asked), *_along(tree, question)]
     return tuple(dict.fromkeys(found))
@@ -47,23 +47,29 @@ def _sides(tree: ast.Module, asked: list[str]) -> Iterator[str]:
     if set(asked) & _listed("any_side"):
         return
     named = {side for side, others in words.items() if set(asked) & {side, *others}}
-    calls = _searches(tree)
-    given = [word.value for call in calls for word in call.keywords] + [call.args[1] for call in calls if call.args[1:]]
-    for side in dict.fromkeys(text for value in given for node in ast.walk(value) if (text := _text(node))):
-        if side in words and side not in named:
-            yield f'The question does not say "{side}": leave it out of `sides`.'
+    for call in _searches(tree):
+        given = [word.value for word in call.keywords] + call.args[1:]
+        sides = [text for value in given for node in ast.walk(value) if (text := _text(node)) in words]
+        for side in (side for side in sides if side not in named):
+            right = [ast.unparse(word) for word in call.args[:1]]
+            right += [f"sides={kept}"] if (kept := [side for side in sides if side in named]) else []
+            yield f'The question does not say "{side}": write find_parts({", ".join(right)}).'
 
 
-def _descriptions(tree: ast.Module, question: str, terms: Iterable[str]) -> Iterator[str]:
-    """Descriptions that are less than what the question calls the part, or something else."""
-    heads = {singular(term.split()[-1]) for term in terms if term.split()}
+def _descriptions(tree: ast.Module, question: str, summary: ModelSummary | None) -> Iterator[str]:
+    """Descriptions that are less than what the question calls the part, or something else.
+
+    What the file calls the model and its bodies may be said of them.
+    """
+    heads = {singular(term.split()[-1]) for term in (summary.terms if summary else ()) if term.split()}
+    names = (summary.shape.name, *(body.name for body in summary.shape.bodies)) if summary else ()
     said = [singular(word) for word in _WORD_OR_STOP.findall(question.lower())]
-    joining = prompt_data("words.toml")["questions"]["say_nothing"]
+    allowed = {*prompt_data("words.toml")["questions"]["say_nothing"], *_WORD.findall(" ".join(names).lower())}
     for text in (text for call in _searches(tree) if call.args and (text := _text(call.args[0]))):
         words = [singular(word) for word in _WORD.findall(text.lower())]
         if words and set(words) <= _sides_by_word().keys():
             yield f'"{text}" is a side and no part: describe the part, and give the side in `sides`.'
-        elif foreign := [word for word in words if word not in joining and not any(_is_form(word, w) for w in said)]:
+        elif foreign := [word for word in words if not any(_is_form(word, other) for other in (*said, *allowed))]:
             yield f'The question does not say "{foreign[-1]}": describe the part in its own words.'
         elif words and (meant := _whole(words, said, heads)):
             yield f'"{text}" is only a part of the description: write find_parts("{meant}").'
@@ -103,9 +109,9 @@ def _radius_or_diameter(code: str, asked: list[str]) -> Iterator[str]:
         return
     is_doubled, is_halved = re.search(r"\b2(?:\.0)? \*|\* 2\b", code), re.search(r"/ 2\b|\b0?\.5 \*|\* 0?\.5\b", code)
     if radius and not diameter and (("diameter" in read and not is_halved) or (read & _RADII and is_doubled)):
-        yield "The question asks for a radius, and the program gives a diameter."
+        yield "The question asks for a radius, and not for a diameter: do not double it."
     if diameter and not radius and read & _RADII and "diameter" not in read and not is_doubled:
-        yield "The question asks for a diameter, and the program gives a radius."
+        yield "The question asks for a diameter, and not for a radius: double it."
 
 
 def _along(tree: ast.Module, question: str) -> Iterator[str]:

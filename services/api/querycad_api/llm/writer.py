@@ -7,9 +7,19 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from querycad_api.judging import NO_EXPECTATION, Verdict
-from querycad_api.measured import measures_anything, scalar_type
+from querycad_api.measured import measures_anything, scalar_type, triple_type
 from querycad_api.typed import unit_of
-from querycad_contracts import AnswerType, Attempt, Expectation, LlmOptions, ModelSummary, Program, TokenUse, Unit
+from querycad_contracts import (
+    Answer,
+    AnswerType,
+    Attempt,
+    Expectation,
+    LlmOptions,
+    ModelSummary,
+    Program,
+    TokenUse,
+    Unit,
+)
 
 from .checks import problems
 from .doubts import doubts
@@ -26,6 +36,7 @@ Judge = Callable[[Program], Verdict]
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
 _UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
+_MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +173,8 @@ def _try(task: Task, reply: Reply, codegen: str) -> _Tried:
     candidate = Candidate(program, task.judge(program))
     if problem := _problem(task, candidate):
         return _Tried(candidate, problem, code)
-    doubt = _doubt(task, code) if candidate.verdict.answer is not None else ""
+    answer = candidate.verdict.answer
+    doubt = f"{_negative(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
     return _Tried(candidate, doubt, code, is_doubted=bool(doubt))
 
 
@@ -177,8 +189,18 @@ def _doubt(task: Task, code: str) -> str:
     """What of the question is not in the program? Nothing where the parser does not know the question's words."""
     if task.asked is None:
         return ""
-    terms = task.summary.terms if task.summary is not None else ()
-    return " ".join(doubts(code, task.question, task.asked, terms))
+    return " ".join(doubts(code, task.question, task.asked, task.summary))
+
+
+def _negative(answer: Answer, code: str) -> str:
+    """What is said to a measure below zero? Nothing where it is a coordinate."""
+    values = answer.value if isinstance(answer.value, list | tuple) else [answer.value]
+    is_below = answer.type in _MEASURES and any(isinstance(value, float) and value < 0 for value in values)
+    return (
+        "The answer is negative, which no size or distance is."
+        if is_below and triple_type(code) is not AnswerType.POINT
+        else ""
+    )
 
 
 def _problem(task: Task, candidate: Candidate) -> str:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import parallel, scale
+from querycad_segworker.topology import Brep, EdgeConvexity
+from querycad_segworker.vectors import dot, mean, parallel, scale
 
 from .hole import Hole, Section, SectionKind
 from .refusals import refuse
@@ -26,6 +26,9 @@ TUBE_RATIO = 0.5
 """A bore of more than half the diameter makes a tube; below that it is a shaft or boss with a bore."""
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
+
+CENTRED = 0.02
+"""What lies around an axis has its middle nearer to it than this share of the radius."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +151,7 @@ def _boss(
     tip_high = _tip_is_high(stack, wall)
     low, high = wall_range(axis, step[0])[0], wall_range(axis, step[-1])[1]
     faces = {face for part in step for face in part.faces}
+    own = set(faces)
     breaks = []
     # Edge breaks next to the wall lengthen it to the shoulder or end face that they run into.
     for other in stack.walls:
@@ -177,7 +181,7 @@ def _boss(
         radius=wall.radius,
         tip_radius=radius_at(axis, wall, tip_high),
         height=high - low,
-        tags=_tags(steps, step, high - low, free, bore_radius),
+        tags=_tags(steps, step, high - low, free, bore_radius, on_both=_is_clasped(brep, axis, own)),
         faces=tuple(sorted(faces)),
         body=wall.body,
         hole=hole,
@@ -189,13 +193,22 @@ def _boss(
 
 
 def _tags(
-    steps: Sequence[tuple[Wall, ...]], step: tuple[Wall, ...], height: float, free: bool, bore_radius: float | None
+    steps: Sequence[tuple[Wall, ...]],
+    step: tuple[Wall, ...],
+    height: float,
+    free: bool,
+    bore_radius: float | None,
+    *,
+    on_both: bool,
 ) -> tuple[str, ...]:
-    """Canonical attributes of the lexicon, from the step's own proportions and from its neighbours."""
+    """Canonical attributes of the lexicon, from the step's own proportions and from its neighbours.
+
+    `on_both`: something narrower stands on both of its end faces, whatever its outline.
+    """
     radius = step[0].radius
     place = steps.index(step)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
-    flat = height < FLAT * 2 * radius
+    flat = height < FLAT * 2 * radius and not _goes_on(steps, place)
     tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
     if height > SLENDER * 2 * radius * (1 + 1e-6):
         tags.append("slender")
@@ -215,9 +228,38 @@ def _tags(
         tags.append("raised")
     if flat and beside and radius > FLANGE_RATIO * max(beside):
         tags.append("flange")
-    if flat and _is_collar(steps, place, bore_radius):
+    if flat and (on_both or _is_collar(steps, place, bore_radius)):
         tags.append("collar")
     return tuple(tags)
+
+
+def _is_clasped(brep: Brep, axis: Axis, faces: Set[int]) -> bool:
+    """Are these walls those of a disc with something around its axis that stands on either end face?"""
+    ends = set()
+    for face in {other for wall in faces for _, other in brep.neighbours(wall)}:
+        end = brep.faces[face]
+        if end.kind is not SurfaceKind.PLANE or not parallel(end.axis, axis.direction, 1e-2):
+            continue
+        for loop in end.loops:
+            edges = [brep.edges[e] for e in loop.edges]
+            concave = all(edge.convexity is EdgeConvexity.CONCAVE for edge in edges)
+            outside = any(not faces.isdisjoint(edge.faces) for edge in edges)
+            if concave and not outside and not loop.outer:
+                middle = mean([edge.center if edge.closed and edge.center else edge.mid for edge in edges])
+                if axis.radius_of(middle) < CENTRED * max(brep.faces[wall].radius for wall in faces):
+                    ends.add(dot(end.axis, axis.direction) > 0)
+    return len(ends) == 2
+
+
+def _goes_on(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
+    """Is it one end of a longer step of the same radius, with a collar between the two?"""
+    radius = steps[place][0].radius
+    for way in (steps[place + 1 :], steps[:place][::-1]):
+        beyond = next((i for i, step in enumerate(way) if step[0].radius <= ALIKE * radius), 0)
+        if beyond > 0 and way[beyond][0].radius * ALIKE >= radius:
+            if sum(wall.height for wall in way[beyond]) >= FLAT * 2 * radius:
+                return True
+    return False
 
 
 def _is_collar(steps: Sequence[tuple[Wall, ...]], place: int, bore_radius: float | None) -> bool:

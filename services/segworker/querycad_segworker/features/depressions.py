@@ -10,7 +10,7 @@ from dataclasses import replace
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, mean, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, sub, unit
 
 from .adjacency import ConcaveGraph
 from .cavities import recognise_cavities
@@ -71,7 +71,7 @@ def recognise_depressions(
     found.extend(recognise_slits(brep, found_walls, used))
     found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
-        found = united_slots(brep, found, tolerances, is_clear)
+        found = united_slots(brep, found, tolerances, is_clear, found_walls)
     return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
 
 
@@ -184,12 +184,17 @@ def _shared_floor(brep: Brep, graph: ConcaveGraph, walls: Sequence[int], normal:
 
 
 def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:
-    """The direction out of the opening: the host's normal where it is plane; else away from the floor."""
+    """The direction out of the opening: the host's normal where it is plane; else away from the floor, or the axis."""
     if host.kind is SurfaceKind.PLANE:
         return host.axis
     planes = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.PLANE]
     rim_center = mean([brep.edges[e].mid for e in rim.edges])
     facing = [f for f in planes if dot(sub(rim_center, f.point), f.axis) > 0.9 * norm(sub(rim_center, f.point))]
+    from_axis = sub(rim_center, foot(rim_center, host.origin, host.axis))
+    if host.kind is SurfaceKind.CYLINDER and norm(from_axis) > 0.5 * host.radius:
+        out = scale(unit(from_axis), float(host.outward))
+        facing = [f for f in facing if dot(f.axis, out) > UPRIGHT]  # the ends of a window face its middle, too
+        return max(facing, key=lambda f: f.area).axis if facing else out
     if facing:
         return max(facing, key=lambda f: f.area).axis
     return unit(sub(rim_center, mean([brep.faces[f].point for f in group])))

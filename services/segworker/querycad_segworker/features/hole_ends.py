@@ -145,6 +145,16 @@ def bottom_of(brep: Brep, floor: Sequence[int], point: Wall | None) -> Bottom:
     return Bottom.FLAT
 
 
+def closing_faces(brep: Brep, stack: Stack, high: bool) -> tuple[int, ...]:
+    """Which faces beyond an end may close it? Those of a window in the wall meet it in convex edges alone."""
+    own = {face for wall in stack.walls for face in wall.faces}
+    return tuple(
+        face
+        for face in (stack.high_faces if high else stack.low_faces)
+        if any(edge.convexity is not EdgeConvexity.CONVEX for edge, other in brep.neighbours(face) if other in own)
+    )
+
+
 def is_floor(brep: Brep, face_id: int, axis: Axis, radius: float) -> bool:
     """Does the face close this hole, rather than being a larger face that the hole only ends at?"""
     (x0, y0, z0), (x1, y1, z1) = brep.faces[face_id].box

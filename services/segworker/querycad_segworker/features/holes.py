@@ -15,6 +15,7 @@ from .hole import Bottom, Hole, SectionKind
 from .hole_ends import (
     Bores,
     bottom_of,
+    closing_faces,
     core_radius,
     drill_point,
     flats_of,
@@ -113,7 +114,7 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     bore = min(
         (w.radius for w in cylinders), default=min(min(w.radius_low, w.radius_high) or w.radius for w in inwards)
     )
-    floor = () if open_both else (stack.low_faces if high else stack.high_faces)
+    floor = () if open_both else closing_faces(brep, stack, not high)
     faces = {face for w in stack.walls for face in w.faces} | set(stack.shoulders)
     faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
     faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}

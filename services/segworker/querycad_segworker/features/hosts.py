@@ -25,10 +25,10 @@ def with_hosts(brep: Brep, found: list[Depression]) -> list[Depression]:
     """The same depressions, with tags for how they lie in what they are cut into.
 
     'keyway': a slot or long pocket along the axis of the shaft or bore that it is cut into. 'axial': along the axis
-    of its round body. 'radial': towards that axis, and not beyond it.
+    of its round body, or the round part of it that it opens to. 'radial': towards that axis, and not beyond it.
     """
     axes = {body.id: _round_axis(brep, body.faces) for body in brep.bodies}
-    return [replace(d, tags=(*d.tags, *_place(brep, d, axes.get(d.body)))) for d in found]
+    return [replace(d, tags=(*d.tags, *_place(brep, d, axes.get(d.body) or _rim(brep, d)))) for d in found]
 
 
 def _place(brep: Brep, found: Depression, axis: FaceRecord | None) -> tuple[str, ...]:
@@ -70,6 +70,19 @@ def _host(brep: Brep, found: Depression) -> FaceRecord | None:
         return None
     best = max(rim, key=lambda face: rim[face])
     return brep.faces[best] if rim[best] >= HOST_SHARE * sum(rim.values()) else None
+
+
+def _rim(brep: Brep, found: Depression) -> FaceRecord | None:
+    """The widest outer cylinder that a depression opens to: the outside of a tube that is part of a larger body."""
+    outer = [
+        brep.faces[other]
+        for face in found.faces
+        for edge, other in brep.neighbours(face)
+        if edge.convexity is EdgeConvexity.CONVEX
+        and brep.faces[other].kind is SurfaceKind.CYLINDER
+        and brep.faces[other].outward > 0
+    ]
+    return max(outer, key=lambda face: face.radius, default=None)
 
 
 def _round_axis(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:

@@ -39,6 +39,7 @@ from .refusals import gathering, left_refused, refuse
 from .relations import with_relations
 from .ribs import fins, recognise_lugs, recognise_ribs
 from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, surface_parts
+from .thickness import NO_THICKNESS, Thickness
 from .turned_bodies import tips_of, turned_body, with_free_tips
 from .united import united
 from .volumes import Volumes
@@ -60,13 +61,16 @@ class Recognised:
     """What looked like a part, and why it is none."""
 
 
-def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, mesh: Mesh | None = None) -> Recognised:
+def recognise(
+    brep: Brep, is_clear: IsClear, thickness: Thickness = NO_THICKNESS, mesh: Mesh | None = None
+) -> Recognised:
     """Which parts does the model have? `is_clear` tells whether a straight way is free of material.
 
-    Without the `mesh`, depressions with curved floors have no volume.
+    `thickness`: of the walls of the model and its bodies, where they have one. Without the `mesh`, depressions with
+    curved floors have no volume.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
-    shape = _shape(brep, thickness_m)
+    shape = _shape(brep, thickness.model)
     whole = united(brep, tolerances)
     with gathering() as refused:
         if whole is None:
@@ -78,7 +82,15 @@ def recognise(brep: Brep, is_clear: IsClear, thickness_m: float | None = None, m
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
         left = tuple(one.model_copy(update={"faces": whole.faces_of_file(one.faces)}) for one in left)
-    return Recognised(shape, tuple(parts), left)
+    return Recognised(shape, tuple(_with_walls(part, brep, thickness) for part in parts), left)
+
+
+def _with_walls(part: Part, brep: Brep, thickness: Thickness) -> Part:
+    """A body that has no thickness of its own form is as thick as its walls."""
+    if part.kind != "body" or part.thickness is not None:
+        return part
+    number = int(part.id.removeprefix("body-"))
+    return part.model_copy(update={"thickness": thickness.bodies.get(brep.bodies[number - 1].id)})
 
 
 def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, volumes: Volumes) -> list[Part]:
@@ -142,8 +154,6 @@ def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, 
     bearings = recognise_bearings(brep, tolerances)
     bodies = with_bearing_roles(_bodies(brep, bosses, holes, gears, tolerances, is_clear), bearings)
     bodies = with_plate_thickness(bodies, prisms, brep)
-    if len(bodies) == 1 and bodies[0].thickness is None:  # the material of the model is that of its only body
-        bodies = [bodies[0].model_copy(update={"thickness": shape.thickness})]
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))

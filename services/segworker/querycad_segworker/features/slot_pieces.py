@@ -5,29 +5,46 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import cross, dot, foot, parallel, scale, sub
+from querycad_segworker.vectors import cross, dot, foot, mid, parallel, scale, sub
 
-from .axes import SWEEP
+from .axes import SWEEP, Wall
 from .depression import Depression, DepressionKind
 from .forks import IsClear
 from .frames import frame_of
+from .hosts import SAME_LINE
 from .refusals import refuse
 
 REACH = 100.0
 """How far apart, in length tolerances, the keys of one line may be."""
 
+THROUGH = 0.9
+"""A slot longer than this share of a tube's wall goes through it: the curved outside cuts its sides a little short."""
+
 
 def united_slots(
-    brep: Brep, found: Sequence[Depression], tolerances: Tolerances, is_clear: IsClear
+    brep: Brep,
+    found: Sequence[Depression],
+    tolerances: Tolerances,
+    is_clear: IsClear,
+    walls: Sequence[Wall] = (),
 ) -> list[Depression]:
-    """The same depressions, those slots united that lie on one line with a clear way between them."""
+    """The same depressions, those slots united that lie on one line with a clear way between them.
+
+    Across the bore of a tube, slots in its wall are slots of their own.
+    """
+    tubes = _tubes(walls, tolerances)
     result = [d for d in found if d.kind is not DepressionKind.SLOT]
     for line in _by_line([d for d in found if d.kind is DepressionKind.SLOT], tolerances):
         kept: list[Depression] = []
         for slot in sorted(line, key=lambda slot: dot(slot.center, line[0].direction)):
             one_cut = bool(kept) and _one_cut(kept[-1], slot, tolerances)
+            if one_cut and _across_bore(kept[-1], slot, tubes):
+                refuse("slot", (*kept[-1].faces, *slot.faces), "two slots in the wall of a tube, across its bore")
+                kept.append(slot)
+                continue
             if one_cut and is_clear(kept[-1].center, slot.center):
                 kept[-1] = _united(brep, kept[-1], slot)
             else:
@@ -36,6 +53,34 @@ def united_slots(
                 kept.append(slot)
         result.extend(kept)
     return result
+
+
+def _tubes(walls: Sequence[Wall], tolerances: Tolerances) -> list[tuple[Wall, Wall]]:
+    """Bores, each with a round outside about it."""
+    round_walls = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and wall.encloses]
+    return [
+        (bore, wall)
+        for bore in round_walls
+        for wall in round_walls
+        if bore.outward < 0 < wall.outward
+        and bore.body == wall.body
+        and bore.radius < wall.radius
+        and bore.axis.same_line(wall.axis, tolerances)
+    ]
+
+
+def _across_bore(a: Depression, b: Depression, tubes: Sequence[tuple[Wall, Wall]]) -> bool:
+    """Are the slots cut through the wall of a tube, on opposite sides of a bore that is wider than both are long?"""
+    middle = mid(a.center, b.center)
+    return any(
+        bore.body == a.body
+        and 2 * bore.radius > a.length + b.length
+        and a.length > THROUGH * (outer.radius - bore.radius)
+        and parallel(outer.axis.direction, a.normal, 1e-2)
+        and outer.axis.radius_of(middle) <= SAME_LINE * a.width
+        and outer.low - a.depth / 2 <= outer.axis.position(a.center) <= outer.high + a.depth / 2
+        for bore, outer in tubes
+    )
 
 
 def _by_line(slots: Sequence[Depression], tolerances: Tolerances) -> list[list[Depression]]:

@@ -44,6 +44,7 @@ _IMPLIED = {
 }
 """Attributes that all parts of a kind have."""
 _DIRECTIONS = frozenset(("vertical", "horizontal"))
+_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
 _BLENDS = ("fillet", "round", "chamfer")
 _FASTENERS = frozenset(("screw", "nut"))
 _STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
@@ -90,9 +91,9 @@ class Parts:
         for loose, choice in [(False, choice) for choice in choices] + [(True, choice) for choice in choices]:
             if (choice.alone and not self.alone) or (choice.several and self.alone):
                 continue
-            if choice.kind == ("model",) and is_narrowed(reading, sides):
+            if (choice.kind == ("model",) or choice.alone) and is_narrowed(reading, sides):
                 continue  # 'the handle on the right' is a part of the model
-            found = [part for part in self.all if self._fits(part, choice)]
+            found = without_twins([part for part in self.all if self._fits(part, choice)])
             found = found if reading.places else self._but_letters(found)
             found = self._narrowed(found, reading, loose)
             found = self._picked(seen_from(found, sides) or found, choice.pick) if choice.pick else found
@@ -370,6 +371,17 @@ def seen_from(found: Sequence[Part], sides: Sequence[Side] | None) -> list[Part]
 def is_narrowed(reading: Reading, sides: Sequence[Side] | None) -> bool:
     """Does the description say which of several, so that it cannot be the whole model?"""
     return bool(sides or reading.toward or reading.count) or any(place.relation for place in reading.places)
+
+
+def without_twins(found: list[Part]) -> list[Part]:
+    """Without those that are another one over again, as a protrusion is a block: most of their faces are the same."""
+    kept: list[Part] = []
+    for part in found:
+        twins = (p for p in kept if p.kind != part.kind and {p.kind, part.kind} <= _SOLIDS)
+        faces = set(part.faces)
+        if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
+            kept.append(part)
+    return kept
 
 
 def turned_to(found: list[Part], sides: Sequence[Side]) -> list[Part]:
