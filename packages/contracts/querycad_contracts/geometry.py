@@ -192,7 +192,8 @@ class Part(Frozen):
     count: int | None = Field(None, description="How many members a pattern has, or teeth a gear.")
     angle: float | None = Field(
         None,
-        description="Radians. Between the flanks of a V groove, a dovetail's flank and floor, a chamfer and its face.",
+        description="Radians. Between the flanks of a V groove, a dovetail's flank and floor, a chamfer and its face; "
+        "of a cone, the full angle.",
     )
     edge_distance: float | None = Field(
         None, description="From the opening's rim to the outer edge of its face, where recognition measured it."

@@ -114,7 +114,8 @@ class Part:
     count: int
     """How many members a pattern has, or teeth a gear."""
     angle: float
-    """Radians. Between the flanks of a V groove; of a dovetail's flanks to its floor; of a chamfer to its face."""
+    """Radians. Between the flanks of a V groove; of a dovetail's flanks to its floor; of a chamfer to its face; of a
+    cone or countersink, the full angle."""
     volume: float
     area: float
 

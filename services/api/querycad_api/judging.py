@@ -25,6 +25,8 @@ from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answ
 NO_EXPECTATION = Expectation()
 _LACKS = re.compile(r"AttributeError: part '([\w.-]+)' has no (\w+); it has")
 """How the sandbox says that a part lacks a measure."""
+_TOO_FEW = re.compile(r"ValueError: (?:min|max)\(\) iterable argument is empty|IndexError: list index out of range")
+"""What comes of a distance between parts where there is one, and of the second largest where all are alike."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +80,12 @@ def _lacking(program: Program, outcome: RunOutcome) -> str:
 
     Programs of language models may ask for what nobody asked: their errors are sent back to them.
     """
-    found = _LACKS.match(outcome.message) if program.codegen == "parser" else None
+    if program.codegen != "parser":
+        return ""
+    if _TOO_FEW.search(outcome.message):
+        number = len({part.id for grounding in outcome.groundings for part in grounding.parts})
+        return f"the model has {number} such part{'' if number == 1 else 's'}: too few for what is asked"
+    found = _LACKS.match(outcome.message)
     if found is None:
         return ""
     known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}

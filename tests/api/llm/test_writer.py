@@ -201,6 +201,12 @@ def test_a_doubted_program_is_sent_back_once_and_stands_when_it_comes_again() ->
     assert len(write(FakeModel(program(seen_from_top)), ok(4), asked=None).attempts) == 1  # words that nobody knows
 
 
+def test_a_list_of_no_measures_is_doubted() -> None:
+    depths = program("solution = [p.depth for p in find_parts('hole') if p.kind == 'pocket']")
+    first, _ = write(FakeModel(depths), ok([]), question="How deep are the holes?", asked=AnswerType.LENGTHS).attempts
+    assert "empty" in first.problem
+
+
 def test_a_size_below_zero_is_doubted_and_a_coordinate_is_not() -> None:
     size = program("solution = shape.extents[2] - shape.extents[1]")
     first, _ = write(FakeModel(size), ok(-0.01), question="How high is it?", asked=AnswerType.LENGTH).attempts

@@ -355,3 +355,19 @@ def test_cuts_do_not_change_with_the_frame_or_the_kind_of_surface(degrees: float
         "t_slot",
         "v_shaped",
     ]
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_a_window_in_the_wall_of_a_blind_tube_is_cut_through_and_faces_outwards(degrees: float) -> None:
+    """Its lower side is no floor of the bore; its ends are planes across the bore's axis."""
+    tube = cut(fuse(cylinder(30, 200), box((160, 160, 12), (-80, -80, -12))), cylinder(27, 188, (0, 0, 12)))
+    found = find(turned(cut(tube, box((20, 40, 45), (-10, -40, 30))), (1, 2, 3), degrees))
+    window = only([part for kind in ("cutout", "slot") for part in found.of(kind)])
+    assert {"through", "closed"} <= set(window.tags)
+    assert [window.length, window.width] == near(45, 20)
+    bore = found.hole
+    assert set(bore.faces).isdisjoint(window.faces)
+    assert bore.depth == pytest.approx(188 * MM)
+    assert window.normal is not None
+    away = [w - b for w, b in zip(window.center, bore.center, strict=True)]
+    assert sum(a * n for a, n in zip(away, window.normal, strict=True)) > 20 * MM

@@ -155,3 +155,14 @@ def test_three_arms_of_one_radius_are_no_disc() -> None:
     ring = cut(cylinder(60, 6), cylinder(38, 6))
     found = find(cut(star, ring))
     assert [boss for boss in found.of("boss") if (boss.diameter or 0) > 0.07] == []
+
+
+def test_slots_milled_into_the_face_of_a_disc_are_no_teeth() -> None:
+    milled = [
+        turned(shifted(fuse(box((38, 4, 2), (-19, -2, 10)), cylinder(2, 2, (-19, 0, 10)), cylinder(2, 2, (19, 0, 10))),
+                       (101, 0, 0)), (0, 0, 1), 60 * i)
+        for i in range(6)
+    ]  # fmt: skip
+    parts = find(cut(cylinder(130, 12), *milled)).parts
+    assert not [part for part in parts if part.kind in ("gear", "tooth")]
+    assert len([part for part in parts if part.kind == "pocket" and "obround" in part.tags]) == 6

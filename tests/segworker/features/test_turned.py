@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import (
@@ -224,3 +226,30 @@ def test_screws_that_reach_the_ground_are_no_feet() -> None:
     parts = find(compound(block, *screws)).parts
     assert sum("screw" in part.tags for part in parts) == 2
     assert not [part for part in parts if {"foot", "leg"} & set(part.tags)]
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_a_collar_between_a_neck_and_a_hexagon_is_a_collar_and_the_undercut_below_is_none(degrees: float) -> None:
+    hexagon = extruded([(15 * math.cos(a * math.pi / 3), 15 * math.sin(a * math.pi / 3)) for a in range(6)], 14, 11)
+    fitting = fuse(cylinder(10.5, 11), cylinder(9, 3, (0, 0, 11)), hexagon)
+    fitting = fuse(fitting, cylinder(17, 3, (0, 0, 25)), cylinder(8, 20, (0, 0, 28)))
+    found = find(turned(cut(fitting, cylinder(5, 48)), (1, 2, 3), degrees))
+    (collar,) = (boss for boss in found.of("boss") if "collar" in boss.tags)
+    assert collar.diameter == pytest.approx(34e-3)
+    (neck,) = (boss for boss in found.of("boss") if boss.radius == pytest.approx(9e-3))
+    assert "undercut" in neck.tags
+    assert "raised" not in neck.tags
+
+
+def test_the_short_end_of_a_tube_beyond_its_collar_is_no_ring() -> None:
+    post = fuse(cylinder(30, 200), cylinder(40, 20, (0, 0, 150)), plate(160, 160, 12))
+    found = find(cut(post, cylinder(27, 200)))
+    flat = [boss for boss in found.of("boss") if "flat" in boss.tags]
+    assert [boss.diameter for boss in flat] == pytest.approx([80e-3])
+    assert "collar" in flat[0].tags
+
+
+def test_two_flanges_of_a_spool_are_flat_though_one_is_thick() -> None:
+    spool = fuse(cylinder(30, 10), cylinder(15, 60, (0, 0, 10)), cylinder(30, 32, (0, 0, 70)))
+    low, *_ = (boss for boss in find(spool).of("boss") if boss.height == pytest.approx(10e-3))
+    assert "flat" in low.tags

@@ -193,3 +193,12 @@ def test_words_are_parted_by_hyphens_and_keep_decimal_points() -> None:
 )
 def test_plurals_are_put_back(plural: str, expected: str) -> None:
     assert singular(plural, frozenset({"hole", "boss", "cavity", "shelf"})) == expected
+
+
+def test_a_shape_that_a_named_body_has_speaks_for_its_name() -> None:
+    """'Rectangular pin' is a known noun as well, which the block beside the pins would be, too."""
+    others = [part("b", "body", "solid", name="Housing"), part("q", "prism", "rectangular")]
+    pin = part("p", "body", "solid rectangular", name="Solder pin")
+    assert [p.id for p in ground([pin, *others], "rectangular pin", None).parts] == ["p"]
+    round_pin = part("p", "body", "solid cylindrical", name="Dowel pin")
+    assert [p.id for p in ground([round_pin, *others], "rectangular pin", None).parts] == ["q"]

@@ -19,6 +19,11 @@ def test_a_through_hole_is_visible_from_both_of_its_ends() -> None:
     assert set(hole.sides) == {Side.TOP, Side.BOTTOM}
 
 
+def test_a_slot_cut_through_a_plate_from_its_edge_is_visible_both_ways_and_from_that_edge() -> None:
+    (slot,) = seen(cut(plate(60, 40, 10), box((30, 6, 10), (5, -3, -10))), "slot")
+    assert set(slot.sides) == {Side.TOP, Side.BOTTOM, Side.RIGHT}
+
+
 def test_a_hole_in_the_floor_of_a_pocket_is_visible_through_the_pocket() -> None:
     pocket = box((30, 20, 10), (-15, -10, -10))
     (hole,) = seen(cut(plate(), pocket, cylinder(4, 5, (0, 0, -10), DOWN)))

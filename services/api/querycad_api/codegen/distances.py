@@ -249,6 +249,9 @@ def angle(text: Text, start: int, end: int) -> Query | None:
     at = text.skip(start + 1, end, "verb", "light")
     if not text.word_at(at, end, "between", "of", "from"):
         return None
+    own = selection(text, at + 1, end) if text.word_at(at, end, "of") else None
+    if own is not None and len(own.phrases) == 1 and LEXICON.match("angled_noun", (own.phrases[0].noun,), 0, 1):
+        return Get((Measure.ANGLE,), own)
     pair = two_selections(text, at + 1, end, ("and", "to", "with", "against", "relative"))
     return Angle(*pair) if pair else None
 

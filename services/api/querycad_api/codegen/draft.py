@@ -120,7 +120,8 @@ def finished(text: Text, draft: Draft, like: Target | None) -> Target | None:
         return _like(text, draft, like)
     if any(LEXICON.match(category, words, len(words) - 1, len(words)) for category in ("unanswerable", "measure_noun")):
         return None
-    if words[0] in ("radius", "diameter", "width", "height", "length", "thickness", "volume", "area", "distance"):
+    measures = ("radius", "diameter", "width", "height", "length", "thickness", "volume", "area", "distance")
+    if words[0] in measures and not (words[0] == "volume" and len(words) > 1):  # but the 'volume knob'
         return None  # a measure whose part was not understood
     tail = [LEXICON.singular(word) for word in draft.tail]
     return Selection((_phrase(text, draft, [*words, *tail], noun_class(" ".join(words)), plural),))

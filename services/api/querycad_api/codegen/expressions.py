@@ -69,6 +69,7 @@ _SHAPE_HAS_NOT = frozenset(
 _ONE_TYPE = {
     Measure.SIZE: AnswerType.SIZE,
     Measure.HALF_SIZE: AnswerType.SIZE,
+    Measure.ANGLE: AnswerType.ANGLE,
     Measure.AREA: AnswerType.AREA,
     Measure.VOLUME: AnswerType.VOLUME,
     Measure.BOX_VOLUME: AnswerType.VOLUME,
@@ -114,7 +115,9 @@ def guard(measure: Measure, noun: NounClass) -> str:
     A description such as 'protrusion' finds parts of several kinds: a filter passes over those it does not fit.
     """
     expression = _PART.get(measure, "{0}." + measure.value)
-    attribute = re.search(r"\{0\}\.(radius|diameter|radii|width|length|thickness|volume|depth|height)", expression)
+    attribute = re.search(
+        r"\{0\}\.(radius|diameter|radii|width|length|thickness|volume|depth|height|angle)", expression
+    )
     if attribute is None or (noun is NounClass.HOLE and measure in _OF_EVERY_HOLE):
         return ""
     return f'hasattr(p, "{attribute[1]}")'

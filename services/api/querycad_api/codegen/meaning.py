@@ -42,6 +42,7 @@ class Measure(StrEnum):
     Y_EXTENT = "y_extent"
     Z_EXTENT = "z_extent"
     DIAGONAL = "diagonal"
+    ANGLE = "angle"
     AREA = "area"
     VOLUME = "volume"
     BOX_VOLUME = "box_volume"

@@ -22,7 +22,7 @@ _ROUGH_DIGITS = 5
 
 
 _AMOUNT = re.compile(
-    r"(?<![\w.,])(\d+(?:[.,]\d+)?)(?=(?:\s*(?:to|and|or|-|–)\s*\d+(?:[.,]\d+)?)*\s*(mm|cm|inch(?:es)?|in\b(?!\s+\w)|\"))"
+    r"(?<![\w.,/])(\d+(?:[.,]\d+)?)(?=(?:\s*(?:to|and|or|-|–)\s*\d+(?:[.,]\d+)?)*\s*(mm|cm|inch(?:es)?|in\b(?!\s+\w)|\"))"
 )
 """A number of the question with its unit, which may stand behind the last number of a range."""
 _METRES = {"mm": 1e-3, "cm": 1e-2}
@@ -45,17 +45,30 @@ def problems(code: str, question: str = "") -> tuple[str, ...]:
 
 def _slips(tree: ast.Module, question: str) -> list[str]:
     """Lengths of the question that the program has by a power of ten too large or too small."""
-    literals = [number for node in ast.walk(tree) if isinstance(node, ast.Constant) and (number := _number(node))]
     found = []
+    for amount, metres in lengths_left_out(tree, question):
+        powers = [literal for literal in literals(tree) if any(_is(literal, metres * 10.0**k) for k in range(-4, 7))]
+        found += [f"{amount} is {metres:.6g} in metres, and not {literal:g}." for literal in powers[:1]]
+    return found
+
+
+def lengths_left_out(tree: ast.Module, question: str) -> list[tuple[str, float]]:
+    """Which lengths of the question, as it says them and in metres, has the program neither in metres nor converted?"""
+    found = literals(tree)
+    left_out = []
     for amount, unit in _AMOUNT.findall(question):
         given = float(amount.replace(",", "."))
         metres = given * _METRES.get(unit, _INCH_M)
-        converts = any(_is(literal, factor) for literal in literals for factor in (1e3, 1e-3, 1e2, 1e-2, _INCH_M))
-        if not given or any(_is(literal, metres) or (converts and _is(literal, given)) for literal in literals):
-            continue
-        powers = [literal for literal in literals if any(_is(literal, metres * 10.0**k) for k in range(-4, 7))]
-        found += [f"{amount} {unit} is {metres:.6g} in metres, and not {literal:g}." for literal in powers[:1]]
-    return found
+        converts = any(_is(literal, factor) for literal in found for factor in (1e3, 1e-3, 1e2, 1e-2, _INCH_M))
+        if given and not any(_is(literal, metres) or (converts and _is(literal, given)) for literal in found):
+            left_out.append((f"{amount} {unit}", metres))
+    return left_out
+
+
+def literals(tree: ast.Module) -> list[float]:
+    """Which numbers are written into the program?"""
+    constants = [node for node in ast.walk(tree) if isinstance(node, ast.Constant)]
+    return [number for node in constants if (number := _number(node)) is not None]
 
 
 def _is(number: float, other: float) -> bool:

@@ -6,12 +6,14 @@ These are doubts and no errors: when all repairs are used up, the program stands
 from __future__ import annotations
 
 import ast
+import math
 import re
 from collections.abc import Iterator
 
 from querycad_api.measured import measures
 from querycad_contracts import AnswerType, ModelSummary
 
+from .checks import lengths_left_out, literals
 from .files import prompt_data
 from .nearest import singular
 
@@ -36,6 +38,7 @@ def doubts(code: str, question: str, wanted: AnswerType | None, summary: ModelSu
         return ()
     asked = _WORD.findall(question.lower())
     found = [*_sides(tree, asked), *_descriptions(tree, question, summary), *_extreme(tree, asked)]
+    found += _lengths(tree, question)
     if wanted in (AnswerType.LENGTH, AnswerType.LENGTHS):
         found += [*_radius_or_diameter(code, asked), *_along(tree, question)]
     return tuple(dict.fromkeys(found))
@@ -100,6 +103,16 @@ def _extreme(tree: ast.Module, asked: list[str]) -> Iterator[str]:
     wanted = [word for word in asked if word in _listed("superlatives") and word not in described]
     if wanted and not _called(tree) & _CHOOSERS:
         yield f'The question says "{wanted[0]}": choose with max or min.'
+
+
+def _lengths(tree: ast.Module, question: str) -> Iterator[str]:
+    """Lengths of the question, be they a radius or a diameter, that the program leaves out."""
+    numbers = literals(tree)
+    described = " ".join(text for node in ast.walk(tree) if (text := _text(node)))
+    for amount, metres in lengths_left_out(tree, question):
+        is_halved = any(math.isclose(number, metres * factor) for number in numbers for factor in (0.5, 2.0))
+        if not is_halved and amount.split()[0] not in described:
+            yield f"The question says {amount}: the program lacks {metres:.6g}."
 
 
 def _radius_or_diameter(code: str, asked: list[str]) -> Iterator[str]:

@@ -174,7 +174,7 @@ def _try(task: Task, reply: Reply, codegen: str) -> _Tried:
     if problem := _problem(task, candidate):
         return _Tried(candidate, problem, code)
     answer = candidate.verdict.answer
-    doubt = f"{_negative(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
+    doubt = f"{_odd(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
     return _Tried(candidate, doubt, code, is_doubted=bool(doubt))
 
 
@@ -192,15 +192,16 @@ def _doubt(task: Task, code: str) -> str:
     return " ".join(doubts(code, task.question, task.asked, task.summary))
 
 
-def _negative(answer: Answer, code: str) -> str:
-    """What is said to a measure below zero? Nothing where it is a coordinate."""
+def _odd(answer: Answer, code: str) -> str:
+    """What is said to measures of which there are none, or that are below zero and no coordinate?"""
+    if answer.type not in _MEASURES:
+        return ""
     values = answer.value if isinstance(answer.value, list | tuple) else [answer.value]
-    is_below = answer.type in _MEASURES and any(isinstance(value, float) and value < 0 for value in values)
-    return (
-        "The answer is negative, which no size or distance is."
-        if is_below and triple_type(code) is not AnswerType.POINT
-        else ""
-    )
+    if not values:
+        return "The list is empty: no part that was found passes the condition."
+    is_below = any(isinstance(value, float) and value < 0 for value in values)
+    is_coordinate = triple_type(code) is AnswerType.POINT
+    return "The answer is negative, which no size or distance is." if is_below and not is_coordinate else ""
 
 
 def _problem(task: Task, candidate: Candidate) -> str:

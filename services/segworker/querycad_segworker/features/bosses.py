@@ -3,32 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence, Set
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import dot, mean, parallel, scale
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import parallel, scale
 
 from .hole import Hole, Section, SectionKind
 from .refusals import refuse
 from .stacks import End, Stack, radius_at, stacks, wall_range
+from .steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
 from .walls import Axis, Wall
 
 SLENDER = 1.0
 """Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
-ALIKE = 1.001
-"""Lengths and radii that differ by less than this factor are equal on a drawing."""
-FLAT = 0.5
-"""Shorter than this share of its diameter: a disc, as washers, flanges and plates are."""
 TUBE_RATIO = 0.5
 """A bore of more than half the diameter makes a tube; below that it is a shaft or boss with a bore."""
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
-
-CENTRED = 0.02
-"""What lies around an axis has its middle nearer to it than this share of the radius."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,7 +175,7 @@ def _boss(
         radius=wall.radius,
         tip_radius=radius_at(axis, wall, tip_high),
         height=high - low,
-        tags=_tags(steps, step, high - low, free, bore_radius, on_both=_is_clasped(brep, axis, own)),
+        tags=_tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own)),
         faces=tuple(sorted(faces)),
         body=wall.body,
         hole=hole,
@@ -193,10 +187,10 @@ def _boss(
 
 
 def _tags(
+    stack: Stack,
     steps: Sequence[tuple[Wall, ...]],
     step: tuple[Wall, ...],
     height: float,
-    free: bool,
     bore_radius: float | None,
     *,
     on_both: bool,
@@ -207,8 +201,11 @@ def _tags(
     """
     radius = step[0].radius
     place = steps.index(step)
+    free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    ends = ((stack.low_end, 0), (stack.high_end, len(steps) - 1))
+    undercut = any(end is End.CLOSED and place == last for end, last in ends)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
-    flat = height < FLAT * 2 * radius and not _goes_on(steps, place)
+    flat = height < FLAT * 2 * radius and not goes_on(steps, place)
     tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
     if height > SLENDER * 2 * radius * (1 + 1e-6):
         tags.append("slender")
@@ -224,59 +221,16 @@ def _tags(
         tags.append("free")
     if len(steps) > 1:
         tags.append("stepped")
-    if not free or any(other > 1.001 * radius for other in beside):
+    between = flat and undercut and any(other > ALIKE * radius for other in beside)
+    if between:
+        tags.append("undercut")
+    elif not free or any(other > ALIKE * radius for other in beside):
         tags.append("raised")
     if flat and beside and radius > FLANGE_RATIO * max(beside):
         tags.append("flange")
-    if flat and (on_both or _is_collar(steps, place, bore_radius)):
+    if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
         tags.append("collar")
     return tuple(tags)
-
-
-def _is_clasped(brep: Brep, axis: Axis, faces: Set[int]) -> bool:
-    """Are these walls those of a disc with something around its axis that stands on either end face?"""
-    ends = set()
-    for face in {other for wall in faces for _, other in brep.neighbours(wall)}:
-        end = brep.faces[face]
-        if end.kind is not SurfaceKind.PLANE or not parallel(end.axis, axis.direction, 1e-2):
-            continue
-        for loop in end.loops:
-            edges = [brep.edges[e] for e in loop.edges]
-            concave = all(edge.convexity is EdgeConvexity.CONCAVE for edge in edges)
-            outside = any(not faces.isdisjoint(edge.faces) for edge in edges)
-            if concave and not outside and not loop.outer:
-                middle = mean([edge.center if edge.closed and edge.center else edge.mid for edge in edges])
-                if axis.radius_of(middle) < CENTRED * max(brep.faces[wall].radius for wall in faces):
-                    ends.add(dot(end.axis, axis.direction) > 0)
-    return len(ends) == 2
-
-
-def _goes_on(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
-    """Is it one end of a longer step of the same radius, with a collar between the two?"""
-    radius = steps[place][0].radius
-    for way in (steps[place + 1 :], steps[:place][::-1]):
-        beyond = next((i for i, step in enumerate(way) if step[0].radius <= ALIKE * radius), 0)
-        if beyond > 0 and way[beyond][0].radius * ALIKE >= radius:
-            if sum(wall.height for wall in way[beyond]) >= FLAT * 2 * radius:
-                return True
-    return False
-
-
-def _is_collar(steps: Sequence[tuple[Wall, ...]], place: int, bore_radius: float | None) -> bool:
-    """A ring around a shaft, with narrower steps on both sides; else a low hollow step next to a wider one."""
-    around = [_is_around(steps, i) for i in range(len(steps))]
-    if any(around):
-        return around[place]
-    beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
-    return bore_radius is not None and any(other > ALIKE * steps[place][0].radius for other in beside)
-
-
-def _is_around(steps: Sequence[tuple[Wall, ...]], place: int) -> bool:
-    """Is it lower than wide, and wider than the steps on both sides of it?"""
-    if not 0 < place < len(steps) - 1:
-        return False
-    radius, height = steps[place][0].radius, sum(wall.height for wall in steps[place])
-    return height < FLAT * 2 * radius and all(radius > ALIKE * steps[i][0].radius for i in (place - 1, place + 1))
 
 
 def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:

@@ -143,6 +143,9 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
         if any(_is_bottom(brep, face, set(ids)) for face in tops):
             refuse("gear", ids, f"{teeth} slots cut into a round body: nothing stands out between them")
             return None
+        if any(_is_floor(brep, brep.faces[i], axis, set(ids)) for i in ids):
+            refuse("gear", ids, f"{teeth} pockets sunk into a face around the axis: flanks rise from their floors")
+            return None
         if tips is max and _are_slots(brep, ids, axis, max(radii) - min(radii)):
             refuse("gear", ids, f"{teeth} slots with parallel walls: what is left between them widens outwards")
             return None
@@ -202,6 +205,14 @@ def _is_bottom(brep: Brep, face: FaceRecord, own: set[int]) -> bool:
         for edge, other in brep.neighbours(face.id)
         if other in own
     )
+
+
+def _is_floor(brep: Brep, face: FaceRecord, axis: Axis, own: set[int]) -> bool:
+    """Is it a plane square to the axis, from which the others rise? Teeth end in such planes, in convex edges."""
+    if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, axis.direction)) < 1 - SQUARE:
+        return False
+    inner = [edge for edge, other in brep.neighbours(face.id) if other in own]
+    return bool(inner) and all(edge.convexity is EdgeConvexity.CONCAVE for edge in inner)
 
 
 def _rings(faces: Sequence[FaceRecord], axis: Axis, tolerances: Tolerances) -> list[tuple[int, list[FaceRecord]]]:

@@ -114,10 +114,19 @@ def section_part(brep: Brep, section: Section, part_id: str, owner: str, *, oute
         bottom=None if outer else "open",
         area=faces_area(brep, section.faces),
         radii=(section.radius,) if flat else (section.radius, section.end_radius),
+        angle=_angle(section, depth),
         evidence=geometry(f"a {'cylinder' if flat else 'cone'} around the axis of {owner}, wider than its bore")
         if not outer
         else geometry(f"a cone around the axis of {owner} that breaks its edge"),
     )
+
+
+def _angle(section: Section, depth: float) -> float | None:
+    """All of a countersink's cone; of a chamfer, between it and the face that it breaks the edge of."""
+    wider = abs(section.radius - section.end_radius)
+    if section.kind is SectionKind.COUNTERSINK and wider:
+        return 2 * math.atan2(wider, depth)
+    return math.atan2(depth, wider) if section.kind is SectionKind.CHAMFER else None
 
 
 def dimple_part(brep: Brep, found: Dimple, number: int) -> Part:

@@ -25,10 +25,10 @@ from querycad_segworker.vectors import (
 )
 
 from .adjacency import is_blend
-from .bosses import ALIKE
 from .frames import edge_points, frame_of_edges
 from .parts import faces_box
 from .refusals import refuse
+from .steps import ALIKE
 
 MAX_SIDES = 12
 """More sides than this are a faceted circle."""

@@ -9,9 +9,9 @@ from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
 
-from .bosses import ALIKE
 from .frames import frame_of, outline_of
 from .refusals import refuse
+from .steps import ALIKE
 
 RIB_RATIO = 3.0
 """A protrusion this much longer than thick is a rib, fin or wall."""

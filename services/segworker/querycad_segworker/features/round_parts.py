@@ -129,6 +129,7 @@ def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int, role: str | N
         width=wide,
         area=faces_area(brep, wall.faces),
         radii=radii,
+        angle=None if torus else 2 * record.half_angle,
         evidence=geometry(f"a {'convex' if wall.outward > 0 else 'concave'} {kind} around one axis"),
     )
 

@@ -33,7 +33,9 @@ CORNER_SHARE = 0.5
 FACING = 0.7
 """Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 _TOUCH_M = 1e-6
-_HOLDING = ("in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through", "across")
+_HOLDING = (
+    "in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through", "across", "along",
+)  # fmt: skip
 _TRAITS = ("with", "without")
 _IMPLIED = {
     "chamfer": ("beveled", "chamfered"),

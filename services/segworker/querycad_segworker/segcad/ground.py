@@ -69,9 +69,15 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
 
 
 def _is_by_head_only(named: Sequence[Part], reading: Reading) -> bool:
-    """Do the words 'screw head' share nothing but 'head' with a body named 'cylinder head'?"""
+    """Do the words 'screw head' share nothing but 'head' with a body named 'cylinder head'?
+
+    A word for a shape that the bodies have, as of a 'rectangular pin', speaks for them.
+    """
     said = reading.phrase.split()
     have = [name_words(part.name) for part in named]
+    shape = lexicon().adjectives.get(said[0]) if len(said) == 2 else None
+    if shape is not None and all(set(shape.tags) & set(part.tags) for part in named):
+        return False
     return len(said) > 1 and all(len(words) > 1 and not set(said[:-1]) & set(words) for words in have)
 
 

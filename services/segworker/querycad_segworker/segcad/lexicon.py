@@ -16,6 +16,7 @@ FILLERS = frozenset(_FILLER_TEXT.split())
 """Words that carry no part of the meaning inside a part phrase."""
 _PREPOSITION_TEXT = """
 in of on at for to from by inside within into onto with without around through near under between across
+along
 """
 PREPOSITIONS = frozenset(_PREPOSITION_TEXT.split())
 """Words that end a noun phrase; what follows is a trait of it, or where it is."""

@@ -36,6 +36,8 @@ _ROUND = ("boss", "cylinder", "cone", "arc", "gear")
 _RUNNING_OUT = ("slot", "channel", "step", "notch")
 _SQUARE = 0.99
 _PARALLEL = 0.999
+FACING_ARC = 0.9
+"""Cosine of the angle to the view within which one looks along the axis of an arc."""
 _NEAR = 0.05
 """Of the radius: holes that lie on one axis, or begin in one plane."""
 
@@ -49,7 +51,8 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
     """The same parts, each with the sides it is visible from.
 
     What has an opening is visible where one looks into that opening; anything else, and what is open at a border,
-    where its faces own pixels. A tube or standoff is visible as well where one looks into its bore from its tip.
+    where its faces own pixels; a slot cut through from an edge both ways. A tube or standoff is visible as well where
+    one looks into its bore from its tip.
     """
     visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
     free_m2 = projected_areas(scene.mesh, len(brep.faces))
@@ -69,21 +72,33 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
                 found.add(side)
     result = []
     for index, part in enumerate(parts):
-        if index in opening_sides:
-            sides = opening_sides[index]
-        else:
+        sides = opening_sides.get(index, set())
+        if index not in opening_sides or _is_open(part):
+            into = sides
             sides = {side for row, side in enumerate(Side) if bool(seen_faces[row, list(part.faces)].any())}
             ends = end_faces(part, brep)
             sides |= {side for row, side in enumerate(Side) for face in ends
                       if seen_faces[row, face] and dot(brep.faces[face].axis, side.outward) > FACING}  # fmt: skip
+            if part.kind == "arc" and part.axis is not None:  # through a curved wall: where that wall shows its mouth
+                walls = _walls_around(part, brep)
+                sides |= {side for row, side in enumerate(Side) if abs(dot(part.axis, side.outward)) > FACING_ARC
+                          and any(seen_faces[row, wall] for wall in walls)}  # fmt: skip
             if part.kind in STANDING_OUT:
                 faces = [*part.faces, *(ends - set(part.faces))]
                 shown, free = (areas[:, faces].sum(axis=1) for areas in (visible_m2, free_m2))
                 sides = {
                     side for row, side in enumerate(Side) if side in sides and shown[row] >= GLIMPSE_SHARE * free[row]
                 }
+            sides |= into
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
     return _with_bores(result)
+
+
+def _walls_around(part: Part, brep: Brep) -> set[int]:
+    """The curved faces that the part meets in convex edges."""
+    edges = [brep.edges[e] for f in part.faces for e in brep.face_edges[f]]
+    others = {f for edge in edges if edge.convexity is EdgeConvexity.CONVEX for f in edge.faces} - set(part.faces)
+    return {f for f in others if brep.faces[f].kind is not SurfaceKind.PLANE}
 
 
 def end_faces(part: Part, brep: Brep) -> set[int]:
@@ -174,11 +189,16 @@ def _behind(openings: Sequence[_Opening], parts: Sequence[Part]) -> list[NDArray
     return found
 
 
+def _is_open(part: Part) -> bool:
+    """Is it open at a border of what it is cut into, rather than closed in or between the walls of a fork?"""
+    return "open" in part.tags and "fork" not in part.tags
+
+
 def _openings(parts: Sequence[Part]) -> list[_Opening]:
     """(index of the part, centre, outward normal, points spread over the opening) for each opening of each part."""
     found = []
     for index, part in enumerate(parts):
-        if part.opening is None or part.normal is None or ("open" in part.tags and "fork" not in part.tags):
+        if part.opening is None or part.normal is None or (_is_open(part) and "through" not in part.tags):
             continue
         ends = [(part.opening, part.normal)]
         if part.bottom == "through":
