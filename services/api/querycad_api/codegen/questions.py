@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from querycad_contracts import Side
-
 from . import modifiers
 from .amounts import compared_amount, compared_counts
 from .asking import Asked, asked_measures
@@ -14,14 +12,11 @@ from .lexicon import LEXICON
 from .meaning import (
     ENDS,
     Angle,
-    Boundary,
     Calculate,
-    Distance,
     Get,
     Measure,
     NounClass,
     Operation,
-    Overhang,
     Parts,
     Query,
     Reduce,
@@ -31,6 +26,7 @@ from .meaning import (
 )
 from .phrases import selection, target
 from .polar import polar
+from .reach import above_ground, reach, reach_in
 from .readings import asked, bounded
 from .relations import of_whole
 from .text import Text
@@ -53,14 +49,6 @@ _MUTUAL = {
     "furthest": Reduce.LARGEST,
     "closest": Reduce.SMALLEST,
     "nearest": Reduce.SMALLEST,
-}
-_SIDE_OF_PLACE = {
-    "+z": Side.TOP,
-    "-z": Side.BOTTOM,
-    "-x": Side.LEFT,
-    "+x": Side.RIGHT,
-    "-y": Side.FRONT,
-    "+y": Side.BACK,
 }
 _WH = ("how", "what", "which", "where")
 _OPENERS = (*_WH, "is", "are", "does", "do", "give", "list", "name", "count")
@@ -171,9 +159,7 @@ def _how_many(text: Text, start: int, end: int) -> Query | None:
         if (parts := _how_much_parts(text, at, end)) is not None:
             return parts
         amount = compared_amount(text, at, end, Operation.MINUS)
-        found = (
-            amount or text.attempt(distance, at, end) or _property_of(text, at, end) or text.attempt(_reach, at, end)
-        )
+        found = amount or text.attempt(distance, at, end) or _property_of(text, at, end) or text.attempt(reach, at, end)
         return found or (
             counted(text, at, end) if LEXICON.is_plural(text.words[end - 1]) or _plural_noun(text, at, end) else None
         )
@@ -200,7 +186,7 @@ def _by_how_much(text: Text, start: int, end: int) -> Query | None:
     """'by how much is A longer than B'."""
     if text.words[start : start + 3] != ("by", "how", "much"):
         return None
-    return compared_amount(text, start + 3, end, Operation.MINUS) or text.attempt(_reach, start + 3, end)
+    return compared_amount(text, start + 3, end, Operation.MINUS) or text.attempt(reach, start + 3, end)
 
 
 def _how(text: Text, start: int, end: int) -> Query | None:
@@ -248,9 +234,9 @@ def _how_adjective(text: Text, start: int, end: int) -> Query | None:
 
 def _how_one(text: Text, start: int, end: int, measure: Measure) -> Query | None:
     """'(how high) above the bottom is the hole', '(how large) is the radius', '(how thick) is the sheet'."""
-    if measure is Measure.HEIGHT and (found := _above_ground(text, start, end)):
+    if measure is Measure.HEIGHT and (found := above_ground(text, start, end)):
         return found
-    if measure in (Measure.HEIGHT, Measure.DEPTH) and (found := text.attempt(_reach_in, start, end, measure)):
+    if measure in (Measure.HEIGHT, Measure.DEPTH) and (found := text.attempt(reach_in, start, end, measure)):
         return found
     at = text.skip(start, end, "be", "do", "noise")
     if measure is Measure.MAGNITUDE:
@@ -291,7 +277,7 @@ def _how_far(text: Text, start: int, end: int) -> Query | None:
     at = start + text.word_at(start, end, "far", "close", "near", "distant")
     at += text.word_at(at, end, "down", "in", "up", "out", "inwards", "outwards", "downwards", "upwards")
     at = text.skip(text.after("gap", at, end) or at, end, "be", "do", "noise")
-    if found := text.attempt(_reach, at, end) or _above_ground(text, at, end):
+    if found := text.attempt(reach, at, end) or above_ground(text, at, end):
         return found
     mutual = text.find("reciprocal", at, end)
     bounds = {"most": Reduce.LARGEST, "maximum": Reduce.LARGEST, "least": Reduce.SMALLEST, "minimum": Reduce.SMALLEST}
@@ -310,58 +296,6 @@ def _how_far(text: Text, start: int, end: int) -> Query | None:
     kept = kept if reduce is Reduce.EACH else [i for i in kept if i != extreme]
     worded = Text((_PREPOSITIONS[preposition], *(text.tokens[i] for i in kept)), text.book)
     return between(worded, 0, len(worded.tokens), Wording(reduce))
-
-
-def _reach(text: Text, start: int, end: int) -> Query | None:
-    """'(how far does) the shaft stick out (of the plate)', '(how much do) the rings stand above the flange'.
-
-    What sticks out has a height, what goes in a depth; of what passes through another part, what lies outside of it.
-    """
-    asserted = text.match("be", start, end) is not None
-    at = text.skip(start, end, "be", "do")
-    for stop in range(at + 1, end):
-        for category, measure in (("protrude", Measure.HEIGHT), ("sink", Measure.DEPTH)):
-            found = text.after(category, stop, end)
-            if asserted and found == stop + 1 == end:
-                continue  # 'the whole stand': after 'is' a verb in its plain form is a noun
-            of = text.attempt(target, at, stop) if found is not None else None
-            if found is None or of is None:
-                continue
-            side = _towards(text, found, end)
-            if isinstance(of, Selection) and side is not None and measure is Measure.HEIGHT and not of.phrases[0].sides:
-                of = Selection(tuple(replace(phrase, sides=(side,)) for phrase in of.phrases))
-            named = modifiers.sides(text, found, end)
-            if named is not None and measure is Measure.HEIGHT and isinstance(of, Selection):
-                of = Selection(tuple(replace(phrase, sides=named[0].sides) for phrase in of.phrases))
-            past = text.word_at(found, end, "over", "beyond", "past", "above")
-            out_of = text.word_at(found, end, "of", "from", "through", "out") or past
-            out_of = out_of and measure is Measure.HEIGHT and (named is None or past)
-            inner = text.skip(found + 1, end, "side_preposition")
-            rim = text.skip(text.skip(inner, end, "article"), end, "side", "edge", "side_noun") if past else inner
-            inner = rim + 1 if past and text.word_at(rim, end, "of") else inner  # 'over the left edge of the board'
-            holder = text.attempt(target, inner, end) if out_of else None
-            bodily = isinstance(holder, Selection) and holder.noun_class is not NounClass.FACE
-            bodily = bodily and not text.find("face_noun", found, end)
-            if isinstance(of, Selection) and isinstance(holder, Selection) and bodily:
-                if past:  # the side that it is past decides nothing about where it is seen from
-                    of = Selection(tuple(replace(phrase, sides=()) for phrase in of.phrases))
-                return Overhang(of, holder)
-            if found < end:
-                text.leave_out(found, end)
-            return get(text, Asked((measure,)), of)
-    return None
-
-
-def _reach_in(text: Text, start: int, end: int, measure: Measure) -> Query | None:
-    """'(how high) do the fins rise above the base', '(how deep) does the hole go in'."""
-    found = _reach(text, start, end)
-    return found if isinstance(found, Get) and found.measures == (measure,) else None
-
-
-def _towards(text: Text, at: int, end: int) -> Side | None:
-    """Which side does 'below', 'above', 'to the right of' lead to?"""
-    place = text.match("place", at, end)
-    return _SIDE_OF_PLACE.get(place[0]) if place else None
 
 
 def _plural_noun(text: Text, start: int, end: int) -> bool:
@@ -405,7 +339,7 @@ def _of_which(text: Text, start: int, end: int) -> Query | None:
     place = text.match("at_which", start + 2, end) if text.word_at(start, end, "at") else None
     if place is None:
         return _what(text, start + 1, end)
-    if place[0] == Measure.Z and (found := _above_ground(text, place[1], end)):
+    if place[0] == Measure.Z and (found := above_ground(text, place[1], end)):
         return found
     at = text.skip(place[1], end, "be", "do")
     end -= place[0] == Measure.POSITION and text.word_at(end - 1, end, "centered")
@@ -414,23 +348,6 @@ def _of_which(text: Text, start: int, end: int) -> Query | None:
         return replace(found, measures=(Measure.Z,)) if place[0] == Measure.Z else found
     of = target(text, at, end)
     return get(text, Asked((Measure(place[0]),)), of) if of is not None else None
-
-
-def _above_ground(text: Text, start: int, end: int) -> Query | None:
-    """'(at what height) above the bottom is the hole', '(how far) below the top face is the shaft'."""
-    noun = text.skip(start + 1, end)
-    under = text.word_at(start, end, "below", "under", "beneath")
-    above = text.word_at(start, end, "above", "over")
-    ground = text.after("ceiling", noun, end) if under else text.after("ground", noun, end) if above else None
-    if ground is None:
-        return None
-    after = of_whole(text, ground, end) or ground
-    if after == ground and text.word_at(ground, end, "of"):
-        after = next((i for i in range(ground, end) if text.match("be", i, end) or text.match("do", i, end)), ground)
-        text.leave_out(ground, after)
-    of = target(text, text.skip(after, end, "be", "do"), end)
-    boundary = Boundary(Side.TOP if under else Side.BOTTOM)
-    return Distance(of, boundary, True, 2) if isinstance(of, Selection) else None
 
 
 def _what(text: Text, start: int, end: int) -> Query | None:

@@ -8,10 +8,11 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 
 from querycad_contracts import Part, Side
-from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
+from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 from .lexicon import Adjective, Choice, Lexicon, Order, Pick, words_of
 from .names import bodies_marked, bodies_named, is_whole
+from .places import STANDING_OUT, TOUCH_M, coaxial, encloses, held, is_inside, lies_between, next_to, touches
 from .reading import SIDE_WORDS, Place, Reading
 
 THREAD_TOLERANCE_M = 0.06e-3
@@ -32,7 +33,6 @@ CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""
 FACING = 0.7
 """Cosine of the angle within which a part points to a side: nearer to it than to any other."""
-_TOUCH_M = 1e-6
 _HOLDING = (
     "in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through", "across", "along",
 )  # fmt: skip
@@ -49,7 +49,6 @@ _DIRECTIONS = frozenset(("vertical", "horizontal"))
 _SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
 _BLENDS = ("fillet", "round", "chamfer")
 _FASTENERS = frozenset(("screw", "nut"))
-_STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
 
 
 class Parts:
@@ -242,20 +241,20 @@ class Parts:
         match relation:
             case "with":
                 having = [p for p in found if any(h.id != p.id and is_inside(h, p) for h in holders)]
-                return having or _next_to(found, holders)
+                return having or next_to(found, holders)
             case "without":
                 return [p for p in found if not any(h.id != p.id and is_inside(h, p) for h in holders)]
             case "near":
-                return _next_to(found, holders)
+                return next_to(found, holders)
             case "between" if len(holders) > 1:
-                return [p for p in found if p.id not in {h.id for h in holders} and _lies_between(p, holders)]
+                return [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
             case "around":
-                around = [p for p in found if any(_encloses(p, h) for h in holders)]
+                around = [p for p in found if any(encloses(p, h) for h in holders)]
                 if not around and all(p.kind in _BLENDS for p in found):
-                    return _next_to(found, holders)
-                return around or [p for p in found if not any(_coaxial(p, h) for h in holders)]
+                    return next_to(found, holders)
+                return around or [p for p in found if not any(coaxial(p, h) for h in holders)]
             case _ if relation in (*_HOLDING, ""):
-                return _held(found, relation, holders)
+                return held(found, relation, holders)
         return []
 
     # Picks and sizes
@@ -294,7 +293,7 @@ class Parts:
             return False
         along = max(range(3), key=lambda i: abs(axis[i]))
         for other in self.bodies:
-            if other.id == body.id or not _touches(body, other):
+            if other.id == body.id or not touches(body, other):
                 continue
             apart = [abs(a - b) for a, b in zip(body.center, other.center, strict=True)]
             larger = all(
@@ -302,7 +301,7 @@ class Parts:
                 for i in range(3)
                 if i != along
             )
-            if larger and apart[along] + body.extents[along] / 2 > other.extents[along] / 2 + _TOUCH_M:
+            if larger and apart[along] + body.extents[along] / 2 > other.extents[along] / 2 + TOUCH_M:
                 return True
         return False
 
@@ -389,7 +388,7 @@ def without_twins(found: list[Part]) -> list[Part]:
 def turned_to(found: list[Part], sides: Sequence[Side]) -> list[Part]:
     """Of what stands out, those that stand towards the sides where any does: a pin is on the top when it points up."""
     turned = [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
-    standing = [p for p in found if p.kind in _STANDING_OUT and p.kind != "body"]
+    standing = [p for p in found if p.kind in STANDING_OUT and p.kind != "body"]
     return [p for p in found if p not in standing or p in turned] if any(p in turned for p in standing) else found
 
 
@@ -435,90 +434,6 @@ def _by_size(found: Sequence[Part]) -> list[list[Part]]:
         else:
             groups.append([part])
     return groups
-
-
-def carries(place: Part, part: Part) -> bool:
-    """Does the part open on or stand on the faces of the place, or is it made of some of them?"""
-    return part.id in place.children or set(part.faces) < set(place.faces)
-
-
-def is_inside(part: Part, place: Part) -> bool:
-    """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?
-
-    In a pattern of such parts is what belongs to it.
-    """
-    if place.kind == "pattern" and any(child.startswith(f"{part.kind}-") for child in place.children):
-        return part.id in place.children
-    points = [part.center] if part.opening is None else [part.center, part.opening]
-    return (
-        part.id in place.children
-        or set(part.faces) < set(place.faces)
-        or any(
-            all(
-                abs(c - middle) <= extent / 2 + _TOUCH_M
-                for c, middle, extent in zip(point, place.center, place.extents, strict=True)
-            )
-            for point in points
-        )
-    )
-
-
-def _next_to(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
-    return [p for p in found if any(h.id != p.id and _touches(p, h) for h in holders)]
-
-
-def _held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
-    """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
-    if carried := [p for p in found if any(carries(h, p) for h in holders)]:
-        return carried
-    if relation == "on":
-        standing = [p for p in found if p.kind in _STANDING_OUT or p.kind == "cylinder"]
-        on = [p for p in standing if any(_touches(p, h) and not is_inside(p, h) for h in holders)]
-        if on:
-            return on
-    inside = [p for p in found if any(is_inside(p, h) or h.id in _members(p) for h in holders)]
-    return inside if inside or not all(p.kind in _STANDING_OUT for p in found) else _next_to(found, holders)
-
-
-def _members(part: Part) -> tuple[str, ...]:
-    """'the bolt circle of the small holes': a pattern is of its members."""
-    return part.children if part.kind == "pattern" else ()
-
-
-def _touches(part: Part, place: Part) -> bool:
-    """Do the boxes of two parts meet?"""
-    return all(
-        abs(a - b) <= (e + f) / 2 + _TOUCH_M
-        for a, b, e, f in zip(part.center, place.center, part.extents, place.extents, strict=True)
-    )
-
-
-def _lies_between(part: Part, others: Sequence[Part]) -> bool:
-    """Does the middle of the part lie between those of two others, no farther aside than they reach?"""
-    for a, b in itertools.combinations(others, 2):
-        apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
-        length = norm(apart)
-        if length < _TOUCH_M or not 0.0 < dot(ahead, apart) < length**2:
-            continue
-        boxed = all(
-            min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - _TOUCH_M
-            <= part.center[i]
-            <= max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2) + _TOUCH_M
-            for i in range(3)
-        )
-        if boxed:
-            return True
-    return False
-
-
-def _coaxial(part: Part, other: Part) -> bool:
-    if part.axis is None or other.axis is None or norm(cross(part.axis, other.axis)) > 1e-3:
-        return False
-    return line_distance(other.center, part.center, part.axis) < 1e-3 * max(part.extents)
-
-
-def _encloses(part: Part, other: Part) -> bool:
-    return _coaxial(part, other) and bool(part.radius and other.radius and part.radius > other.radius)
 
 
 def has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:
