@@ -98,7 +98,7 @@ def _understood(model: Parts, reading: Reading, sides: Sequence[Side] | None) ->
         if marked:
             reading.unknown.clear()
             return marked
-    if found and _is_one(model, reading, found):
+    if found and not is_narrowed(reading, sides) and _is_one(model, reading, found):
         return [model.model] if model.model is not None else found
     reading.ignore_unknown()
     return found
