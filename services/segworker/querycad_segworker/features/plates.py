@@ -160,6 +160,14 @@ def _is_extruded(brep: Brep, face: FaceRecord, wall: FaceRecord) -> bool:
     )
 
 
+def _is_within(brep: Brep, wall: int, side: _Side, tolerances: Tolerances) -> bool:
+    """Does a wall end where the plate does, instead of running on past it as the end of a bent sheet?"""
+    points = [p for e in brep.face_edges[wall] for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
+    levels = [dot(point, side.face.axis) for point in points]
+    near = 10 * tolerances.length
+    return side.level - near <= min(levels) and max(levels) <= dot(side.face.point, side.face.axis) + near
+
+
 def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
     face = side.face
     top = dot(face.point, face.axis)
@@ -187,7 +195,7 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
         center=center,
         extents=box_extents(box),
         tip=add(center, scale(normal, high - dot(center, normal))),
-        faces=tuple(sorted({face.id, *side.walls, *side.below})),
+        faces=tuple(sorted({face.id, *side.below, *(w for w in side.walls if _is_within(brep, w, side, tolerances))})),
         body=face.body,
         name=outline,
     )
