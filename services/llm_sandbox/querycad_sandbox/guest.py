@@ -30,7 +30,7 @@ DESCRIPTIONS: Final = 100
 """Most different find_parts calls of a run; each may render and segment, and its time is not the program's."""
 
 _PARALLEL: Final = 1e-3
-"""Sine of the angle below which two axes are parallel."""
+"""Radians; axes nearer to one direction are parallel."""
 _SIDES: Final = {side.value: side for side in Side}
 _CLASSES: Final = {kind: ClassType(kind) for kind in (Part, Face, Body, Shape)}
 """How a program sees the classes of the guest API: it can ask isinstance(), and make no objects of them."""
@@ -143,12 +143,10 @@ class Guest:
         Of holes on parallel axes, how far apart the axes are: what drawings say, whatever the depths.
         """
         if part.kind == other.kind == "hole" and part.axis and other.axis:
-            (ax, ay, az), (bx, by, bz) = part.axis, other.axis
             apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
             along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
             aside = math.sqrt(max(0.0, sum(a * a for a in apart) - along**2))
-            parallel = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) < _PARALLEL
-            if parallel and aside > BOX_SLACK_M:
+            if self.angle_to(part, other) < _PARALLEL and aside > BOX_SLACK_M:
                 return aside
         return math.dist(part.center, other.center)
 

@@ -65,7 +65,8 @@ def understand(asked: str) -> tuple[Query, Text]:
     _refuse_foreign(tokens)
     text = Text(tokens if said.question == asked else tokenize(asked))
     if ":" in asked and (meaning := topical(without_asides(text))) is not None:
-        return hinted(meaning, asked, (), text), text
+        found = hinted(meaning, asked, (), text)
+        return _once(found) if once else found, text
     for reading in _readings(asked, said):
         text = resolved(Text(tokenize(reading.question)), reading.before)
         meaning = question(without_asides(text)) or _shortened(text)
