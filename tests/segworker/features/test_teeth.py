@@ -166,3 +166,15 @@ def test_slots_milled_into_the_face_of_a_disc_are_no_teeth() -> None:
     parts = find(cut(cylinder(130, 12), *milled)).parts
     assert not [part for part in parts if part.kind in ("gear", "tooth")]
     assert len([part for part in parts if part.kind == "pocket" and "obround" in part.tags]) == 6
+
+
+@pytest.mark.parametrize("degrees", [0, 35])
+def test_slots_cut_through_a_polygonal_plate_are_no_teeth(degrees: float) -> None:
+    """Sides of the plate and walls of the slots repeat eight times around the hole, three faces and more each time."""
+    slot = fuse(box((26, 18, 20), (162, -9, 0)), cylinder(9, 20, (162, 0, 0)), cylinder(9, 20, (188, 0, 0)))
+    slots = [turned(slot, (0, 0, 1), 45 * i) for i in range(8)]
+    corners = [(227.3 * math.cos(a), 227.3 * math.sin(a)) for a in (math.radians(22.5 + 45 * i) for i in range(8))]
+    base = cut(extruded(corners, 0, 20), cylinder(40, 20), *slots)
+    found = find(turned(base, (1, 2, 3), degrees))
+    assert found.of("gear") == []
+    assert [part.length for part in found.of("cutout")] == pytest.approx([44 * MM] * 8)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import OFF_ROUND, binned, dist, dot, sub
+from querycad_segworker.vectors import OFF_ROUND, binned, dist, dot, mean, sub
 
 from .refusals import refuse
 from .walls import Axis, Wall
@@ -112,7 +112,7 @@ def main_axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
 
 
 def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
-    rings = _touching(brep, _rings(faces, axis, tolerances))
+    rings = _touching(brep, _without_windows(brep, _rings(faces, axis, tolerances), axis))
     if not rings:
         return None
     # Two flanks a tooth may stand at nearly equal angles, and seem to repeat twice as often as the teeth.
@@ -172,6 +172,23 @@ def _touching(brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]]) -> list
     patterned = {face.id for _, ring in rings for face in ring}
     touching = {face for face in patterned if sum(other in patterned for _, other in brep.neighbours(face)) >= 2}
     return [(count, ring) for count, ring in rings if all(face.id in touching for face in ring)]
+
+
+def _without_windows(
+    brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]], axis: Axis
+) -> list[tuple[int, list[FaceRecord]]]:
+    """Those rings whose faces are not walls of windows beside the axis: walls that touch and face each other."""
+    left = {face.id: face for _, ring in rings for face in ring}
+    windows: set[int] = set()
+    while left:
+        together = [left.pop(min(left))]
+        for face in together:
+            together += [left.pop(other) for _, other in brep.neighbours(face.id) if other in left]
+        middle = mean([face.point for face in together])
+        beside = axis.radius_of(middle) > min(axis.radius_of(face.point) for face in together) / 2
+        if beside and all(dot(face.point_normal, sub(middle, face.point)) > 0 for face in together):
+            windows.update(face.id for face in together)
+    return [(count, ring) for count, ring in rings if not any(face.id in windows for face in ring)]
 
 
 def _are_slots(brep: Brep, faces: Sequence[int], axis: Axis, depth: float) -> bool:
