@@ -198,7 +198,14 @@ def test_the_api_does_not_start_open_to_others(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "headers",
-    [{"Origin": "https://evil.example"}, {"Origin": "null"}, {"Host": "evil.example"}, {"Host": "evil.example:8000"}],
+    [
+        {"Origin": "https://evil.example"},
+        {"Origin": "null"},
+        {"Origin": "http://["},
+        {"Host": "evil.example"},
+        {"Host": "evil.example:8000"},
+        {"Host": "["},
+    ],
 )
 def test_without_keys_other_sites_pages_are_refused(client: httpx.Client, headers: dict[str, str]) -> None:
     assert client.get("/v1/models", headers=headers).status_code == 403

@@ -18,6 +18,7 @@ from querycad_api.ledger import Ledger
 from querycad_api.settings import ApiSettings
 from querycad_api.worker import Questions
 from querycad_contracts import (
+    NO_ACCOUNTS,
     AnswerRecord,
     ModelSummary,
     QuestionTask,
@@ -90,15 +91,40 @@ def test_who_comes_back_is_told_only_what_came_after(
     assert client.get(f"/v1/jobs/{job}/events", headers={"Last-Event-ID": "yesterday"}).status_code == 422
 
 
+def test_who_was_told_all_need_not_come_back(client: httpx.Client, model: str, redis: Redis, worker: Questions) -> None:
+    job = ask(client, model).json()["id"]
+    path, later = f"/v1/jobs/{job}/events", f"{10**15}-0"
+    worker.answer(task_of(redis, job))
+    *_, before, (last, kind, _) = events(client, job)
+    assert kind == "done"
+    for after in (last, later):
+        response = client.get(path, headers={"Last-Event-ID": after})
+        assert (response.status_code, response.content) == (204, b"")
+    assert [number for number, _, _ in events(client, job, **{"Last-Event-ID": before[0]})] == [last]
+
+
+def test_a_question_that_waits_says_so_once(
+    client: httpx.Client, redis: Redis, ledger: Ledger, worker: Questions
+) -> None:
+    client.post("/v1/models", files={"file": ("box.step", STEP)})
+    job = ask(client, MODEL).json()["id"]
+    assert [worker.answer(task_of(redis, job), tries) is None for tries in range(4)] == [False] * 4
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
+    worker.answer(task_of(redis, job))
+    assert [kind for _, kind, _ in events(client, job)] == ["queued", "started", "waiting", "program", "ran", "done"]
+
+
 def test_events_come_as_they_happen(client: httpx.Client, model: str, redis: Redis, worker: Questions) -> None:
     job = ask(client, model).json()["id"]
     kinds = []
+    answering = threading.Thread(target=worker.answer, args=(task_of(redis, job),))
     with client.stream("GET", f"/v1/jobs/{job}/events") as response:
         for line in in_time(response):
             if line.startswith("event: "):
                 kinds.append(line.removeprefix("event: "))
                 if kinds == ["queued"]:
-                    threading.Thread(target=worker.answer, args=(task_of(redis, job),)).start()
+                    answering.start()
+    answering.join()
     assert kinds == ["queued", "started", "program", "ran", "done"]
 
 

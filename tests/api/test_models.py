@@ -2,18 +2,25 @@
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import json
+import socket
+import tempfile
 import threading
+from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
+from fastapi import FastAPI, Response
 from redis import Redis
 
 from querycad_api.ledger import Ledger
 from querycad_api.models.files import shown_name
+from querycad_api.models.geometry import whole
 from querycad_api.settings import ApiSettings
+from querycad_api.state import READ_S
 from querycad_contracts import (
     NO_ACCOUNTS,
     ModelSummary,
@@ -103,6 +110,27 @@ def test_a_file_that_cannot_be_read_is_a_failed_model_which_may_be_uploaded_agai
     assert len(queued(redis, Queue.INGEST)) == 2
 
 
+def test_what_came_of_a_file_that_was_deleted_says_nothing_of_the_same_file_uploaded_anew(
+    client: httpx.Client, redis: Redis, ledger: Ledger
+) -> None:
+    def follow() -> dict[str, Any]:
+        (message,) = [json.loads(str(each)) for each in redis.lrange(Queue.INGEST.value, 0, 0)]
+        args, _, more = json.loads(base64.b64decode(message["body"]))
+        assert args[0]["model"] == SHA256
+        followed: dict[str, Any] = more["callbacks"][0]["kwargs"]
+        return followed
+
+    upload(client)
+    before = follow()
+    client.delete(f"/v1/models/{SHA256}")
+    upload(client)
+    failure = TaskFailure(kind=TaskFailureKind.FILE, message="the file was cut off")
+    ledger.finish_model(outcome=TaskOutcome[ModelSummary](failure=failure), **before)
+    assert client.get(f"/v1/models/{SHA256}").json()["status"] == "reading"
+    ledger.finish_model(outcome=TaskOutcome[ModelSummary](value=SUMMARY), **follow())
+    assert client.get(f"/v1/models/{SHA256}").json()["status"] == "ready"
+
+
 @pytest.mark.parametrize("content", [b"", b"<html>", b"\x1f\x8b\x08", b"solid x", b"ISO-10303-2"])
 def test_what_is_no_step_file_is_refused(client: httpx.Client, redis: Redis, content: bytes) -> None:
     assert problem(upload(client, content), 415)["title"] == "Not a STEP file"
@@ -127,7 +155,9 @@ def test_a_file_that_is_too_large_is_refused_and_leaves_nothing(
         response = client.post(
             "/v1/models", content=chunks, headers={"Content-Type": "multipart/form-data; boundary=x"}
         )
-    assert "1 MiB" in problem(response, 413)["detail"]
+    refused = problem(response, 413)
+    assert "1 MiB" in refused["detail"]
+    assert refused["type"] == "urn:querycad:problem:file-too-large"
     assert not [path for path in settings.home.rglob("*") if path.is_file()]
 
 
@@ -149,6 +179,49 @@ def test_a_file_just_over_the_limit_is_refused(client: httpx.Client, settings: A
 )
 def test_a_file_is_shown_without_folders_and_control_characters(given: str, shown: str) -> None:
     assert shown_name(given) == shown
+
+
+def test_an_upload_is_put_together_where_files_are_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from querycad_api import app
+
+    found = []
+    monkeypatch.setattr(tempfile, "tempdir", None)
+    monkeypatch.setattr(app, "start_logging", lambda *_: None)
+    monkeypatch.setattr("uvicorn.run", lambda *_, **__: found.append(tempfile.gettempdir()))
+    monkeypatch.setenv("QUERYCAD_HOME", str(tmp_path / "home"))
+    app.main()
+    assert found == [str(tmp_path / "home")]
+    assert (tmp_path / "home").is_dir()
+
+
+@pytest.mark.parametrize("asked", ["bytes=0-3", "bytes=99-", "nonsense"])
+def test_a_file_comes_whole_whatever_range_is_asked_for_and_whoever_deletes_it(
+    tmp_path: Path, serving: Any, asked: str
+) -> None:
+    app, content = FastAPI(), bytes(range(256)) * 4096
+
+    @app.get("/")
+    async def drawn() -> Response:
+        (tmp_path / "a.png").write_bytes(content)
+        response = whole(tmp_path / "a.png", "image/png")
+        (tmp_path / "a.png").unlink()
+        return response
+
+    with serving(app) as client:
+        response = client.get("/", headers={"Range": asked})
+    assert (response.status_code, response.content) == (200, content)
+    assert response.headers["content-length"] == str(len(content))
+
+
+@pytest.mark.parametrize("path", ["/v1/models/", f"/v1/models/{SHA256}/"])
+def test_a_path_that_is_none_leads_nowhere_else(client: httpx.Client, path: str) -> None:
+    problem(client.get(path, follow_redirects=False), 404)
+
+
+def test_of_several_files_none_is_lost_unsaid(client: httpx.Client) -> None:
+    files = [("file", ("a.step", STEP)), ("file", ("b.step", STEP + b" "))]
+    assert "one file" in problem(client.post("/v1/models", files=files), 400)["detail"]
+    assert client.get("/v1/models").json()["total"] == 0
 
 
 def test_a_request_without_a_file_is_not_as_documented(client: httpx.Client) -> None:
@@ -176,6 +249,20 @@ def test_without_a_store_the_service_is_unavailable_but_alive(settings: ApiSetti
         problem(client.get(f"/v1/models/{SHA256}"), 503)
         assert client.get("/livez").status_code == 200
         assert client.get("/readyz").json()["checks"]["store"] is False
+
+
+def test_a_store_that_says_nothing_is_away(
+    settings: ApiSettings, serving: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from querycad_api import app
+
+    monkeypatch.setattr(app, "SILENCE_S", 0.2 - READ_S)
+    monkeypatch.setattr("querycad_api.health.STORE_S", 0.2)
+    with socket.create_server(("127.0.0.1", 0)) as silent:  # connections are taken, and nothing is said
+        hung = settings.model_copy(update={"redis_url": f"redis://127.0.0.1:{silent.getsockname()[1]}/0"})
+        with serving(app.make_app(hung)) as client:
+            assert client.get("/readyz").json()["checks"]["store"] is False
+            problem(client.get(f"/v1/models/{SHA256}"), 503)
 
 
 def test_it_is_ready_when_every_queue_has_a_worker(client: httpx.Client, redis: Redis) -> None:

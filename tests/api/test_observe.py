@@ -12,9 +12,12 @@ import httpx
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 from redis import Redis
+from starlette.exceptions import HTTPException
 from tests.api.fakes import MODEL, FakeSandbox
 
+from querycad_api.app import make_app
 from querycad_api.keyspace import job_key
+from querycad_api.settings import ApiSettings
 from querycad_api.worker import Questions
 from querycad_contracts import IngestTask, LogFormat, QuestionTask, current_request, start_logging, working_for
 
@@ -57,6 +60,43 @@ def test_a_request_whose_id_is_not_fit_gets_another(client: httpx.Client, given:
 
 def test_problems_have_an_id_too(client: httpx.Client) -> None:
     assert client.get("/v1/nothing").headers["x-request-id"]
+
+
+def test_a_flaw_is_a_problem_whose_id_leads_to_its_cause_in_the_log(
+    settings: ApiSettings, serving: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    app = make_app(settings)
+
+    @app.get("/flawed")
+    async def flawed() -> None:
+        raise ZeroDivisionError("of ours")
+
+    with serving(app) as client:
+        response = client.get("/flawed", headers={"X-Request-ID": "r-7"})
+        assert metrics(client)[
+            ("querycad_http_requests_total", (("method", "GET"), ("route", "/flawed"), ("status", "500")))
+        ]
+    assert (response.status_code, response.headers["content-type"]) == (500, "application/problem+json")
+    assert response.headers["x-request-id"] == "r-7"
+    assert "of ours" not in response.text
+    (told,) = [each for each in caplog.records if each.exc_info]
+    assert isinstance(told.exc_info and told.exc_info[1], ZeroDivisionError)
+
+
+@pytest.mark.parametrize("flaw", [OSError(28, "No space left on device"), HTTPException(400)])
+def test_a_full_disk_is_no_fault_of_the_request(settings: ApiSettings, serving: Any, flaw: Exception) -> None:
+    app = make_app(settings)
+
+    @app.get("/full")
+    async def full() -> None:
+        if isinstance(flaw, HTTPException):  # as FastAPI tells what went wrong while it read a body
+            raise flaw from OSError(28, "No space left on device")
+        raise flaw
+
+    with serving(app) as client:
+        response = client.get("/full")
+    assert response.status_code == 503
+    assert response.json()["retryable"] is True
 
 
 def test_what_is_done_for_a_request_has_its_id() -> None:

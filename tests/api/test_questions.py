@@ -133,7 +133,7 @@ def test_a_question_that_kills_its_workers_is_given_up(
 ) -> None:
     task = task_of(redis, ask(client, model).json()["id"])
     for _ in range(ATTEMPTS):
-        ledger.begin_job(task.job)
+        ledger.begin_job(task)
     assert worker.answer(task) is None
     failure = client.get(f"/v1/jobs/{task.job}").json()["record"]["failure"]
     assert (failure["category"], failure["message"]) == (
@@ -179,14 +179,14 @@ def test_whatever_happens_a_job_ends_with_a_record(
 def test_an_ingest_that_was_stopped_is_a_failed_model(client: httpx.Client, settings: ApiSettings) -> None:
     client.post("/v1/models", files={"file": ("box.step", STEP)})
     app = make_app(settings)
-    app.tasks[TaskName.MODEL_LOST.value].apply(["some-task"], {"model": MODEL, "tenant": NO_ACCOUNTS})
+    app.tasks[TaskName.MODEL_LOST.value].apply(["some-task"], {"model": MODEL, "tenant": NO_ACCOUNTS, "uploaded": ""})
     found = client.get(f"/v1/models/{MODEL}").json()
     assert (found["status"], found["failure"]["retryable"]) == ("failed", True)
     app.close()
 
 
 @pytest.mark.parametrize(
-    "body", [b"", b"{", b"[]", b"{}", b'{"question": ""}', b'{"question": "x", "unit": "furlong"}', b'{"question": 1}']
+    "body", [b"", b"[]", b"{}", b'{"question": ""}', b'{"question": "x", "unit": "furlong"}', b'{"question": 1}']
 )
 def test_what_is_no_question_is_a_problem(client: httpx.Client, model: str, body: bytes) -> None:
     response = client.post(f"/v1/models/{model}/questions", content=body, headers={"Content-Type": "application/json"})
@@ -194,10 +194,18 @@ def test_what_is_no_question_is_a_problem(client: httpx.Client, model: str, body
     assert response.headers["content-type"] == "application/problem+json"
 
 
+@pytest.mark.parametrize("body", [b"{", b'{"question": "x"', b'{"question": "\xff"}', b"[" * 100_000])
+def test_what_is_no_json_is_malformed(client: httpx.Client, model: str, body: bytes) -> None:
+    response = client.post(f"/v1/models/{model}/questions", content=body, headers={"Content-Type": "application/json"})
+    assert (response.status_code, response.headers["content-type"]) == (400, "application/problem+json")
+
+
 def test_a_question_as_large_as_a_file_is_refused(client: httpx.Client, model: str) -> None:
-    response = client.post(f"/v1/models/{model}/questions", content=b" " * 3 * 2**20)
-    assert response.status_code == 413
-    assert response.headers["content-type"] == "application/problem+json"
+    for body in (b" " * 3 * 2**20, (b" " * 2**16 for _ in range(48))):  # its length is declared, and not
+        response = client.post(f"/v1/models/{model}/questions", content=body)
+        assert response.status_code == 413
+        assert response.headers["content-type"] == "application/problem+json"
+        assert response.json()["type"] == "urn:querycad:problem:too-large"
 
 
 def test_a_question_about_an_unknown_model_is_refused(client: httpx.Client, redis: Redis) -> None:

@@ -71,6 +71,16 @@ def test_a_file_that_is_not_there_is_none(opened: Opened) -> None:
     assert not opened("one").fetch_folder(FOLDER)
 
 
+def test_a_file_that_another_machine_removed_is_gone_for_all(opened: Opened) -> None:
+    one, two = opened("one"), opened("two")
+    put(one, FILE, b"x")
+    assert two.fetch(FILE) is not None
+    assert one.exists(FILE)
+    assert two.exists(FILE)
+    one.remove(FILE)
+    assert not two.exists(FILE)
+
+
 def test_a_folder_comes_whole_or_not_at_all(opened: Opened) -> None:
     one, two = opened("one"), opened("two")
     make_folder(one)

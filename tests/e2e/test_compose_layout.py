@@ -30,6 +30,8 @@ SERVICES: dict[str, dict[str, Any]] = yaml.safe_load((ROOT / "docker-compose.yml
 SCALED = {"segworker": 2}
 PASSWORD = "letters0and9digits"  # noqa: S105 - of a store that lives as long as this test
 READY_S = 180.0
+LOG_S = 10.0
+"""An answer is told before the line about it is written."""
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the containers' system")
 
@@ -158,9 +160,17 @@ def test_a_question_is_answered_and_its_id_is_in_every_log(layout: Layout, key: 
         headers={"Authorization": f"Bearer {key}", "Prefer": "wait=50", "X-Request-ID": "seen-everywhere"},
     )
     assert asked.status_code == 200
+    deadline = time.monotonic() + LOG_S
     for name in ("api", "questions", "segworker"):
-        lines = [json.loads(line) for line in layout.log(name).splitlines() if line.startswith("{")]
-        assert any(line["request"] == "seen-everywhere" for line in lines), name
+        while "seen-everywhere" not in requests(layout, name):
+            assert time.monotonic() < deadline, name
+            time.sleep(0.1)
+
+
+def requests(layout: Layout, name: str) -> set[str]:
+    """Ids of the requests that the service's log tells of."""
+    *whole, _ = layout.log(name).split("\n")
+    return {json.loads(line)["request"] for line in whole if line.startswith("{")}
 
 
 def test_several_segworkers_share_the_work(layout: Layout, key: str, flange: Path) -> None:

@@ -146,3 +146,24 @@ def test_a_program_that_never_ends_being_checked_is_refused(checker: TypeChecker
 def test_a_session_is_renewed_after_its_share_of_programs(checker: TypeChecker) -> None:
     for i in range(CHECKS_PER_SESSION + 2):
         assert checker.problems(f"solution = {i}") == ()
+
+
+@pytest.mark.parametrize(
+    ("code", "status", "said"),
+    [
+        ("x = 1\nsolution = undefined", RunStatus.RAISED, "NameError: name 'undefined' is not defined (line 2"),
+        ("solution = shape.solids", RunStatus.RAISED, "has no solids; it has"),
+        ("solution = find_parts('hole')[0].colour", RunStatus.RAISED, "has no colour; it has"),
+        ("solution = open('/etc/passwd').read()", RunStatus.RAISED, "open"),
+        ("solution = __import__('os').environ", RunStatus.RAISED, "__import__"),
+        ("import subprocess\nsolution = subprocess.run('id')", RunStatus.RAISED, "subprocess"),
+        ("solution = = 1", RunStatus.REFUSED, "invalid syntax"),
+        ("solution = len(find_parts('hole'))", RunStatus.OK, ""),
+    ],
+)
+def test_without_it_what_does_not_exist_fails_when_the_program_gets_there(
+    sandbox: Sandbox, code: str, status: RunStatus, said: str
+) -> None:
+    outcome = sandbox.run(code, FakeSegCad(), check=False)
+    assert (outcome.status, outcome.value is None) == (status, status is not RunStatus.OK)
+    assert said in outcome.message

@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import pytest
+from redis import Redis
 
-from querycad_contracts import GroundedBy, Side, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_contracts import (
+    FindPartsTask,
+    GroundedBy,
+    ModelTask,
+    Side,
+    TaskFailure,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+)
 from querycad_sandbox.control import RunControl
-from querycad_sandbox.remote import QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
+from querycad_sandbox.remote import TRIES, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from querycad_sandbox.settings import SandboxSettings
 
 MODEL = "0123456789abcdef" * 4
@@ -22,9 +33,9 @@ class Recorder:
         self.answer = answer
         self.calls: list[tuple[TaskName, dict[str, Any], float]] = []
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
-        self.calls.append((name, payload, timeout_s))
-        return self.answer
+    def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str:
+        self.calls.append((name, task.model_dump(mode="json"), timeout_s))
+        return json.dumps(self.answer)
 
 
 def value(of: Any) -> dict[str, Any]:
@@ -83,12 +94,26 @@ def test_an_answer_with_neither_value_nor_reason_is_a_failure() -> None:
 def test_without_a_segworker_a_call_is_given_up(redis_url: str) -> None:
     call = QueueCaller(redis_url)
     with pytest.raises(SegCadUnavailable):
-        call(TaskName.SHAPE, {"model": MODEL}, 0.1, RunControl())
+        call(TaskName.SHAPE, ModelTask(model=MODEL), 0.1, RunControl())
     call.close()
+
+
+@pytest.mark.parametrize(
+    ("grounding", "queue"),
+    [(GroundedBy.GEOMETRY, "segcad"), (GroundedBy.VISION, "pictures"), (GroundedBy.FUSED, "pictures")],
+)
+def test_looking_keeps_no_quick_call_waiting(redis_url: str, grounding: GroundedBy, queue: str) -> None:
+    call = QueueCaller(redis_url)
+    task = FindPartsTask(model=MODEL, description="logo", grounding=grounding)
+    with pytest.raises(SegCadUnavailable):
+        call(TaskName.FIND_PARTS, task, 0.1, RunControl())
+    call.close()
+    with Redis.from_url(redis_url, decode_responses=True) as redis:
+        assert {name: redis.llen(name) for name in ("segcad", "pictures")} == {"segcad": 0, "pictures": 0, queue: TRIES}
 
 
 def test_without_a_broker_a_call_is_given_up() -> None:
     call = QueueCaller("redis://127.0.0.1:1/0")
     with pytest.raises(SegCadUnavailable):
-        call(TaskName.SHAPE, {"model": MODEL}, 0.1, RunControl())
+        call(TaskName.SHAPE, ModelTask(model=MODEL), 0.1, RunControl())
     call.close()

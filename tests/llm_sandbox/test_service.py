@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from typing import Any
 
 import httpx
 import pytest
 
-from querycad_contracts import RunOutcome, RunStatus, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
+from querycad_contracts import ModelTask, RunOutcome, RunStatus, TaskFailure, TaskFailureKind, TaskName, TaskOutcome
 from querycad_sandbox.app import BODY_BYTES, make_app
 from querycad_sandbox.control import RunControl
 from querycad_sandbox.remote import SegCadUnavailable
@@ -30,10 +31,10 @@ class Queue:
     def __init__(self) -> None:
         self.answer: dict[str, Any] | None = {"value": NO_HOLES, "failure": None}
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
+    def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str:
         if self.answer is None:
             raise SegCadUnavailable("no segworker answered")
-        return self.answer
+        return json.dumps(self.answer)
 
 
 @pytest.fixture

@@ -113,3 +113,13 @@ def test_a_file_that_crashes_the_kernel_is_an_error_message(capsys: pytest.Captu
     code, out, err = run(capsys, str(file), "How many holes are there?")
     assert (code, out) == (2, "")
     assert "crashed" in err
+
+
+def test_a_picture_that_cannot_be_written_is_told_by_the_exit_code(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    (tmp_path / "file").touch()
+    code, out, err = run(capsys, FLANGE, "How many holes are there?", "--picture", str(tmp_path / "file" / "a.png"))
+    assert code == 2
+    assert out.startswith("11\n")
+    assert "the picture cannot be written" in err

@@ -12,6 +12,8 @@ import pytest
 from pydantic import BaseModel
 
 from querycad import flows as module
+from querycad.ask_server import KEY_VARIABLE
+from querycad.cli import main
 from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
 from querycad_contracts import (
     AnswerRecord,
@@ -187,6 +189,18 @@ def test_a_refusal_tells_why() -> None:
     assert refused.value.problem == problem
 
 
+@pytest.mark.parametrize("status", [502, 503, 504])
+def test_a_proxy_whose_service_is_away_is_asked_again(status: int) -> None:
+    away = httpx.Response(
+        status, text="<html>Bad Gateway</html>", headers={"Retry-After": "Sat, 01 Jan 2028 00:00:00 GMT"}
+    )
+    with (made := client(away, json(DONE)))[0] as asking:
+        assert asking.wait(JOB) == RECORD
+    assert len(made[1]) == 2
+    with client(*[away] * 5)[0] as asking, pytest.raises(ServerUnreachable, match=f"answered {status}"):
+        asking.model(MODEL)
+
+
 @pytest.mark.parametrize("status", [200, 404, 500])
 def test_an_answer_of_some_other_server_is_no_answer(status: int) -> None:
     strange = httpx.Response(status, text="<html>It works!</html>")
@@ -197,3 +211,29 @@ def test_an_answer_of_some_other_server_is_no_answer(status: int) -> None:
 def test_a_file_that_is_not_there_is_not_uploaded(tmp_path: Path) -> None:
     with client()[0] as asking, pytest.raises(FileNotFoundError):
         asking.upload(tmp_path / "none.step")
+
+
+@pytest.mark.parametrize(
+    ("question", "key", "said"),
+    [("", "", "question: "), ("?" * 2001, "", "question: "), ("?", "schlüssel", KEY_VARIABLE)],
+)
+def test_what_no_service_would_take_is_one_line_of_the_command(
+    question: str,
+    key: str,
+    said: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "a.step").write_text("ISO-10303-21;")
+    ready = ModelResource.model_validate(
+        {"id": MODEL, "file_name": "a", "size_bytes": 1, "created": "2026-01-01T00:00:00Z", "status": "ready"}
+    )
+    transport = httpx.MockTransport(lambda _: json(ready))
+    monkeypatch.setenv(KEY_VARIABLE, key)
+    monkeypatch.setattr("querycad.ask_server.Client", lambda url, key: Client(url, key, transport))
+    assert main(["ask", str(tmp_path / "a.step"), question, "--server", "http://service"]) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith(f"querycad: {said}")
+    assert err.count("\n") == 1

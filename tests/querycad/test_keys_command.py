@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from querycad.serve import reached_at
 from querycad_api.keys import KeyRing
 
 ROOT = Path(__file__).parents[2]
@@ -41,3 +42,28 @@ def test_a_service_for_others_does_not_start_without_keys(tmp_path: Path, variab
     done = querycad(tmp_path, "serve", "--host", "0.0.0.0", "--port", "0", **variables)  # noqa: S104 - it is refused
     assert done.returncode == 2
     assert said in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "variables", "said"),
+    [
+        (["--port", "65536"], {}, "--port: must be between 0 and 65535"),
+        ([], {"QUERYCAD_KEY_RATE": "lots"}, "QUERYCAD_KEY_RATE: "),
+        (["--host", "::1"], {"QUERYCAD_AUTH": "1"}, "there is no API key yet"),
+    ],
+)
+def test_what_serve_cannot_start_with_is_said_in_a_line(
+    tmp_path: Path, arguments: list[str], variables: dict[str, str], said: str
+) -> None:
+    done = querycad(tmp_path, "serve", "--port", "0", *arguments, **variables)
+    assert done.returncode == 2
+    assert said in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("host", "url"),
+    [("127.0.0.1", "http://127.0.0.1:80"), ("0.0.0.0", "http://127.0.0.1:80"), ("::", "http://[::1]:80")],  # noqa: S104
+)
+def test_serve_says_where_it_is_reached_from_this_machine(host: str, url: str) -> None:
+    assert reached_at(host, 80) == url

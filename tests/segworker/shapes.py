@@ -97,6 +97,12 @@ def torus(radius: float, tube: float, at: Vec = (0.0, 0.0, 0.0), along: Vec = UP
     return BRepPrimAPI_MakeTorus(gp_Ax2(gp_Pnt(*at), gp_Dir(*along)), radius, tube).Shape()
 
 
+def bend(radius: float, tube: float, degrees: float, at: Vec, around: Vec, first: Vec) -> TopoDS_Shape:
+    """Part of a torus around the axis through `at`, from the direction `first` on."""
+    frame = gp_Ax2(gp_Pnt(*at), gp_Dir(*around), gp_Dir(*first))
+    return BRepPrimAPI_MakeTorus(frame, radius, tube, math.radians(degrees)).Shape()
+
+
 def prism(corners: Sequence[Vec], by: Vec) -> TopoDS_Shape:
     """A polygon, moved along `by`."""
     outline = BRepBuilderAPI_MakePolygon()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import math
 import shutil
 from collections.abc import Callable
@@ -11,8 +12,20 @@ from typing import Any
 
 import pytest
 from PIL import Image
+from redis import Redis
 
-from querycad_contracts import AnswerRecord, FolderStore, Part, Status, TaskName, picture_name
+from querycad_contracts import (
+    AnswerRecord,
+    FolderStore,
+    Part,
+    Status,
+    TaskName,
+    models_name,
+    picture_name,
+    reply_key,
+)
+from querycad_segworker.errors import FileProblem
+from querycad_segworker.ingest import ingest
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import ModelCache, Tasks, make_tasks
 from querycad_segworker.vision.known import KnownParts
@@ -20,6 +33,15 @@ from querycad_segworker.worker import ATTEMPTS, make_app
 
 Table = dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]
 UNKNOWN = "0" * 64
+
+
+def table_of(tasks: Tasks) -> Table:
+    """The tasks, with what they answer read."""
+
+    def read(work: Callable[[dict[str, Any]], str]) -> Callable[[dict[str, Any]], dict[str, Any]]:
+        return lambda payload: dict(json.loads(work(payload)))
+
+    return {name: read(work) for name, work in tasks.table().items()}
 
 
 def put(settings: SegworkerSettings, content: bytes) -> str:
@@ -36,7 +58,7 @@ def settings(tmp_path_factory: pytest.TempPathFactory) -> SegworkerSettings:
 
 @pytest.fixture(scope="module")
 def table(settings: SegworkerSettings) -> Table:
-    return make_tasks(settings).table()
+    return table_of(make_tasks(settings))
 
 
 @pytest.fixture(scope="module")
@@ -101,7 +123,7 @@ def test_what_vision_saw_on_one_machine_is_in_the_picture_that_another_draws(
         shutil.copytree(settings.home, tmp_path / name)
         cache = ModelCache(settings.model_copy(update={"home": tmp_path / name}), lambda: known.models)
         cache.files = Bucket(tmp_path / name, tmp_path / "bucket")
-        machines.append(Tasks(cache).table())
+        machines.append(table_of(Tasks(cache)))
     here, there = machines
     found = here[TaskName.FIND_PARTS]({"model": model, "description": "quux", "grounding": "vision"})["value"]
     assert found["parts"]
@@ -176,7 +198,7 @@ def test_a_bad_file_is_a_failure_that_says_why(settings: SegworkerSettings, tabl
 
 def test_artefacts_that_are_gone_are_made_anew(settings: SegworkerSettings, model: str) -> None:
     shutil.rmtree(settings.models)
-    shape = make_tasks(settings).table()[TaskName.SHAPE]({"model": model})
+    shape = table_of(make_tasks(settings))[TaskName.SHAPE]({"model": model})
     assert shape["failure"] is None
     assert shape["value"]["extents"][0] == pytest.approx(0.17)
 
@@ -188,6 +210,38 @@ def test_no_more_models_are_kept_in_memory_than_allowed(settings: SegworkerSetti
     assert cache.segcad(model) is first
     cache.segcad(other)
     assert cache.segcad(model) is not first
+
+
+def test_what_is_made_of_a_model_that_was_deleted_meanwhile_goes_too(
+    settings: SegworkerSettings, flange: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    deleted = put(settings, flange.read_bytes() + b"\n\n")
+
+    def slow_ingest(*given: Any, **more: Any) -> Any:
+        made = ingest(*given, **more)
+        settings.upload(deleted).unlink()
+        return made
+
+    monkeypatch.setattr("querycad_segworker.tasks.ingest", slow_ingest)
+    cache = make_tasks(settings).cache
+    outcome = table_of(Tasks(cache))[TaskName.INGEST]({"model": deleted, "file_name": "flange.step"})
+    assert "deleted" in outcome["failure"]["message"]
+    assert not (settings.home / models_name(deleted)).exists()
+
+
+def test_a_picture_of_a_model_that_was_deleted_meanwhile_goes_too(settings: SegworkerSettings, flange: Path) -> None:
+    deleted = put(settings, flange.read_bytes() + b"\n\n\n")
+    cache = make_tasks(settings).cache
+    cache.segcad(deleted)
+    name = picture_name("2" * 32)
+    cache.made(name, lambda path: Image.new("RGB", (1, 1)).save(path))
+    cache.drop_if_deleted(deleted, name)
+    assert (settings.home / name).is_file()
+    settings.upload(deleted).unlink()
+    with pytest.raises(FileProblem, match="deleted"):
+        cache.drop_if_deleted(deleted, name)
+    assert not (settings.home / name).exists()
+    assert not (settings.home / models_name(deleted)).exists()
 
 
 def test_a_picture_is_drawn_under_its_name(settings: SegworkerSettings, table: Table, model: str) -> None:
@@ -207,14 +261,30 @@ def test_a_file_whose_workers_die_is_given_up(redis_url: str, settings: Segworke
 
     def deliver(task_id: str, redelivered: bool) -> dict[str, Any]:
         task.push_request(id=task_id, delivery_info={"redelivered": redelivered})
-        try:
-            outcome: dict[str, Any] = task.run({"model": model})
-            return outcome
-        finally:
-            task.pop_request()
+        task.run({"model": model})
+        task.pop_request()
+        with Redis.from_url(redis_url) as redis:
+            return dict(json.loads(redis.lpop(reply_key(task_id))))
 
     outcomes = [deliver("deadly", redelivered) for redelivered in (False, *[True] * ATTEMPTS)]
     assert [outcome["failure"] is None for outcome in outcomes] == [True] * ATTEMPTS + [False]
     assert "given up" in outcomes[-1]["failure"]["message"]
     assert deliver("another", True)["failure"] is None
+    app.close()
+
+
+def test_who_called_is_told_at_once_of_what_fails(
+    redis_url: str, settings: SegworkerSettings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(_: SegworkerSettings) -> Tasks:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("querycad_segworker.worker.make_tasks", full)
+    app = make_app(settings.model_copy(update={"redis_url": redis_url}))
+    task = app.tasks[TaskName.SHAPE.value]
+    task.push_request(id="flawed", delivery_info={})
+    task.run({"model": UNKNOWN})
+    with Redis.from_url(redis_url) as redis:
+        assert json.loads(redis.lpop(reply_key("flawed")))["failure"]["kind"] == "internal"
+    task.pop_request()
     app.close()

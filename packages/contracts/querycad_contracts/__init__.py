@@ -76,6 +76,7 @@ from .services import (
     ViewName,
     ViewTask,
     alive_key,
+    queue_of,
     reply_key,
 )
 from .settings import (
@@ -87,6 +88,7 @@ from .settings import (
     picture_name,
     upload_name,
 )
+from .task_messages import task_message
 from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
 __all__ = [
@@ -184,10 +186,12 @@ __all__ = [
     "file_store",
     "models_name",
     "picture_name",
+    "queue_of",
     "reply_key",
     "start_logging",
     "start_tracing",
     "start_worker_tracing",
+    "task_message",
     "upload_name",
     "working_for",
 ]

@@ -29,6 +29,10 @@ class FileStore(Protocol):
         """Where can the file be read now? None when there is none."""
         ...
 
+    def exists(self, name: str) -> bool:
+        """Is there such a file for all services, whatever is left of it here?"""
+        ...
+
     def keep_folder(self, name: str) -> None:
         """Shares a folder that is complete under its name in `home`."""
         ...
@@ -58,6 +62,10 @@ class FolderStore:
         """Where can the file be read now? None when there is none."""
         path = self.home / name
         return path if path.is_file() else None
+
+    def exists(self, name: str) -> bool:
+        """Is there such a file?"""
+        return (self.home / name).is_file()
 
     def keep_folder(self, name: str) -> None:
         """Everybody sees it already."""
@@ -102,6 +110,18 @@ class BucketStore:
         if not self._download(name, self.home / name):
             return None
         return self._cache.fetch(name)
+
+    def exists(self, name: str) -> bool:
+        """Is there such a file in the bucket? What is in the cache may have been deleted by another machine."""
+        import obstore
+
+        try:
+            obstore.head(self._bucket, name)
+        except FileNotFoundError:
+            return False
+        except obstore.exceptions.BaseError as error:
+            raise OSError(str(error)) from error
+        return True
 
     def keep_folder(self, name: str) -> None:
         """Uploads all files directly in the folder; the one that says that it is complete is the last."""

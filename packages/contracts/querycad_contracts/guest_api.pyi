@@ -145,7 +145,8 @@ def find_parts(description: str, sides: list[Side] | None = None) -> list[Part]:
     """Which parts does `description` mean, seen from any of `sides` (every side when None)?
 
     `description` is free text: 'hole', 'blind hole', 'rectangular pocket', 'M5 threaded hole', 'circular base',
-    'screw', 'red body'. Parts come sorted by id. An empty list means: understood, but the model has none.
+    'screw', 'red body'. 'the hole' is one: of several that differ the largest, or those that are largest alike; 'hole'
+    and 'holes' are all. Parts come sorted by id. An empty list means: understood, but the model has none.
     A description that cannot be grounded ends the program with its nearest known terms; it is never guessed.
     """
     ...

@@ -24,7 +24,10 @@ NO_ACCOUNTS = "local"
 
 
 class Queue(StrEnum):
-    """The queues, by what they need: a kernel for minutes, a known model for milliseconds or a second, the sandbox."""
+    """The queues, by what they need: a kernel for minutes, a model for milliseconds, pictures for seconds, the sandbox.
+
+    Pictures are drawn, or looked at.
+    """
 
     INGEST = "ingest"
     SEGCAD = "segcad"
@@ -46,12 +49,12 @@ class TaskName(StrEnum):
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
-    MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant -> nothing: follows a finished ingest
-    MODEL_LOST = "querycad.model_lost"  # task id, model, tenant -> nothing: follows an ingest that was stopped
+    MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant, uploaded -> nothing; after an ingest
+    MODEL_LOST = "querycad.model_lost"  # task id, model, tenant, uploaded -> nothing; after one that was stopped
 
     @property
     def queue(self) -> Queue:
-        """On which queue is it sent?"""
+        """On which queue is it sent, as a rule? See `queue_of`."""
         return _QUEUES.get(self, Queue.SEGCAD)
 
 
@@ -114,6 +117,12 @@ class EdgeDistanceTask(ModelTask):
     """How far is a part from the outer edge of its face?"""
 
     part: str
+
+
+def queue_of(name: TaskName, task: ModelTask) -> Queue:
+    """On which queue is this very task sent? Looking takes seconds: what takes milliseconds does not wait for it."""
+    looks = isinstance(task, FindPartsTask) and task.grounding is not GroundedBy.GEOMETRY
+    return Queue.PICTURES if looks else name.queue
 
 
 class PartsTask(ModelTask):
@@ -213,6 +222,7 @@ class RunRequest(Frozen):
     model: ModelId
     limits: RunLimits = RunLimits()
     expects: AnswerType | None = None
+    check: bool = Field(True, description="Whether a program that names what does not exist is refused, and not begun.")
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence its words are turned into parts.")
     run: RunId = Field(default_factory=lambda: uuid4().hex)
     request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")

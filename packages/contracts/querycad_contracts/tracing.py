@@ -8,13 +8,15 @@ anywhere, has no spans: it hands the trace that a run belongs to on to the segwo
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextvars import ContextVar
 from typing import Any, Final
 
 _CONTEXT: Final = {"traceparent": re.compile(r"[0-9a-f]{2}(-[0-9a-f]+){3}"), "tracestate": re.compile(r"[ -~]{1,512}")}
 """The headers of W3C Trace Context, and what may be in them."""
 
+_SPANS: Final[list[Callable[[dict[str, str]], None]]] = []
+"""What writes the open span into headers; none in a process that has no spans."""
 _CARRIED: ContextVar[Mapping[str, str]] = ContextVar("querycad_trace", default={})  # noqa: B039 - never changed
 
 
@@ -24,8 +26,11 @@ def carry_trace(headers: Mapping[str, str]) -> None:
 
 
 def carried_trace() -> dict[str, str]:
-    """With which headers is the trace handed on? With none where there is none."""
-    return dict(_CARRIED.get())
+    """With which headers is the trace handed on? The open span's where this process has spans; none without a trace."""
+    headers = dict(_CARRIED.get())
+    for inject in _SPANS:
+        inject(headers)
+    return headers
 
 
 def start_tracing(service: str, wanted: bool, app: Any) -> None:
@@ -55,6 +60,7 @@ def _export(service: str) -> None:
     from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
     from opentelemetry.instrumentation.celery import CeleryInstrumentor
     from opentelemetry.instrumentation.httpx import HTTPXClientInstrumentor
+    from opentelemetry.propagate import inject
     from opentelemetry.sdk.resources import Resource
     from opentelemetry.sdk.trace import TracerProvider
     from opentelemetry.sdk.trace.export import BatchSpanProcessor
@@ -62,5 +68,6 @@ def _export(service: str) -> None:
     provider = TracerProvider(resource=Resource.create({"service.name": service}))
     provider.add_span_processor(BatchSpanProcessor(OTLPSpanExporter()))
     trace.set_tracer_provider(provider)
+    _SPANS[:] = [inject]
     CeleryInstrumentor().instrument()  # type: ignore[no-untyped-call]
     HTTPXClientInstrumentor().instrument()

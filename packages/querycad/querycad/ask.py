@@ -88,7 +88,7 @@ def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namesp
                 _print_record(record, options)
             if options.picture and record.status is Status.ANSWERED:
                 path = _picture_path(options.picture, number, len(questions))
-                _draw(runtime, options, record, path)
+                worst = max(worst, _draw(runtime, options, record, path))
     return worst
 
 
@@ -163,14 +163,15 @@ def _picture_path(given: str, number: int, count: int) -> Path:
 
 def _draw(
     runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, record: AnswerRecord, path: Path
-) -> None:
+) -> int:
+    """Writes the picture; returns the exit code."""
     try:
         runtime.draw(options.file, record, path)
     except OSError as error:
-        _complain(f"{path}: the picture cannot be written: {error.strerror}")
-        return
+        return _complain(f"{path}: the picture cannot be written: {error.strerror}")
     if not options.json:
         print(f"  picture: {path}")
+    return EXIT_ANSWERED
 
 
 def _unreadable(question: str, problem: FileProblem) -> AnswerRecord:

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Self
 
 import httpx
+from pydantic import ValidationError
 
 from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelStatus
 
@@ -35,13 +36,26 @@ def ask_server(options: argparse.Namespace, answer_each: Callable[[ServerRuntime
     except OSError as error:
         print(f"querycad: {options.file}: {error.strerror}", file=sys.stderr)
         return EXIT_BAD_INPUT
+    except ValidationError as error:  # a question that no service would take
+        first = error.errors()[0]
+        print(f"querycad: {'.'.join(map(str, first['loc']))}: {first['msg']}", file=sys.stderr)
+        return EXIT_BAD_INPUT
+    except ValueError as error:
+        print(f"querycad: {error}", file=sys.stderr)
+        return EXIT_BAD_INPUT
 
 
 class ServerRuntime:
-    """Answers questions about files on this machine by uploading them to a service. Raises ClientError and OSError."""
+    """Answers questions about files on this machine by uploading them to a service.
+
+    Raises ClientError, OSError, and ValueError for what no service would take.
+    """
 
     def __init__(self, url: str) -> None:
-        self._client = Client(url, os.environ.get(KEY_VARIABLE))
+        key = os.environ.get(KEY_VARIABLE, "")
+        if not (key.isascii() and key.isprintable()):
+            raise ValueError(f"{KEY_VARIABLE} holds no API key")
+        self._client = Client(url, key)
         self._models: dict[str, str] = {}
         self._job = ""
 
@@ -73,4 +87,5 @@ class ServerRuntime:
 
     def draw(self, file: Path | str, _record: AnswerRecord, path: Path) -> None:
         """Writes the picture of the last answer. Raises OSError."""
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(self._client.picture(self._models[str(file)], self._job))

@@ -109,7 +109,9 @@ def _add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 def _add_serve(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     serve = commands.add_parser("serve", help="run all services on this machine")
-    serve.add_argument("--port", type=int, default=8000, help="port of the HTTP interface (default: 8000; 0: any free)")
+    serve.add_argument(
+        "--port", type=_port, default=8000, help="port of the HTTP interface (default: 8000; 0: any free)"
+    )
     serve.add_argument(
         "--host", default="127.0.0.1", help="address to listen on (default: %(default)s); any other asks for API keys"
     )
@@ -137,6 +139,13 @@ def _keys(options: argparse.Namespace) -> int:
     from querycad_api.keys import run
 
     return run(options)
+
+
+def _port(text: str) -> int:
+    number = int(text)
+    if not 0 <= number <= 65535:
+        raise argparse.ArgumentTypeError("must be between 0 and 65535")
+    return number
 
 
 def _positive(text: str) -> int:

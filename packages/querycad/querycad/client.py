@@ -41,8 +41,9 @@ T = TypeVar("T")
 class Client:
     """Uploads models to a service and asks about them. Use it as a context manager, or call `close`.
 
-    All methods raise ServerProblem and ServerUnreachable; a request that may be repeated is, while the service has
-    trouble. `key` is an API key, `transport` replaces the network.
+    All methods raise ServerProblem and ServerUnreachable, and ValueError for what no service would take, such as an
+    empty question; a request that may be repeated is, while the service has trouble. `key` is an API key, `transport`
+    replaces the network.
     """
 
     def __init__(self, url: str, key: str | None = None, transport: httpx.BaseTransport | None = None) -> None:

@@ -50,6 +50,8 @@ TRIES = 5
 """Of a request that may be repeated, while the service has trouble; with the pauses, a restart is survived."""
 PAUSE_S = 1.0
 LONGEST_PAUSE_S = 10.0
+GATEWAY = (502, 503, 504)
+"""What a proxy answers whose service is away."""
 
 M = TypeVar("M", bound=BaseModel)
 T = TypeVar("T")
@@ -209,7 +211,7 @@ def wait(job_id: str, timeout_s: float) -> Flow[AnswerRecord]:
         if found.record is not None:
             return found.record
         if time.monotonic() >= deadline:
-            raise TimeoutError(f"the question was not answered within {timeout_s:g} s")
+            raise TimeoutError("the question was not answered in time")
 
 
 def cancel(job_id: str) -> Flow[Job]:
@@ -243,10 +245,10 @@ class Following:
         return parsed
 
     def refused(self, response: httpx.Response) -> None:
-        """Raises ServerProblem, unless the next try may succeed."""
-        problem = _parsed(Problem, response)
-        if not problem.retryable or self._failures + 1 >= TRIES:
-            raise ServerProblem(problem)
+        """Raises ServerProblem or ServerUnreachable, unless the next try may succeed."""
+        failure, passes = _refusal(response)
+        if not passes or self._failures + 1 >= TRIES:
+            raise failure
 
     def broken(self, error: Exception | None = None) -> float:
         """How many seconds are to be waited before the next connection? Raises ServerUnreachable after a few."""
@@ -320,13 +322,26 @@ def _sent(
             assert came is not None
             if came.is_success or came.status_code in accepted:
                 return came
-            problem = _parsed(Problem, came)
-            failure, again = ServerProblem(problem), again and problem.retryable
-            pause_s = min(float(came.headers.get("Retry-After", PAUSE_S)), LONGEST_PAUSE_S)
+            failure, passes = _refusal(came)
+            again, pause_s = again and passes, _pause_s(came)
         if not again or attempt == TRIES:
             raise failure
         yield Pause(pause_s if PAUSE_S else 0.0)
     raise AssertionError("the last try returns or raises")
+
+
+def _refusal(response: httpx.Response) -> tuple[ClientError, bool]:
+    """What to raise of a response that is none, and may the same request succeed in a moment?"""
+    try:
+        problem = _parsed(Problem, response)
+    except ServerUnreachable as strange:  # it may be a proxy's, whose service is being started again
+        return strange, response.status_code in GATEWAY
+    return ServerProblem(problem), problem.retryable
+
+
+def _pause_s(response: httpx.Response) -> float:
+    wanted = response.headers.get("Retry-After", "")
+    return min(float(wanted), LONGEST_PAUSE_S) if wanted.isdigit() else PAUSE_S  # a date is none of ours
 
 
 def _prefer(deadline: float) -> dict[str, str]:

@@ -76,7 +76,8 @@ class EmbeddedRuntime:
 
         def run(program: Program) -> RunOutcome:
             try:
-                return self._sandbox.run(program.code, segcad.grounded_by(options.grounding), expects=program.expects)
+                found_by = segcad.grounded_by(options.grounding)
+                return self._sandbox.run(program.code, found_by, expects=program.expects, check=not program.is_checked)
             except FileProblem as problem:  # a measurement that the kernel could not make
                 return RunOutcome(status=RunStatus.CRASHED, message=str(problem))
 

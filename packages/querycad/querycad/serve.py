@@ -26,7 +26,8 @@ from .settings import home
 from .supervisor import POLL_S, Command, Supervisor, python
 
 HOST = "127.0.0.1"
-ANY = ("0.0.0.0", "::")  # noqa: S104 - told apart, not listened on
+LOOPBACK_OF = {"0.0.0.0": HOST, "::": "::1"}  # noqa: S104 - told apart, not listened on
+"""How addresses that stand for all are reached from this machine."""
 READY_S = 90.0
 """A slow machine needs some 20 s for all imports; longer means that something is wrong, and is said."""
 PROBE_S = 2.0
@@ -100,7 +101,8 @@ def _settings(host: str) -> ApiSettings:
     try:
         settings = ApiSettings.read({**os.environ, "QUERYCAD_API_HOST": host})
     except ValidationError as error:
-        raise ServeProblem(f"{error.errors()[0]['loc'][0]}: {error.errors()[0]['msg']}") from error
+        first = error.errors()[0]
+        raise ServeProblem(f"{ApiSettings.variable(str(first['loc'][0]))}: {first['msg']}") from error
     if not settings.on_loopback and not settings.asks_for_keys:
         raise ServeProblem(
             f"QUERYCAD_AUTH is off, which is only for loopback: all who reach {host} could read everything"
@@ -117,7 +119,7 @@ def _serve(folder: Path, settings: ApiSettings, port: int, workers: int, stop: _
         for command in commands(folder, ports, workers, secrets.token_urlsafe(24), os.environ):
             supervisor.start(command)
         _tell(f"starting; logs are in {folder / 'logs'}")
-        url = f"http://{HOST if host in ANY else host}:{ports.api}"
+        url = reached_at(host, ports.api)
         ready = _wait_until_ready(url, supervisor, stop)
         if ready:
             _tell(f"ready at {url} (described at {url}/openapi.json); stop with Ctrl-C")
@@ -192,9 +194,16 @@ def _only_one(folder: Path) -> Iterator[None]:
         yield
 
 
+def reached_at(host: str, port: int) -> str:
+    """Where is the api, for who is on this machine?"""
+    reached = LOOPBACK_OF.get(host, host)
+    return f"http://[{reached}]:{port}" if ":" in reached else f"http://{reached}:{port}"
+
+
 def _claim(port: int, host: str) -> int:
     """The port, if it is free. Raises ServeProblem."""
-    with socket.socket() as probe:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family) as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             probe.bind((host, port))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, cast
-from urllib.parse import urlsplit
+from urllib.parse import SplitResult, urlsplit
 
 from fastapi import Depends, Request
 from fastapi.security import HTTPAuthorizationCredentials, HTTPBearer
@@ -75,10 +75,18 @@ class Access:
         """
         host = headers.get("host", "")
         origin = headers.get("origin")
-        if urlsplit(f"//{host}").hostname not in LOOPBACK_NAMES:
+        if _address(f"//{host}").hostname not in LOOPBACK_NAMES:
             raise NotAllowed("without API keys, the service is only reached by the name of this machine's loopback")
-        if origin is not None and origin not in self._origins and urlsplit(origin).netloc != host:
+        if origin is not None and origin not in self._origins and _address(origin).netloc != host:
             raise NotAllowed(f"pages of {origin} may not use this service")
+
+
+def _address(text: str) -> SplitResult:
+    """The parts of a URL; all are empty where it is none."""
+    try:
+        return urlsplit(text)
+    except ValueError:
+        return urlsplit("")
 
 
 Credentials = Annotated[HTTPAuthorizationCredentials | None, Depends(_bearer)]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
 import sys
+import tempfile
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -26,6 +26,7 @@ from .access import Access
 from .broker import Broker
 from .dependencies import Application
 from .jobs import endpoints as jobs
+from .leftovers import tidy
 from .models import endpoints as models
 from .models import geometry
 from .models.limit import BodyLimit
@@ -34,11 +35,13 @@ from .problems import PROBLEM_SCHEMA, NotAllowed, NotAuthenticated, TooManyReque
 from .questions import endpoints as questions
 from .recovery import sweep
 from .settings import ApiSettings
-from .state import State
+from .state import READ_S, State
 
 INTERFACE_VERSION = "1.0"
 """Of the interface, not of the program: the first number is the one in `/v1`."""
 CONNECT_S = 2.0
+SILENCE_S = 5.0
+"""A store that says nothing for so long is away, though the connection may be open: the request is refused."""
 CONNECTIONS = 1000
 """To Redis: one for each client that waits."""
 GRACE_S = 10
@@ -58,18 +61,18 @@ def make_app(settings: ApiSettings) -> FastAPI:
             decode_responses=True,
             max_connections=CONNECTIONS,
             socket_connect_timeout=CONNECT_S,
-            socket_timeout=None,
+            socket_timeout=READ_S + SILENCE_S,
         )
         broker = Broker(settings.redis_url, redis)
         state = State(redis, settings.answers_days)
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
-        sweeping = asyncio.create_task(sweep(app.state.application))
+        beside = [asyncio.create_task(each) for each in (sweep(app.state.application), tidy(settings))]
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield
-        sweeping.cancel()
-        with contextlib.suppress(asyncio.CancelledError):
-            await sweeping
+        for task in beside:
+            task.cancel()
+        await asyncio.gather(*beside, return_exceptions=True)
         broker.close()
         await redis.aclose()
 
@@ -80,6 +83,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
         lifespan=lifespan,
         docs_url=None,  # these pages load scripts from elsewhere
         redoc_url=None,
+        redirect_slashes=False,  # behind a proxy with TLS it would send clients, and their keys, to one without
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.registry = CollectorRegistry()
@@ -143,6 +147,9 @@ def main() -> None:
     if not settings.on_loopback and not settings.asks_for_keys:
         log.error("QUERYCAD_AUTH is off, and QUERYCAD_API_HOST is not loopback: everybody could read everything")
         sys.exit(EXIT_BAD_INPUT)
+    # Starlette's copy of an upload goes where there is room for it: `/tmp` may be memory.
+    settings.home.mkdir(parents=True, exist_ok=True)
+    tempfile.tempdir = str(settings.home)
     uvicorn.run(
         make_app(settings),
         host=settings.api_host,

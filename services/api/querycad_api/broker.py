@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import asyncio
-import json
 from collections.abc import Awaitable, Sequence
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
+from uuid import uuid4
 
 from celery import Celery, Signature
 from kombu.exceptions import OperationalError
@@ -15,15 +15,21 @@ from redis.exceptions import RedisError
 
 from querycad_contracts import (
     IngestTask,
+    ModelResource,
     ModelTask,
     QuestionTask,
+    Queue,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    queue_of,
     reply_key,
+    task_message,
 )
 
+from .keyspace import uploaded
 from .problems import ModelUnreadable, ServiceUnavailable
+from .state import READ_S
 
 CONNECT_S = 2
 STOP_SIGNAL = "SIGUSR1"
@@ -43,20 +49,28 @@ class Broker:
             task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
         )
 
-    async def ingest(self, task: IngestTask, tenant: str) -> None:
+    async def ingest(self, resource: ModelResource, tenant: str) -> None:
         """Has an uploaded file read; the question workers are told what came of it."""
-        follow = {"model": task.model, "tenant": tenant}
-        await self._send(
-            TaskName.INGEST,
-            task,
-            link=self._follow(TaskName.MODEL_READ, follow),
-            link_error=self._follow(TaskName.MODEL_LOST, follow),
-        )
+        task = IngestTask(model=resource.id, file_name=resource.file_name)
+        follow = {"model": resource.id, "tenant": tenant, "uploaded": uploaded(resource)}
+        try:
+            await asyncio.to_thread(
+                self._app.send_task,
+                TaskName.INGEST.value,
+                args=[task.model_dump(mode="json")],
+                queue=TaskName.INGEST.queue.value,
+                ignore_result=True,
+                link=self._follow(TaskName.MODEL_READ, follow),
+                link_error=self._follow(TaskName.MODEL_LOST, follow),
+            )
+        except (OperationalError, RedisError) as error:
+            raise _unreachable() from error
 
     async def questions(self, tasks: Sequence[QuestionTask]) -> None:
         """Has questions answered."""
-        for task in tasks:
-            await self._send(TaskName.QUESTION, task, task_id=task.job)
+        messages = [task_message(TaskName.QUESTION, task, task.job) for task in tasks]
+        if messages:
+            await self._put(TaskName.QUESTION.queue, *messages)
 
     async def stop(self, jobs: Sequence[str]) -> None:
         """Has what is done for jobs that were ended from outside stopped, if it was begun. Never raises."""
@@ -69,33 +83,42 @@ class Broker:
 
     async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
         """What does a segworker say to this? Raises ModelUnreadable too."""
-        sent = await self._send(name, task, expires=timeout_s)
-        waiting = self._redis.blpop([reply_key(sent)], timeout_s)
-        reply = await cast("Awaitable[tuple[str, str] | None]", waiting)
+        sent = uuid4().hex
+        await self._put(queue_of(name, task), task_message(name, task, sent, timeout_s))
+        reply = await self._reply(sent, timeout_s)
         if reply is None:
             raise ServiceUnavailable("no segworker answered; try again in a moment")
-        outcome = value.validate_python(json.loads(reply[1]))
+        outcome = value.validate_json(reply)
         if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.FILE:
             raise ModelUnreadable(outcome.failure.message)
         if outcome.value is None:
             raise ServiceUnavailable("the segworker could not do this; its log says why")
         return outcome.value
 
+    async def _reply(self, task: str, timeout_s: float) -> str | None:
+        """What did the segworker leave? Waited for in pieces, so that a store that says nothing is told from it."""
+        loop = asyncio.get_running_loop()
+        deadline = loop.time() + timeout_s
+        while (left_s := deadline - loop.time()) > 0:
+            waiting = self._redis.blpop([reply_key(task)], min(left_s, READ_S))
+            if (reply := await cast("Awaitable[tuple[str, str] | None]", waiting)) is not None:
+                return reply[1]
+        return None
+
     def _follow(self, name: TaskName, arguments: dict[str, str]) -> Signature:
         """What is to be done after a task."""
         return self._app.signature(name.value, kwargs=arguments, queue=name.queue.value)
 
-    async def _send(self, name: TaskName, task: ModelTask, **options: Any) -> str:
-        """Puts the task on its queue; its id."""
-        payload = task.model_dump(mode="json")
+    async def _put(self, queue: Queue, *messages: str) -> None:
         try:
-            sent = await asyncio.to_thread(
-                self._app.send_task, name.value, args=[payload], queue=name.queue.value, ignore_result=True, **options
-            )
-        except (OperationalError, RedisError) as error:
-            raise ServiceUnavailable("the queue cannot be reached; try again in a moment") from error
-        return str(sent.id)
+            await self._redis.lpush(queue.value, *messages)
+        except RedisError as error:
+            raise _unreachable() from error
 
     def close(self) -> None:
         """Closes the connections."""
         self._app.close()
+
+
+def _unreachable() -> ServiceUnavailable:
+    return ServiceUnavailable("the queue cannot be reached; try again in a moment")

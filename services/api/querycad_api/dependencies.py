@@ -1,4 +1,7 @@
-"""What endpoints are given: state, queues, files, settings, who asks, and the wait that the client prefers."""
+"""What endpoints are given: state, queues, files, settings, who asks, and the wait that the client prefers.
+
+All are async, though they wait for nothing: FastAPI would hand anything else to a thread.
+"""
 
 from __future__ import annotations
 
@@ -43,8 +46,13 @@ class Services:
         """The uploaded model. Raises ModelNotFound."""
         found = await self.state.model(self.caller.tenant, model)
         if found is None:
-            raise ModelNotFound("there is no model with this id; upload its file first")
+            raise no_model()
         return found
+
+    async def must_know(self, model: str) -> None:
+        """Raises ModelNotFound unless the model was uploaded."""
+        if not await self.state.knows_model(self.caller.tenant, model):
+            raise no_model()
 
     async def ready_model(self, model: str) -> ModelResource:
         """The model, whose file has been read. Raises ModelNotFound, ModelNotReady and ModelUnreadable."""
@@ -63,17 +71,26 @@ class Services:
         return found
 
 
-def services(request: Request, caller: CallerDep) -> Services:
+async def services(request: Request, caller: CallerDep) -> Services:
     """The application's services, for the caller."""
-    shared = cast("Application", request.app.state.application)
+    shared = _shared(request)
     return Services(shared.settings, shared.state, shared.broker, shared.files, caller)
+
+
+def _shared(request: Request) -> Application:
+    return cast("Application", request.app.state.application)
+
+
+def no_model() -> ModelNotFound:
+    """What to raise where the model is not known."""
+    return ModelNotFound("there is no model with this id; upload its file first")
 
 
 ServicesDep = Annotated[Services, Depends(services)]
 
 
-def preferred_wait_s(
-    given: ServicesDep,
+async def preferred_wait_s(
+    request: Request,
     prefer: Annotated[
         str | None,
         Header(description="`wait=N`: answer within N seconds (RFC 7240).", examples=["wait=10"]),
@@ -81,7 +98,7 @@ def preferred_wait_s(
 ) -> int:
     """How long does the client want to wait, as far as it is granted? 0 when it did not say."""
     wanted = _WAIT.search(prefer or "")
-    return min(int(wanted[1]), given.settings.wait_s) if wanted else 0
+    return min(int(wanted[1]), _shared(request).settings.wait_s) if wanted else 0
 
 
 WaitDep = Annotated[int, Depends(preferred_wait_s)]

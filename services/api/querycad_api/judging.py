@@ -25,6 +25,8 @@ from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answ
 NO_EXPECTATION = Expectation()
 _LACKS = re.compile(r"AttributeError: part '([\w.-]+)' has no (\w+); it has")
 """How the sandbox says that a part lacks a measure."""
+TOLD_LACKING = re.compile(r"no [\w ]+ is known of ")
+"""How a failure says it in turn; the benchmark tells such parts from those that were not found."""
 _TOO_FEW = re.compile(r"ValueError: (?:min|max)\(\) iterable argument is empty|IndexError: list index out of range")
 """What comes of a distance between parts where there is one, and of the second largest where all are alike."""
 

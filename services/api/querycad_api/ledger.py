@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from datetime import datetime
 from typing import Any, cast
 
 from redis import Redis
 
 from querycad_contracts import (
     AnswerRecord,
-    Job,
     JobEvent,
     JobEventKind,
     ModelResource,
@@ -22,23 +23,37 @@ from .keyspace import (
     DAY_S,
     FINISH_JOB,
     FINISH_MODEL,
-    PENDING,
     READING,
-    TOTALS,
     WAIT_JOB,
     entry,
+    finished,
     job_events_key,
     job_key,
-    job_of,
     model_events_key,
     model_key,
     model_of,
     now,
-    open_key,
 )
 
 BUCKETS_S = (0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
 """Bounds of the histogram of how long questions take, from being accepted to being answered."""
+
+
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """A job that somebody works on: how often it was begun, when it was asked, and about what.
+
+    `model` is None when it was deleted.
+    """
+
+    attempt: int
+    created: datetime
+    model: ModelResource | None
+
+    @property
+    def age_s(self) -> float:
+        """How long ago was it asked?"""
+        return (now() - self.created).total_seconds()
 
 
 class Ledger:
@@ -52,30 +67,26 @@ class Ledger:
         self._begin_job = redis.register_script(BEGIN_JOB)
         self._wait_job = redis.register_script(WAIT_JOB)
 
-    def model(self, tenant: str, model: str) -> ModelResource | None:
-        """What is known of the model? None when it was never uploaded, or was deleted."""
-        return model_of(cast("dict[str, str]", self._redis.hgetall(model_key(tenant, model))))
-
-    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[Any]) -> None:
-        """Keeps what came of reading the model's file."""
+    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[Any], uploaded: str = "") -> None:
+        """Keeps what came of reading the model's file, if it is still the one `uploaded` then; empty: whichever."""
         keys = [model_key(tenant, model), model_events_key(tenant, model), READING]
-        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}"])
+        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded])
 
-    def job(self, job: str) -> Job | None:
-        """What is known of the job? None when there is none, or not any more."""
-        return job_of(cast("dict[str, str]", self._redis.hgetall(job_key(job))))
-
-    def begin_job(self, job: str) -> int:
-        """Notes that somebody works on it; how often was it begun? 0: it is done, or not there any more."""
+    def begin_job(self, task: QuestionTask) -> Begun | None:
+        """Notes that somebody works on it. None: it is done, or not there any more."""
         started = entry(JobEvent(kind=JobEventKind.STARTED, at=now()))["event"]
-        return int(
-            self._begin_job([job_key(job), job_events_key(job)], [now().isoformat(), started, now().timestamp()])
-        )
+        keys = [job_key(task.job), job_events_key(task.job), model_key(task.tenant, task.model)]
+        begun = self._begin_job(keys, [now().isoformat(), started, now().timestamp()])
+        if not begun:
+            return None
+        attempt, created, *known = begun
+        model = model_of({name: text for name, text in zip(("resource", "outcome"), known, strict=True) if text})
+        return Begun(int(attempt), datetime.fromisoformat(created), model)
 
     def wait_job(self, job: str, message: str) -> None:
         """Notes that it waits again, without fault of its own."""
         waiting = entry(JobEvent(kind=JobEventKind.WAITING, at=now(), message=message))["event"]
-        self._wait_job([job_key(job), job_events_key(job)], [waiting, now().timestamp()])
+        self._wait_job([job_key(job), job_events_key(job)], [waiting, now().timestamp(), message])
 
     def wrote(self, job: str, code: str, codegen: str) -> None:
         """Tells that a program has been written."""
@@ -87,11 +98,7 @@ class Ledger:
 
     def finish_job(self, task: QuestionTask, record: AnswerRecord, took_s: float) -> None:
         """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
-        done = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
-        keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING]
-        kept: list[str | float] = [record.model_dump_json(), now().isoformat(), self._kept_s, done, task.job]
-        added = [each for pair in _totals(record, took_s).items() for each in pair]
-        self._finish_job(keys, [*kept, *added])
+        self._finish_job(*finished(task, record, self._kept_s, _totals(record, took_s)))
 
     def _tell(self, job: str, event: JobEvent) -> None:
         """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""

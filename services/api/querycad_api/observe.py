@@ -11,11 +11,14 @@ from prometheus_client import CollectorRegistry, Counter, Histogram
 from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from querycad_contracts import working_for
+from querycad_contracts import Problem, working_for
+
+from .problems import problem_response
 
 REQUEST_ID = "X-Request-ID"
 _GIVEN = re.compile(rb"[A-Za-z0-9._-]{1,64}")
 _PROBES = ("/livez", "/readyz", "/metrics")
+_FLAW = Problem(title="Internal error", status=500, detail="the request failed; the log says why, under its id")
 
 log = logging.getLogger("querycad_api.access")
 
@@ -48,24 +51,29 @@ class Observe:
         self._metrics = metrics
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Lets the request pass, and notes what came of it."""
+        """Lets the request pass, and notes what came of it; a flaw of ours is a problem with the request's id, too."""
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
         given = next((value for name, value in scope["headers"] if name == b"x-request-id"), b"")
         request = given.decode() if _GIVEN.fullmatch(given) else uuid4().hex
-        status, start = 500, time.perf_counter()
+        status, begun, start = 500, False, time.perf_counter()
 
         async def noting(message: Message) -> None:
-            nonlocal status
+            nonlocal status, begun
             if message["type"] == "http.response.start":
-                status = message["status"]
+                status, begun = message["status"], True
                 MutableHeaders(scope=message)[REQUEST_ID] = request
             await send(message)
 
         with working_for(request):
             try:
                 await self._app(scope, receive, noting)
+            except Exception:
+                if begun:
+                    raise
+                log.exception("a request failed")
+                await problem_response(_FLAW)(scope, receive, noting)
             finally:
                 self._note(scope, status, time.perf_counter() - start)
 

@@ -168,6 +168,10 @@ class ServiceUnavailable(ApiProblem):
     retryable = True
 
 
+class NothingMore(Exception):
+    """No problem: a stream was told to its end. 204, upon which a browser does not come again (WHATWG HTML)."""
+
+
 def responses(*kinds: type[ApiProblem]) -> dict[int | str, dict[str, Any]]:
     """How is an endpoint documented that may answer with these problems?"""
     found: dict[int | str, dict[str, Any]] = {}
@@ -192,22 +196,33 @@ def add_handlers(app: FastAPI) -> None:
     async def of_ours(_: Request, error: ApiProblem) -> Response:
         return problem_response(error.problem(), error.headers)
 
+    @app.exception_handler(NothingMore)
+    async def of_streams(_: Request, __: NothingMore) -> Response:
+        return Response(status_code=HTTPStatus.NO_CONTENT)
+
     @app.exception_handler(RequestValidationError)
     async def of_input(_: Request, error: RequestValidationError) -> Response:
         lines = tuple(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
+        if any(each["type"] == "json_invalid" for each in error.errors()):
+            return problem_response(Malformed("; ".join(lines)).problem())
         status = HTTPStatus.UNPROCESSABLE_ENTITY
         problem = Problem(title="Not as documented", status=status, detail="; ".join(lines), errors=lines)
         return problem_response(problem)
 
     @app.exception_handler(HTTPException)
     async def of_http(request: Request, error: HTTPException) -> Response:
+        # FastAPI lets no other exception out of its reading of a body.
+        if isinstance(error.__cause__, ApiProblem):
+            return await of_ours(request, error.__cause__)
+        if isinstance(error.__cause__, OSError):
+            return await of_files(request, error.__cause__)
         title = HTTPStatus(error.status_code).phrase
         detail = error.detail if error.detail != title else ""
         problem = Problem(title=title, status=error.status_code, detail=detail)
         headers = dict(error.headers or {})
         if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED:
             # RFC 9110, 15.5.6: all of them
-            headers["Allow"] = ", ".join(_allowed(app, request.url.path)) or headers.get("Allow", "")
+            headers["Allow"] = ", ".join(_allowed(app, request.scope["path"])) or headers.get("Allow", "")
         return problem_response(problem, headers)
 
     @app.exception_handler(RedisError)
@@ -215,9 +230,10 @@ def add_handlers(app: FastAPI) -> None:
         log.warning("redis: %s", error)
         return problem_response(ServiceUnavailable("the store cannot be reached; try again in a moment").problem())
 
-    @app.exception_handler(Exception)
-    async def of_flaws(_: Request, __: Exception) -> Response:
-        return problem_response(Problem(title="Internal error", status=500, detail="the request failed; see the log"))
+    @app.exception_handler(OSError)
+    async def of_files(_: Request, error: OSError) -> Response:
+        log.error("files: %s", error, exc_info=error)
+        return problem_response(ServiceUnavailable("files cannot be kept or read; try again in a moment").problem())
 
 
 def _allowed(app: FastAPI, path: str) -> list[str]:

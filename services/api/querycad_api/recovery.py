@@ -12,7 +12,7 @@ import logging
 
 from redis.exceptions import RedisError
 
-from querycad_contracts import IngestTask, Queue, working_for
+from querycad_contracts import Queue, working_for
 
 from .dependencies import Application
 from .problems import ServiceUnavailable
@@ -51,4 +51,4 @@ async def sweep_once(application: Application) -> None:
         return
     for tenant, model in await state.stalled_models():
         log.warning("sent again", extra={"model": model.id})
-        await broker.ingest(IngestTask(model=model.id, file_name=model.file_name), tenant)
+        await broker.ingest(model, tenant)

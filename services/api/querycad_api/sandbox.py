@@ -6,10 +6,14 @@ RunRefused            it answered that the program cannot be run: `failure` says
 
 from __future__ import annotations
 
-import httpx
+import select
+from http import HTTPStatus
+from http.client import HTTPConnection, HTTPException, HTTPSConnection
+from urllib.parse import urlsplit
+
 from pydantic import ValidationError
 
-from querycad_contracts import Failure, GroundedBy, Problem, Program, RunOutcome, RunRequest
+from querycad_contracts import Failure, GroundedBy, Problem, Program, RunOutcome, RunRequest, carried_trace
 
 CONNECT_S = 3.0
 
@@ -27,24 +31,64 @@ class RunRefused(Exception):
 
 
 class SandboxClient:
-    """Runs programs; for one process."""
+    """Runs programs; for one process, one at a time. Its one connection is kept from run to run.
+
+    The standard library's client: one request a question is all there is, and a general one costs that a millisecond.
+    """
 
     def __init__(self, url: str, timeout_s: float) -> None:
-        self._http = httpx.Client(base_url=url, timeout=httpx.Timeout(timeout_s, connect=CONNECT_S))
+        address = urlsplit(url)
+        kind = HTTPSConnection if address.scheme == "https" else HTTPConnection
+        self._http = kind(address.hostname or "", address.port, timeout=CONNECT_S)
+        self._path = address.path.rstrip("/") + "/runs"
+        self._timeout_s = timeout_s
 
     def run(self, program: Program, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> RunOutcome:
-        """What comes of the program, run against the model? Raises SandboxUnavailable and RunRefused."""
-        request = RunRequest(code=program.code, model=model, expects=program.expects, grounding=grounding)
+        """What comes of the program, run against the model? Raises SandboxUnavailable and RunRefused.
+
+        Whatever else interrupts it, a signal among that, hangs up, which cancels the run.
+        """
+        request = RunRequest(
+            code=program.code,
+            model=model,
+            expects=program.expects,
+            check=not program.is_checked,
+            grounding=grounding,
+        )
         try:
-            response = self._http.post(
-                "/runs", content=request.model_dump_json(), headers={"Content-Type": "application/json"}
-            )
-            if response.is_success:
-                return RunOutcome.model_validate_json(response.content)
-            problem = Problem.model_validate_json(response.content)
-        except (httpx.HTTPError, ValidationError) as error:
+            status, body = self._posted(request.model_dump_json().encode())
+            if status == HTTPStatus.OK:
+                return RunOutcome.model_validate_json(body)
+            problem = Problem.model_validate_json(body)
+        except (HTTPException, OSError, ValidationError) as error:
             raise SandboxUnavailable(str(error)) from error
         if problem.retryable:
             raise SandboxUnavailable(problem.detail)
-        category = "bad_input" if response.status_code == httpx.codes.UNPROCESSABLE_ENTITY else "internal"
+        category = "bad_input" if status == HTTPStatus.UNPROCESSABLE_ENTITY else "internal"
         raise RunRefused(Failure(category=category, message=problem.detail or problem.title))
+
+    def _posted(self, body: bytes) -> tuple[int, bytes]:
+        """Status and body of the answer. Raises HTTPException and OSError."""
+        try:
+            if self._hung_up():
+                self._http.close()
+            if self._http.sock is None:
+                self._connect()
+            self._http.request("POST", self._path, body, {"Content-Type": "application/json", **carried_trace()})
+            response = self._http.getresponse()
+            return response.status, response.read()
+        except BaseException:
+            self._http.close()
+            raise
+
+    def close(self) -> None:
+        """Closes the connection; the next run opens another."""
+        self._http.close()
+
+    def _hung_up(self) -> bool:
+        """Did the sandbox close the connection? Between two answers there is nothing else to read."""
+        return self._http.sock is not None and bool(select.select([self._http.sock], [], [], 0)[0])
+
+    def _connect(self) -> None:
+        self._http.connect()
+        self._http.sock.settimeout(self._timeout_s)

@@ -11,7 +11,7 @@ import json
 from collections.abc import AsyncIterator, Awaitable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any, cast
+from typing import cast
 
 from redis.asyncio import Redis
 from redis.asyncio.lock import Lock
@@ -26,17 +26,21 @@ from querycad_contracts import (
     ModelsPage,
     ModelStatus,
     QuestionTask,
+    TaskName,
+    task_message,
 )
 
 from .keyspace import (
+    ADD_JOBS,
     DAY_S,
-    DONE,
     FINISH_JOB,
     PENDING,
     READING,
     TOTALS,
     asked_key,
     entry,
+    finished,
+    job_done_key,
     job_events_key,
     job_key,
     job_of,
@@ -81,6 +85,7 @@ class State:
     def __init__(self, redis: Redis, answers_days: int) -> None:
         self._redis = redis
         self._kept_s = answers_days * DAY_S
+        self._add = redis.register_script(ADD_JOBS)
         self._finish = redis.register_script(FINISH_JOB)
 
     async def alive(self, *keys: str) -> list[bool]:
@@ -125,6 +130,10 @@ class State:
             pipe.scard(owners_key(model))
             return not (await pipe.execute())[-1]
 
+    async def knows_model(self, tenant: str, model: str) -> bool:
+        """Did the tenant upload it? Without reading all that is known of it."""
+        return bool(await self._redis.hexists(model_key(tenant, model), "resource"))
+
     async def model(self, tenant: str, model: str) -> ModelResource | None:
         """What is known of the model? None when the tenant never uploaded it."""
         return model_of(await self._hash(model_key(tenant, model)))
@@ -154,28 +163,26 @@ class State:
         return fits
 
     async def add_jobs(self, tasks: Sequence[QuestionTask]) -> tuple[Job, ...]:
-        """Keeps new jobs about one model."""
-        time, asked = now(), asked_key(tasks[0].tenant, tasks[0].model)
-        queued = entry(JobEvent(kind=JobEventKind.QUEUED, at=time))
-        all_fields = [{"task": task.model_dump_json(), "created": time.isoformat()} for task in tasks]
-        async with self._redis.pipeline() as pipe:
-            for task, fields in zip(tasks, all_fields, strict=True):
-                pipe.hset(job_key(task.job), mapping=cast("Any", fields))
-                pipe.expire(job_key(task.job), self._kept_s)
-                pipe.zadd(asked, {task.job: time.timestamp()})
-                pipe.xadd(job_events_key(task.job), cast("Any", queued))
-                pipe.expire(job_events_key(task.job), self._kept_s)
-                pipe.zadd(PENDING, {task.job: time.timestamp() + LOST_S})
-            pipe.zremrangebyscore(asked, 0, time.timestamp() - self._kept_s)
-            pipe.expire(asked, self._kept_s)
-            await pipe.execute()
-        return tuple(cast("Job", job_of(fields)) for fields in all_fields)
+        """Keeps new jobs about one model and puts them on the queue: all of them, or none if there is no such model."""
+        tenant, model, time = tasks[0].tenant, tasks[0].model, now()
+        number = time.timestamp()
+        queued = entry(JobEvent(kind=JobEventKind.QUEUED, at=time))["event"]
+        texts = [task.model_dump_json() for task in tasks]
+        keys = [model_key(tenant, model), asked_key(tenant, model), PENDING, TaskName.QUESTION.queue.value]
+        times = (time.isoformat(), number, number + LOST_S, self._kept_s, number - self._kept_s)
+        arguments: list[str | float] = [*times, queued]
+        for task, text in zip(tasks, texts, strict=True):
+            keys += job_key(task.job), job_events_key(task.job)
+            arguments += task.job, text, task_message(TaskName.QUESTION, task, task.job)
+        if not await self._add(keys, arguments):
+            return ()
+        return tuple(cast("Job", job_of({"task": text, "created": time.isoformat()})) for text in texts)
 
     async def forget_jobs(self, tasks: Sequence[QuestionTask]) -> None:
         """Drops jobs: of a deleted model, or because they could not be put on the queue."""
         async with self._redis.pipeline() as pipe:
             for task in tasks:
-                pipe.delete(job_key(task.job), job_events_key(task.job))
+                pipe.delete(job_key(task.job), job_events_key(task.job), job_done_key(task.job))
                 pipe.zrem(asked_key(task.tenant, task.model), task.job)
                 pipe.zrem(open_key(task.key), task.job)
                 pipe.zrem(PENDING, task.job)
@@ -209,16 +216,13 @@ class State:
 
     async def end_job(self, task: QuestionTask, record: AnswerRecord) -> bool:
         """Ends a job from outside; False when it was done already."""
-        done = JobEvent(kind=JobEventKind.DONE, at=now())
-        keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING]
-        told = entry(done)["event"]
-        arguments: list[str | float] = [record.model_dump_json(), now().isoformat(), self._kept_s, told, task.job]
         category = record.failure.category if record.failure else ""
-        return bool(await self._finish(keys, [*arguments, f"questions:{record.status.value}:{category}", 1]))
+        total = {f"questions:{record.status.value}:{category}": 1.0}
+        return bool(await self._finish(*finished(task, record, self._kept_s, total)))
 
     async def job_done(self, job: str, timeout_s: float) -> bool:
         """Is the job done, after at most so many seconds?"""
-        return await self._done(job_events_key(job), timeout_s)
+        return await self._done(job_done_key(job), timeout_s)
 
     async def events(self, job: str, after: str) -> AsyncIterator[tuple[str, JobEvent]]:
         """What happens to the job, as it happens, after the event of that id ('0': from the start), up to `done`."""
@@ -235,11 +239,19 @@ class State:
                 yield last, event
                 if event.kind is JobEventKind.DONE:
                     return
-            if not await self._redis.exists(key):  # its model was deleted
+            if not entries and await self.told(job, last):
                 return
 
+    async def told(self, job: str, after: str) -> bool:
+        """Is there nothing more to tell of the job after the event of that id, now or later?"""
+        newest = cast("list[tuple[str, dict[str, str]]]", await self._redis.xrevrange(job_events_key(job), count=1))
+        if not newest:  # its model was deleted
+            return True
+        number, fields = newest[0]
+        return fields["kind"] == JobEventKind.DONE.value and _order(number) <= _order(after)
+
     async def once(self, tenant: str, key: str, wanted: Once) -> Once:
-        """What is done for this idempotency key? What is wanted now, unless the key was used within the last day."""
+        """What is done for this idempotency key? `wanted` itself, unless the key was used within the last day."""
         data = json.dumps([wanted.fingerprint, wanted.jobs])
         if await self._redis.set(once_key(tenant, key), data, nx=True, ex=DAY_S):
             return wanted
@@ -304,14 +316,13 @@ class State:
         return cast("list[str]", await self._redis.zrangebyscore(key, 0, time, start=0, num=at_most))
 
     async def _done(self, stream: str, timeout_s: float) -> bool:
-        loop, last = asyncio.get_running_loop(), "0"
+        """Is there an entry in a stream whose one entry tells that something is done?"""
+        loop = asyncio.get_running_loop()
         deadline = loop.time() + timeout_s
         while True:
             left_s = deadline - loop.time()
-            entries = await self._read(stream, last, min(left_s, READ_S))
-            for last, fields in entries:  # noqa: B007 - where to read on
-                if fields["kind"] == DONE:
-                    return True
+            if await self._read(stream, "0", min(left_s, READ_S)):
+                return True
             if left_s <= 0:
                 return False
 
@@ -335,3 +346,8 @@ class State:
 
     async def _hash(self, key: str) -> dict[str, str]:
         return await cast("Awaitable[dict[str, str]]", self._redis.hgetall(key))
+
+
+def _order(number: str) -> tuple[int, ...]:
+    """What the ids of a stream's entries are ordered by."""
+    return tuple(map(int, number.split("-")))

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import logging
 import time
-from datetime import UTC, datetime
 from typing import Any, cast
 
 from celery import Celery, Task
@@ -24,7 +23,6 @@ from redis.retry import Retry
 from querycad_contracts import (
     AnswerRecord,
     Failure,
-    Job,
     ModelResource,
     ModelStatus,
     ModelSummary,
@@ -42,9 +40,9 @@ from querycad_contracts import (
     working_for,
 )
 
-from .answered import failed
+from .answered import cancelled, failed
 from .answering import answer_question
-from .ledger import Ledger
+from .ledger import Begun, Ledger
 from .llm import LlmWriter
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .settings import ApiSettings
@@ -57,6 +55,8 @@ PAUSE_S = 2.0
 READING_S = 0.2
 """Between two looks at a model that is still being read, growing to five times that."""
 READING_AT_MOST_S = 3600.0
+MEMORY_MIB = 512
+"""Size at which a process is replaced once its question is answered; it has some 100 after thousands of questions."""
 HARD_MARGIN_S = 20
 VISIBILITY_MARGIN_S = 10
 STORE_TRIES, STORE_PAUSE_S = 100, 1.0
@@ -80,6 +80,7 @@ def make_app(settings: ApiSettings) -> Celery:
         worker_concurrency=settings.question_processes,
         worker_pool="prefork",
         worker_prefetch_multiplier=1,
+        worker_max_memory_per_child=MEMORY_MIB * 1024,
         worker_redirect_stdouts=False,
         worker_cancel_long_running_tasks_on_connection_loss=False,
         broker_connection_retry_on_startup=True,
@@ -113,14 +114,14 @@ def make_app(settings: ApiSettings) -> Celery:
         if again_s is not None:
             raise self.retry(countdown=again_s)
 
-    def model_read(outcome: dict[str, Any], model: str, tenant: str) -> None:
-        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary].model_validate(outcome))
+    def model_read(outcome: dict[str, Any], model: str, tenant: str, uploaded: str) -> None:
+        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary].model_validate(outcome), uploaded)
 
-    def model_lost(_task_id: str, model: str, tenant: str) -> None:
+    def model_lost(_task_id: str, model: str, tenant: str, uploaded: str) -> None:
         failure = TaskFailure(
             kind=TaskFailureKind.INTERNAL, message="the file could not be read: its worker was stopped", retryable=True
         )
-        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary](failure=failure))
+        process.ledger.finish_model(tenant, model, TaskOutcome[ModelSummary](failure=failure), uploaded)
 
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
     app.task(model_read, name=TaskName.MODEL_READ.value)
@@ -179,22 +180,20 @@ class Questions:
 
     def answer(self, task: QuestionTask, retries: int = 0) -> float | None:
         """Ends the job with a record; or, where something is not ready, in how many seconds is it to be tried again?"""
-        attempt = self.ledger.begin_job(task.job)
-        job = self.ledger.job(task.job) if attempt else None
+        start = time.perf_counter()
+        job = self.ledger.begin_job(task)
         if job is None:
             return None  # done, or deleted
-        if attempt > ATTEMPTS:
+        if job.attempt > ATTEMPTS:
             message = f"given up: {ATTEMPTS} workers died while they answered this"
             self._finish(task, job, failed(task.question, Failure(category="internal", message=message)))
             return None
-        start = time.perf_counter()
-        model = self.ledger.model(task.tenant, task.model)
-        if model is not None and model.status is ModelStatus.READING and _age_s(job) < READING_AT_MOST_S:
+        if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
             self.ledger.wait_job(task.job, "the model's file is being read")
             return READING_S * min(5, 1 + retries)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
         try:
-            record = self._record(task, model, model_ms)
+            record = self._record(task, job.model, model_ms)
         except SandboxUnavailable as error:
             log.warning("job %s: sandbox: %s", task.job, error)
             if retries < RETRIES:
@@ -212,17 +211,19 @@ class Questions:
         self._finish(task, job, record)
         return None
 
-    def _finish(self, task: QuestionTask, job: Job, record: AnswerRecord) -> None:
-        took_s = _age_s(job)
+    def _finish(self, task: QuestionTask, job: Begun, record: AnswerRecord) -> None:
+        took_s = job.age_s
         self.ledger.finish_job(task, record, took_s)
         category = record.failure.category if record.failure else ""
         told = {"job": task.job, "status": record.status.value, "failure": category, "seconds": round(took_s, 3)}
         log.info("question done", extra=told)
 
     def _record(self, task: QuestionTask, model: ModelResource | None, model_ms: float) -> AnswerRecord:
-        if model is None or model.summary is None:
-            gone = Failure(category="internal", message="the model's file was not read in time", retryable=True)
-            return failed(task.question, (model.failure if model else None) or gone)
+        if model is None:  # deleted, as the question came
+            return cancelled(task.question)
+        if model.summary is None:
+            late = Failure(category="internal", message="the model's file was not read in time", retryable=True)
+            return failed(task.question, model.failure or late)
 
         def run(program: Program) -> RunOutcome:
             self.ledger.wrote(task.job, program.code, program.codegen)
@@ -241,10 +242,6 @@ class Questions:
             return failed(task.question, Failure(category="internal", message="the question could not be answered"))
         warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
-
-
-def _age_s(job: Job) -> float:
-    return (datetime.now(UTC) - job.created).total_seconds()
 
 
 def main() -> None:

@@ -207,7 +207,10 @@ class _Runs:
     def _run_here(self, asked: RunRequest, control: RunControl) -> RunOutcome:
         with working_for(asked.request):
             segcad = RemoteSegCad(asked.model, self._call, self._settings, control, asked.grounding)
-            return self._sandbox.run(asked.code, segcad, asked.limits, asked.expects, control)
+            outcome = self._sandbox.run(asked.code, segcad, asked.limits, asked.expects, control, asked.check)
+            told = {"run": asked.run, "status": outcome.status.value, "ms": outcome.duration_ms}
+            log.info("run done", extra=told)
+            return outcome
 
     def _layers(self) -> dict[str, bool]:
         return {**self._sandbox.layers, **{f"service_{name}": holds for name, holds in self._service_layers.items()}}

@@ -45,6 +45,11 @@ class RunControl:
         self._segcad_s = limits.segcad_s
 
     @property
+    def is_heard(self) -> bool:
+        """Does anybody listen?"""
+        return self._hear is not None
+
+    @property
     def cancelled(self) -> bool:
         """Was the run cancelled?"""
         return self._cancelled

@@ -140,9 +140,9 @@ class Guest:
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres?
 
-        Of holes on parallel axes, how far apart the axes are: what drawings say, whatever the depths.
+        Of holes, and of gears, on parallel axes, how far apart the axes are: what drawings say, whatever the depths.
         """
-        if part.kind == other.kind == "hole" and part.axis and other.axis:
+        if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
             apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
             along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
             aside = math.sqrt(max(0.0, sum(a * a for a in apart) - along**2))
@@ -162,9 +162,9 @@ class Guest:
     def is_in(self, part: Part, other: Part) -> bool:
         """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?
 
-        In a pattern of such parts is what belongs to it.
+        In a pattern of such parts, and in a gear of teeth, is what belongs to it.
         """
-        if other.kind == "pattern" and any(child.startswith(f"{part.kind}-") for child in other.children):
+        if other.kind in ("pattern", "gear") and any(child.startswith(f"{part.kind}-") for child in other.children):
             return part.id in other.children
         points = [part.center] if part.opening is None else [part.center, part.opening]
         return part.id in other.children or any(

@@ -6,10 +6,10 @@ SegCadFailed         a segworker answered that it cannot: `failure` says why
 
 from __future__ import annotations
 
-import json
 import logging
 from collections.abc import Sequence
-from typing import Any, Final, Protocol, TypeVar, cast
+from typing import Final, Protocol, TypeVar, cast
+from uuid import uuid4
 
 from celery import Celery
 from kombu.exceptions import OperationalError
@@ -26,14 +26,16 @@ from querycad_contracts import (
     GroundedBy,
     Grounding,
     ModelTask,
+    Queue,
     Shape,
     Side,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
-    carried_trace,
+    queue_of,
     reply_key,
+    task_message,
 )
 
 from .control import RunControl
@@ -71,13 +73,13 @@ class SegCadFailed(Exception):
 class Caller(Protocol):
     """Sends a task and waits for what comes of it."""
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
-        """The task's result as JSON data. Raises SegCadUnavailable, and RunEndedError when `control` ends the run."""
+    def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str | bytes:
+        """The task's TaskOutcome as JSON. Raises SegCadUnavailable, and RunEndedError when `control` ends the run."""
         ...
 
 
 class QueueCaller:
-    """Sends tasks to the segworkers and takes their replies. Thread safe."""
+    """Sends tasks to the segworkers and takes their replies; Celery tells them what not to begin. Thread safe."""
 
     def __init__(self, redis_url: str) -> None:
         self._app = Celery("querycad_sandbox", broker=redis_url, set_as_current=False)
@@ -87,38 +89,37 @@ class QueueCaller:
         )
         self._redis = Redis.from_url(redis_url, socket_connect_timeout=CONNECT_S, socket_timeout=None)
 
-    def __call__(self, name: TaskName, payload: dict[str, Any], timeout_s: float, control: RunControl) -> Any:
-        """The task's result as JSON data.
+    def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> bytes:
+        """The task's TaskOutcome as JSON.
 
         Raises SegCadUnavailable when no worker answered, twice, and RunEndedError when `control` ends the run.
         """
         for attempt in range(1, TRIES + 1):
             control.check()
             try:
-                sent = self._app.send_task(
-                    name.value,
-                    args=[payload],
-                    queue=name.queue.value,
-                    expires=timeout_s,
-                    ignore_result=True,
-                    headers=carried_trace(),
-                )
-                with control.stopped_by(lambda task=sent.id: self._abandon(task)):  # type: ignore[misc]
-                    reply = self._reply(sent.id, min(timeout_s, control.left_s()), control)
-            except (OperationalError, RedisError) as error:
+                sent = uuid4().hex
+                message = task_message(name, task, sent, timeout_s)
+                with control.stopped_by(lambda sent=sent: self._abandon(sent)):  # type: ignore[misc]
+                    reply = self._reply(queue_of(name, task), message, sent, min(timeout_s, control.left_s()), control)
+            except RedisError as error:
                 log.warning("%s: %s (attempt %d)", name.value, error, attempt)
                 continue
             control.check()
             if reply is not None:
-                return json.loads(reply[1])
+                return reply[1]
             log.warning("%s: no answer within %g s (attempt %d)", name.value, timeout_s, attempt)
         raise SegCadUnavailable("no segworker answered; try again in a moment")
 
-    def _reply(self, task: str, timeout_s: float, control: RunControl) -> tuple[bytes, bytes] | None:
-        """What came back within the time. Zero seconds would mean for ever to the store."""
+    def _reply(
+        self, queue: Queue, message: str, task: str, timeout_s: float, control: RunControl
+    ) -> tuple[bytes, bytes] | None:
+        """Sends the task; what came back within the time? Zero seconds would mean for ever to the store."""
         keys = [reply_key(task)]
         soon = max(min(PATIENCE_S, timeout_s), 0.01)
-        reply = cast("tuple[bytes, bytes] | None", self._redis.blpop(keys, soon))
+        with self._redis.pipeline(transaction=False) as pipe:  # sent and waited for in one
+            pipe.lpush(queue.value, message)
+            pipe.blpop(keys, soon)
+            reply = cast("tuple[bytes, bytes] | None", pipe.execute()[1])
         if reply is not None or timeout_s <= soon:
             return reply
         control.release()
@@ -186,8 +187,8 @@ class RemoteSegCad:
     def _ask(
         self, name: TaskName, task: ModelTask, outcome: TypeAdapter[TaskOutcome[T]], timeout_s: float | None = None
     ) -> T:
-        answer = self._call(name, task.model_dump(mode="json"), timeout_s or self._settings.call_s, self._control)
-        done = outcome.validate_python(answer)
+        answer = self._call(name, task, timeout_s or self._settings.call_s, self._control)
+        done = outcome.validate_json(answer)
         if done.failure is not None and done.failure.kind is TaskFailureKind.UNKNOWN_ID:
             raise KeyError(done.failure.message)
         if done.failure is not None or done.value is None:

@@ -90,7 +90,7 @@ class Run:
             lease.session.feed_run(prelude, print_callback=self._print)
             self.begun = True
             self._drive(lease, code)
-            found = self._harvest(lease)
+            found = self._harvest(lease, code)
         wanted = f" (a value of type {expects.value!r} is expected)" if expects else ""
         if "solution" not in found:
             raise RunEndedError(RunStatus.RAISED, f"the program assigned nothing to `solution`{wanted}")
@@ -170,6 +170,8 @@ class Run:
 
     def _told(self, name: str, view: View | None, arguments: tuple[Any, ...], call: HostCall) -> HostCall:
         """The call, told to whoever listens when it begins and when it ends."""
+        if not self.control.is_heard:
+            return call
         number = self._calls
 
         def told() -> Any:
@@ -224,16 +226,19 @@ class Run:
         assert isinstance(restored, FunctionSnapshot | NameLookupSnapshot)
         return restored
 
-    def _harvest(self, lease: Lease) -> dict[str, object]:
-        """Which of the variables that tell of the result did the program leave, with which values?"""
-        read = f"[{', '.join(RESULT_VARIABLES)}]"
-        snapshot: SyncSnapshot = lease.session.feed_start(read, print_callback=self._print)
+    def _harvest(self, lease: Lease, code: str) -> dict[str, object]:
+        """Which of the variables that tell of the result did the program leave, with which values?
+
+        A name that it lacks costs a way to the interpreter and back: one that it does not mention is not asked for.
+        """
+        names = [name for name in RESULT_VARIABLES if re.search(rf"\b{name}\b", code)]
+        snapshot: SyncSnapshot = lease.session.feed_start(f"[{', '.join(names)}]", print_callback=self._print)
         missing = set()
         while isinstance(snapshot, NameLookupSnapshot):
             missing.add(snapshot.variable_name)
             snapshot = snapshot.resume(value=None)
         assert isinstance(snapshot, MontyComplete)
-        values = zip(RESULT_VARIABLES, snapshot.output, strict=True)
+        values = zip(names, snapshot.output, strict=True)
         return {name: value for name, value in values if name not in missing}
 
     def _rests_on(self, found: dict[str, object], code: str) -> tuple[str, ...]:

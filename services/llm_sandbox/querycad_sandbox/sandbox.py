@@ -75,12 +75,14 @@ class Sandbox:
         limits: RunLimits = DEFAULT_LIMITS,
         expects: AnswerType | None = None,
         control: RunControl | None = None,
+        check: bool = True,
     ) -> RunOutcome:
         """What comes of `code`, run against the model behind `segcad`?
 
         The program's own failures are outcomes. A failure of `segcad` is raised as it is: it is not the program's.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
-        the caller to say. `control` hears what the program does, and can end it.
+        the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
+        exist is missed when the program gets there; no wall depends on it.
         """
         started = perf_counter()
         control = control or RunControl()
@@ -88,7 +90,9 @@ class Sandbox:
         interpreters, checker = self._start()
         run = Run(Guest(segcad, control), limits, control)
         try:
-            _check(code, limits, checker)
+            _check_text(code, limits)
+            if check and (problems := checker.problems(code)):
+                raise RunEndedError(RunStatus.REFUSED, "\n".join(problems))
             try:
                 run.execute(interpreters, self._prelude, code, expects)
             except MontyCrashedError:
@@ -117,7 +121,7 @@ class Sandbox:
             return self._interpreters, self._checker
 
 
-def _check(code: str, limits: RunLimits, checker: TypeChecker) -> None:
+def _check_text(code: str, limits: RunLimits) -> None:
     try:
         size = len(code.encode())
     except UnicodeEncodeError:
@@ -126,5 +130,3 @@ def _check(code: str, limits: RunLimits, checker: TypeChecker) -> None:
         raise RunEndedError(RunStatus.REFUSED, f"the program is longer than {limits.code_bytes:,} bytes")
     if "\0" in code:
         raise RunEndedError(RunStatus.REFUSED, "the program holds a null character")
-    if problems := checker.problems(code):
-        raise RunEndedError(RunStatus.REFUSED, "\n".join(problems))

@@ -22,6 +22,7 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
+    GroundedBy,
     Grounding,
     IngestTask,
     ModelSummary,
@@ -36,6 +37,7 @@ from querycad_contracts import (
     TaskOutcome,
     ViewTask,
     file_store,
+    models_name,
     upload_name,
     working_for,
 )
@@ -79,7 +81,11 @@ class ModelCache:
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
         limits = IngestLimits(duration_s=float(self._settings.ingest_s))
-        made = ingest(upload, self._store, limits, file_name=file_name)
+        try:
+            made = ingest(upload, self._store, limits, file_name=file_name)
+        except FileProblem:
+            self.drop_if_deleted(model)  # then it is no fault of the file's
+            raise
         self.files.keep_folder(folder)
         return made
 
@@ -87,7 +93,9 @@ class ModelCache:
         """The name, in the store, of a file that is made of the model's artefacts, now if it is not there yet."""
         artefacts = self.artefacts(model)
         name = self._name(artefacts.folder / "drawn" / file_name)
-        return self.made(name, lambda path: make(artefacts, path))
+        made = self.made(name, lambda path: make(artefacts, path))
+        self.drop_if_deleted(model)
+        return made
 
     def made(self, name: str, make: Callable[[Path], None]) -> str:
         """The name, in the store, of a file that is made now if it is not there yet: all at once, or not at all."""
@@ -102,6 +110,19 @@ class ModelCache:
         """Brings here the sheets of what vision saw, where another machine drew them."""
         for name in sheets_of(record):
             self.files.fetch(self._name(artefacts.sight(name)))
+
+    def drop_if_deleted(self, model: str, *names: str) -> None:
+        """Removes what was made of a model, and the files of these names, if it was deleted while they were made.
+
+        Raises UnknownModelError then. The upload is the first that a deletion removes: what is made after it is
+        removed here, what was made before it there.
+        """
+        if self.files.exists(upload_name(model)):
+            return
+        self._kept.pop(model, None)
+        for name in (models_name(model), *names):
+            self.files.remove(name)
+        raise UnknownModelError("the model was deleted meanwhile")
 
     def _keep(self, unfinished: Path, place: Path) -> None:
         self.files.keep(self._name(place), unfinished)
@@ -127,7 +148,9 @@ class Tasks:
 
     def ingest(self, task: IngestTask) -> ModelSummary:
         """What does the uploaded file hold? Read once; known content is answered at once."""
-        return summary(self.cache.artefacts(task.model, task.file_name).load_model())
+        found = summary(self.cache.artefacts(task.model, task.file_name).load_model())
+        self.cache.drop_if_deleted(task.model)
+        return found
 
     def shape(self, task: ModelTask) -> Shape:
         """What is the whole model?"""
@@ -135,7 +158,10 @@ class Tasks:
 
     def find_parts(self, task: FindPartsTask) -> Grounding:
         """Which parts does the description mean?"""
-        return self.cache.segcad(task.model).grounded_by(task.grounding).find_parts(task.description, task.sides)
+        found = self.cache.segcad(task.model).grounded_by(task.grounding).find_parts(task.description, task.sides)
+        if task.grounding is not GroundedBy.GEOMETRY:  # else nothing is written
+            self.cache.drop_if_deleted(task.model)
+        return found
 
     def faces(self, task: FacesTask) -> tuple[Face, ...]:
         """What are these faces?"""
@@ -164,7 +190,9 @@ class Tasks:
             self.cache.fetch_sheets(task.record, artefacts)
             draw_evidence(artefacts, task.record, path)
 
-        return self.cache.made(task.name, draw)
+        name = self.cache.made(task.name, draw)
+        self.cache.drop_if_deleted(task.model, name)
+        return name
 
     def view(self, task: ViewTask) -> str:
         """Draws the model as it is seen from there; the name of the file in the store."""
@@ -181,8 +209,8 @@ class Tasks:
 
         return self.cache.made_of(task.model, "model.glb", write_glb)
 
-    def table(self) -> dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]:
-        """Every task by its name, from JSON to JSON."""
+    def table(self) -> dict[TaskName, Callable[[dict[str, Any]], str]]:
+        """Every task by its name, from its payload as JSON data to its TaskOutcome as JSON text."""
         return {
             TaskName.INGEST: _as_data(IngestTask, self.ingest),
             TaskName.SHAPE: _as_data(ModelTask, self.shape),
@@ -202,14 +230,14 @@ def make_tasks(settings: SegworkerSettings) -> Tasks:
     return Tasks(ModelCache(settings))
 
 
-def _as_data(payload: type[P], work: Callable[[P], Any]) -> Callable[[dict[str, Any]], dict[str, Any]]:
-    """The task with its payload, value and failures as JSON data, which is what the queue carries."""
+def _as_data(payload: type[P], work: Callable[[P], Any]) -> Callable[[dict[str, Any]], str]:
+    """The task with its payload, value and failures as what the store carries."""
 
-    def task(data: dict[str, Any]) -> dict[str, Any]:
+    def task(data: dict[str, Any]) -> str:
         asked = payload.model_validate(data)
         start = time.perf_counter()
         with working_for(asked.request):
-            outcome = _outcome(lambda: work(asked)).model_dump(mode="json")
+            outcome = _outcome(lambda: work(asked)).model_dump_json()
             ms = round((time.perf_counter() - start) * 1e3, 1)
             log.info("%s done", payload.__name__, extra={"model": asked.model, "ms": ms})
             return outcome

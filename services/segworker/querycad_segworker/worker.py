@@ -9,6 +9,7 @@ gives up for good when Redis is away for a while.
 from __future__ import annotations
 
 import json
+import logging
 import os
 import threading
 from collections.abc import Callable
@@ -58,7 +59,9 @@ ALIVE_S = 10
 
 SERVED = tuple(name for name in TaskName if name not in (TaskName.QUESTION, TaskName.MODEL_READ, TaskName.MODEL_LOST))
 
-Work = Callable[[dict[str, Any]], dict[str, Any]]
+log = logging.getLogger("querycad_segworker.worker")  # it is run as __main__
+
+Work = Callable[[dict[str, Any]], str]
 
 
 def make_app(settings: SegworkerSettings) -> Celery:
@@ -101,7 +104,8 @@ def make_app(settings: SegworkerSettings) -> Celery:
     process = _Process(settings)
     for name in SERVED:
         limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
-        app.task(_task(name, process.work(name), replies), bind=True, name=name.value, time_limit=limit_s)
+        run = _task(name, process.work(name), replies)
+        app.task(run, bind=True, name=name.value, time_limit=limit_s, shared=False)  # not with other applications
     heartbeat_sent.connect(lambda **_: _say_alive(redis, queues), weak=False)
     service = "+".join(sorted(queue.value for queue in queues))
     setup_logging.connect(lambda **_: start_logging(service, settings.log_format), weak=False)
@@ -121,7 +125,7 @@ class _Process:
         self._table: dict[TaskName, Work] | None = None
 
     def work(self, name: TaskName) -> Work:
-        def call(payload: dict[str, Any]) -> dict[str, Any]:
+        def call(payload: dict[str, Any]) -> str:
             if self._table is None:
                 tasks: Tasks = make_tasks(self._settings)
                 self._table = tasks.table()
@@ -130,16 +134,25 @@ class _Process:
         return call
 
 
-def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str, Any]], dict[str, Any]]:
-    def run(self: Task, payload: dict[str, Any]) -> dict[str, Any]:
+def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str, Any]], dict[str, Any] | None]:
+    """The task as Celery does it: an ingest hands its outcome to what follows it, a call leaves it to who called."""
+
+    def run(self: Task, payload: dict[str, Any]) -> dict[str, Any] | None:
         again = bool(self.request.delivery_info.get("redelivered"))
-        outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else work(payload)
-        if name is not TaskName.INGEST:
-            with redis.pipeline() as pipe:
-                pipe.rpush(reply_key(self.request.id), json.dumps(outcome))
-                pipe.expire(reply_key(self.request.id), REPLY_S)
-                pipe.execute()
-        return outcome
+        try:
+            outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else work(payload)
+        except Exception:
+            if name is TaskName.INGEST:  # Celery tells what follows it
+                raise
+            log.exception("%s failed", name.value)
+            outcome = _flawed()  # at once: who called would wait for nothing
+        if name is TaskName.INGEST:
+            return cast("dict[str, Any]", json.loads(outcome))
+        with redis.pipeline(transaction=False) as pipe:
+            pipe.rpush(reply_key(self.request.id), outcome)
+            pipe.expire(reply_key(self.request.id), REPLY_S)
+            pipe.execute()
+        return None
 
     return run
 
@@ -153,9 +166,14 @@ def _deaths(redis: Redis, task: str) -> int:
         return int(pipe.execute()[0])
 
 
-def _given_up() -> dict[str, Any]:
+def _given_up() -> str:
     failure = TaskFailure(kind=TaskFailureKind.FILE, message=f"given up: {ATTEMPTS} workers died of this file")
-    return TaskOutcome[None](failure=failure).model_dump(mode="json")
+    return TaskOutcome[None](failure=failure).model_dump_json()
+
+
+def _flawed() -> str:
+    failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="this could not be done; the segworker's log says why")
+    return TaskOutcome[None](failure=failure).model_dump_json()
 
 
 def _load_kernel(**_: object) -> None:

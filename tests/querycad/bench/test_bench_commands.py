@@ -45,6 +45,28 @@ def test_a_resumed_run_keeps_the_overrides_beside_the_results(folder: Path, tmp_
     assert [result["failure"] for result in results][2] == "label"
 
 
+@pytest.mark.parametrize("again", ["resume", "score"])
+def test_a_judgement_that_comes_after_the_run_is_taken_over(
+    folder: Path, tmp_path: Path, adapter: str, again: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / "out"
+    run = ["bench", "run", str(folder), "--out", str(out), "--jobs", "1", "--system", adapter]
+    assert main(run) == 0
+    override = {
+        "shop/bracket/0": {"failure": "label", "note": "measured"},
+        "abc/001/1": {"failure": "label", "note": "no"},
+    }
+    (out / "overrides.json").write_text(json.dumps(override), encoding="utf-8")
+    score = ["bench", "score", str(folder), str(out / "results.json"), "--out", str(out)]
+    assert main([*run, "--resume"] if again == "resume" else score) == 0
+    results = {
+        f"{r['set']}/{r['id']}/{r['index']}": r for r in json.loads((out / "results.json").read_text())["results"]
+    }
+    assert (results["shop/bracket/0"]["failure"], results["shop/bracket/0"]["note"]) == ("label", "measured")
+    assert (results["abc/001/1"]["tolerant"], results["abc/001/1"]["failure"]) == (True, None)
+    assert "no type told" in capsys.readouterr().out
+
+
 def test_scoring_and_comparing_need_no_system(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for name, holes in (("a", 4), ("b", 5)):
         (tmp_path / f"{name}.json").write_text(json.dumps({"abc/001/1": holes}), encoding="utf-8")
@@ -95,6 +117,7 @@ def test_the_benchmark_as_a_whole_fails_below_the_floor_and_records_nothing_then
         ["run", "nowhere"],
         ["compare", "nowhere", "nowhere"],
         ["perf", "nowhere.step"],
+        ["service", "nowhere.step"],
         ["run", ".", "--overrides", "nowhere.json"],
     ],
 )
@@ -104,6 +127,16 @@ def test_bad_input_is_one_sentence_and_exit_code_2(
     monkeypatch.chdir(tmp_path)
     assert main(["bench", *arguments]) == 2
     assert capsys.readouterr().err.startswith("querycad: ")
+
+
+def test_an_adapter_that_takes_no_options_is_said_to_be_none(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "bare_adapter.py").write_text("class Bare:\n    pass\n", encoding="utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    command = ["bench", "run", str(folder), "--out", str(tmp_path / "out"), "--system", "bare_adapter:Bare"]
+    assert main([*command, "--jobs", "1"]) == 2
+    assert capsys.readouterr().err.startswith("querycad: bare_adapter:Bare is not made with the options of a run")
 
 
 def test_the_help_of_the_command_loads_no_service() -> None:

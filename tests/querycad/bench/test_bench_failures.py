@@ -8,7 +8,8 @@ import pytest
 from querycad.bench.failures import FailureClass, failure_class, read_overrides
 from querycad.bench.items import BadBenchmark, Item
 from querycad.bench.systems import Reply
-from querycad_contracts import AnswerType, Evidence, Part
+from querycad_api.judging import judge
+from querycad_contracts import AnswerType, Evidence, Grounding, Part, Program, RunOutcome, RunStatus
 
 SEARCHES = 'parts = find_parts("hole")\nsolution = parts[0].radius'
 
@@ -49,6 +50,20 @@ def test_a_failure_is_classed_by_its_category(category: str, expected: FailureCl
 
 def test_a_measure_that_parts_do_not_have_is_a_missing_capability() -> None:
     reply = Reply(failure="program", message="AttributeError: a body has no pitch")
+    assert failure_class(item("0.001"), reply) is FailureClass.INTERFACE
+
+
+def test_a_measure_that_a_found_part_lacks_is_a_missing_capability_as_the_product_says_it() -> None:
+    outcome = RunOutcome(
+        status=RunStatus.RAISED,
+        message="AttributeError: part 'hole-1' has no edge_distance; it has radius",
+        groundings=(Grounding(description="hole", sides=None, parts=(hole(),), understood=True),),
+    )
+    program = Program(code=SEARCHES, codegen="parser", expects=AnswerType.LENGTH)
+    failure = judge(program, outcome).failure
+    assert failure is not None
+    assert failure.category == "not_grounded"
+    reply = Reply(failure=failure.category, message=failure.message, code=SEARCHES)
     assert failure_class(item("0.001"), reply) is FailureClass.INTERFACE
 
 

@@ -6,8 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from querycad.bench.failures import FailureClass, failure_class
 from querycad.bench.items import Item
 from querycad.bench.scoring import expression, score
+from querycad.bench.systems import Reply
 from querycad_contracts import AnswerType
 
 RIGHT, WRONG, NEAR = (True, True), (False, False), (False, True)
@@ -102,9 +104,11 @@ def test_text_that_begins_with_the_letters_of_an_expression_is_none() -> None:
     assert expression("rectangle") is None
 
 
-def test_a_label_that_is_no_literal_is_refused() -> None:
-    with pytest.raises(ValueError, match="no Python literal"):
-        score(item("about 4"), "4")
+@pytest.mark.parametrize("label", ["about 4", "re(4", ""])
+def test_a_label_that_is_neither_is_text_and_stops_no_run(label: str) -> None:
+    assert judge(label, "4") == WRONG
+    assert judge(label, repr(label)) == RIGHT
+    assert failure_class(item(label), Reply(value=4)) is FailureClass.REASONING
 
 
 def test_areas_and_volumes_are_not_all_alike() -> None:

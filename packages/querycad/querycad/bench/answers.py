@@ -15,7 +15,7 @@ from typing import Any
 
 from .failures import Override
 from .items import BadBenchmark, Benchmark, Item, literal
-from .results import Result, Results, load_results, result_of
+from .results import Result, Results, load_results, overruled, result_of
 from .systems import Reply
 
 
@@ -37,7 +37,7 @@ def _scored(item: Item, given: str | Result | None, overrides: Mapping[str, Over
     again = result_of(item, replace(_reply(given.answer), type=given.type), overrides)
     failure = None if again.tolerant else given.failure or again.failure
     update = {"label": again.label, "strict": again.strict, "tolerant": again.tolerant, "failure": failure}
-    return given.model_copy(update=update)
+    return overruled(given.model_copy(update=update), overrides)
 
 
 def _reply(answer: str | None) -> Reply:

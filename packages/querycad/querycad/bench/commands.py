@@ -48,6 +48,9 @@ def bench(options: argparse.Namespace) -> int:
     except (BadBenchmark, UnknownSystem) as error:
         print(f"querycad: {error}", file=sys.stderr)
         return EXIT_BAD_INPUT
+    except OSError as error:
+        print(f"querycad: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
+        return EXIT_BAD_INPUT
 
 
 def _run(options: argparse.Namespace, console: Console) -> int:
@@ -154,6 +157,8 @@ def _drawn(found: Measurements, folder: Path, console: Console) -> int:
 def _service(options: argparse.Namespace, console: Console) -> int:
     from .perf_service import ServiceOptions, measure, print_report
 
+    if not Path(options.model).is_file():
+        raise BadBenchmark(f"{options.model}: no such file")
     found = measure(
         ServiceOptions(Path(options.model), options.questions, options.chaos),
         lambda name: print(f"measuring: {name} …", file=sys.stderr),

@@ -26,10 +26,11 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
+from querycad_api.judging import TOLD_LACKING
 from querycad_contracts import AnswerType, Part
 
-from .items import BadBenchmark, Item, literal
-from .scoring import expression, within_tolerance
+from .items import BadBenchmark, Item
+from .scoring import expression, meant, within_tolerance
 from .systems import Reply
 
 
@@ -69,15 +70,15 @@ _VECTORS = ("center", "extents", "opening", "tip", "local_size")
 
 def failure_class(item: Item, reply: Reply) -> FailureClass:
     """Which class does the record of a wrong answer fall into?"""
-    if reply.failure == "program" and reply.message.startswith("AttributeError"):
-        return FailureClass.INTERFACE
     if reply.failure is not None:
-        return _BY_CATEGORY.get(reply.failure, FailureClass.INTERFACE)
+        return (
+            FailureClass.INTERFACE if _lacks_measure(reply) else _BY_CATEGORY.get(reply.failure, FailureClass.INTERFACE)
+        )
     if reply.value is None:
         return FailureClass.REASONING
     if expression(item.label) is not None:
         return _by_search(reply) if not _is_count(reply.value) else FailureClass.MASKS
-    label = literal(item.label)
+    label = meant(item.label)
     if _is_count(label) and _is_count(reply.value):
         return FailureClass.MASKS
     if not _is_triple(reply) and _differ_in_number(label, reply.value):
@@ -85,6 +86,13 @@ def failure_class(item: Item, reply: Reply) -> FailureClass:
     if _form(label) != _form(reply.value) or _is_other_measure(label, reply.parts, item):
         return FailureClass.REASONING
     return _by_search(reply)
+
+
+def _lacks_measure(reply: Reply) -> bool:
+    """Was a part found, and asked for a measure that it does not have?"""
+    if reply.failure == "not_grounded":
+        return TOLD_LACKING.match(reply.message) is not None
+    return reply.failure == "program" and reply.message.startswith("AttributeError")
 
 
 def _by_search(reply: Reply) -> FailureClass:

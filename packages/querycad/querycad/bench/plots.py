@@ -12,6 +12,7 @@ from .figures import Measurement, NotMeasured, Series
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
 
 GREY, GREEN, RED = "0.55", "#1a7f37", "#c62828"
 
@@ -48,6 +49,7 @@ def _ratios(axes: Axes, name: str, measurements: Sequence[Measurement]) -> None:
     axes.set_xscale("log")
     low, high = min(*ratios, 1.0), max(*ratios, 1.0)
     axes.set_xlim(low / 1.5, high * 1.5)
+    _plain_ticks(axes.xaxis, many=high / low > 300)
     axes.axvline(1, color="black", linewidth=0.8)
     for place, one in zip(places, measurements, strict=True):
         text = f"{one.ratio:.2g} x {one.baseline_name}"
@@ -59,12 +61,23 @@ def _ratios(axes: Axes, name: str, measurements: Sequence[Measurement]) -> None:
     axes.set_title(name + said, fontsize=9, loc="left")
 
 
+def _plain_ticks(axis: Axis, *, many: bool) -> None:
+    """Few numbers as people write them: those that matplotlib puts between decades run into each other."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_major_locator(LogLocator(subs=(1.0,) if many else (1.0, 2.0, 5.0)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def _growth(axes: Axes, series: Series) -> None:
     axes.plot(series.x, series.y, "o-", label="measured")
     axes.plot(series.x, series.expected, "--", color="0.5", label=series.expected_name)
     if series.is_logarithmic:
         axes.set_xscale("log")
         axes.set_yscale("log")
+        _plain_ticks(axes.xaxis, many=max(series.x) > 300 * min(series.x))
+        _plain_ticks(axes.yaxis, many=max(series.y) > 300 * min(series.y))
     else:
         axes.set_ylim(bottom=0)
         axes.set_xticks(series.x)

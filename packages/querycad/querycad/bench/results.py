@@ -68,7 +68,7 @@ class Result(BaseModel):
     @property
     def topic(self) -> str:
         """What is asked for: the benchmark's own word for the property, else the type of the answer."""
-        return self.measure or (self.type.value if self.type else "no answer")
+        return self.measure or (self.type.value if self.type else "no type told" if self.answer else "no answer")
 
 
 class Results(BaseModel):
@@ -103,13 +103,7 @@ def result_of(item: Item, reply: Reply, overrides: Mapping[str, Override], pictu
     """What came of one question: the reply scored and, where it is wrong, classed."""
     answer = None if reply.value is None else as_literal(reply.value)
     scored = score(item, answer, reply.type)
-    failure, note = None, ""
-    if not scored.tolerant:
-        failure = failure_class(item, reply)
-        overruled = overrides.get(item.key)
-        if overruled is not None:
-            failure, note = overruled.failure, overruled.note
-    return Result(
+    result = Result(
         set=item.set,
         id=item.id,
         index=item.index,
@@ -128,11 +122,19 @@ def result_of(item: Item, reply: Reply, overrides: Mapping[str, Override], pictu
         parts=tuple(PartFound(id=part.id, label=part.label, faces=part.faces) for part in reply.parts),
         seconds=reply.seconds,
         status=reply.failure or ("answered" if answer is not None else "no answer"),
-        failure=failure,
-        note=note,
+        failure=None if scored.tolerant else failure_class(item, reply),
         message=reply.message,
         picture=picture,
     )
+    return overruled(result, overrides)
+
+
+def overruled(result: Result, overrides: Mapping[str, Override]) -> Result:
+    """The result, in the class that a person put it into, if it is wrong and a person did."""
+    override = overrides.get(result.key)
+    if override is None or result.tolerant:
+        return result
+    return result.model_copy(update={"failure": override.failure, "note": override.note})
 
 
 def as_literal(value: Any) -> str:

@@ -14,7 +14,7 @@ from querycad_contracts import end_with_parent
 
 from .failures import Override
 from .items import BadBenchmark, Benchmark, Item
-from .results import Result, Results, load_results, result_of
+from .results import Result, Results, load_results, overruled, result_of
 from .systems import OpenSystem, Reply, System, SystemOptions, open_system
 from .timing import TookTooLong, time_limit
 
@@ -43,7 +43,7 @@ def run_benchmark(
     results are of other options.
     """
     items = benchmark.items
-    known = _known(out / RESULTS, items, options) if resume else {}
+    known = _known(out / RESULTS, items, options, overrides or {}) if resume else {}
     progress(len(known))
     pending = [item for item in items if item.key not in known]
     by_model = [tuple(group) for _, group in groupby(pending, key=lambda item: (item.set, item.id, item.file))]
@@ -62,14 +62,16 @@ def run_benchmark(
     return collected()
 
 
-def _known(path: Path, items: Sequence[Item], options: SystemOptions) -> dict[str, Result]:
+def _known(
+    path: Path, items: Sequence[Item], options: SystemOptions, overrides: Mapping[str, Override]
+) -> dict[str, Result]:
     if not path.is_file():
         return {}
     earlier = load_results(path)
     if earlier.options is None or earlier.options != options.model_copy(update={"store": None}):
         raise BadBenchmark(f"{path}: these results are of other options; choose another --out, or run without --resume")
     asked = {(item.key, item.question, item.label) for item in items}
-    return {r.key: r for r in earlier.results if (r.key, r.question, r.label) in asked}
+    return {r.key: overruled(r, overrides) for r in earlier.results if (r.key, r.question, r.label) in asked}
 
 
 def _asked(

@@ -65,11 +65,10 @@ WRONG = Score(strict=False, tolerant=False)
 def score(item: Item, answer: str | None, answer_type: AnswerType | None = None) -> Score:
     """Is `answer`, a Python literal in SI units, right? None is no answer, and wrong.
 
-    `answer_type` is what the answer says it is; what the benchmark says comes first. Raises ValueError when the label
-    is neither a literal nor a regular expression.
+    `answer_type` is what the answer says it is; what the benchmark says comes first.
     """
     pattern = expression(item.label)
-    label = None if pattern is not None else literal(item.label)
+    label = None if pattern is not None else meant(item.label)
     if answer is None:
         return WRONG
     try:
@@ -86,9 +85,22 @@ def score(item: Item, answer: str | None, answer_type: AnswerType | None = None)
 
 
 def expression(label: str) -> str | None:
-    """Which regular expression is the label? None when it is a literal."""
+    """Which regular expression is the label? None when it is a literal, or no expression that there can be."""
     found = _EXPRESSION.match(label.strip())
-    return label.strip()[found.end() :].strip() if found else None
+    pattern = label.strip()[found.end() :].strip() if found else None
+    try:
+        re.compile(pattern or "")
+    except re.error:
+        return None
+    return pattern
+
+
+def meant(label: str) -> Any:
+    """Which value does the label stand for? One that is no literal is text: no label of others stops a run."""
+    try:
+        return literal(label)
+    except ValueError:
+        return label.strip()
 
 
 def _alternatives(pattern: str) -> list[Any]:

@@ -98,7 +98,10 @@ def open_system(options: SystemOptions) -> System:
         make = getattr(importlib.import_module(module), name)
     except (ImportError, AttributeError, ValueError) as error:
         raise UnknownSystem(f"there is no system {options.system}: {error}") from error
-    return cast(System, make(options))
+    try:
+        return cast(System, make(options))
+    except TypeError as error:
+        raise UnknownSystem(f"{options.system} is not made with the options of a run: {error}") from error
 
 
 def reply_of(record: AnswerRecord, seconds: float | None = None, picture_png: bytes | None = None) -> Reply:

@@ -6,7 +6,7 @@ from collections.abc import AsyncIterator
 from typing import Annotated
 
 from fastapi import APIRouter, Depends, Header
-from fastapi.responses import FileResponse
+from fastapi.responses import Response
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 from redis.exceptions import RedisError
 
@@ -18,6 +18,7 @@ from querycad_api.problems import (
     JobNotFound,
     ModelNotFound,
     ModelUnreadable,
+    NothingMore,
     PictureNotFound,
     ServiceUnavailable,
     responses,
@@ -38,9 +39,18 @@ async def get_job(job_id: JobId, services: ServicesDep, wait_s: WaitDep) -> Job:
     return found
 
 
-async def _job(job_id: JobId, services: ServicesDep) -> Job:
-    """The job, looked up before the response begins."""
-    return await services.job(job_id)
+LastEventDep = Annotated[
+    str,
+    Header(alias="Last-Event-ID", pattern=r"^(\d{1,19}-\d{1,19})?$", description="Only what came after this event."),
+]
+
+
+async def _followed(job_id: JobId, services: ServicesDep, last_event_id: LastEventDep = "") -> Job:
+    """The job, looked up before the response begins. Raises NothingMore to who was told all."""
+    found = await services.job(job_id)
+    if last_event_id and await services.state.told(job_id, last_event_id):
+        raise NothingMore
+    return found
 
 
 @router.get(
@@ -49,17 +59,11 @@ async def _job(job_id: JobId, services: ServicesDep) -> Job:
     responses={
         **responses(JobNotFound, ServiceUnavailable),
         200: {"description": "Server-sent events; `data` is a JobEvent, `event` its kind. `done` is the last."},
+        204: {"description": "Nothing comes after this event: the job is done, and that was told."},
     },
 )
 async def get_events(
-    job: Annotated[Job, Depends(_job)],
-    services: ServicesDep,
-    last_event_id: Annotated[
-        str,
-        Header(
-            alias="Last-Event-ID", pattern=r"^(\d{1,19}-\d{1,19})?$", description="Only what came after this event."
-        ),
-    ] = "",
+    job: Annotated[Job, Depends(_followed)], services: ServicesDep, last_event_id: LastEventDep = ""
 ) -> AsyncIterator[ServerSentEvent]:
     """What happens to the question, as it happens, from its start. Whoever comes later is told all of it, too."""
     try:
@@ -87,15 +91,15 @@ async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
 
 @router.get(
     "/models/{model_id}/answers/{job_id}/picture",
-    response_class=FileResponse,
+    response_class=Response,
     responses={
         **responses(ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, ServiceUnavailable),
         200: PNG,
     },
 )
-async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep) -> FileResponse:
+async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep) -> Response:
     """The parts that an answer rests on, marked and numbered in a picture of the model."""
-    await services.model(model_id)
+    await services.must_know(model_id)
     job = await services.job(job_id)
     if job.model != model_id:
         raise JobNotFound("the model has no answer with this id")

@@ -8,7 +8,7 @@ from contextlib import asynccontextmanager
 from datetime import UTC, datetime
 from typing import Annotated
 
-from fastapi import APIRouter, File, Response, UploadFile
+from fastapi import APIRouter, File, Request, Response, UploadFile
 
 from querycad_api.answered import cancelled
 from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep, WaitDep
@@ -21,7 +21,6 @@ from querycad_api.problems import (
     responses,
 )
 from querycad_contracts import (
-    IngestTask,
     ModelId,
     ModelResource,
     ModelsPage,
@@ -41,7 +40,7 @@ router = APIRouter(prefix="/v1/models", tags=["models"])
     status_code=202,
     response_model=ModelResource,
     responses={
-        **responses(Malformed, FileTooLarge, NotStepFile, ServiceUnavailable),
+        **responses(Malformed, ModelNotFound, FileTooLarge, NotStepFile, ServiceUnavailable),
         200: {"description": "The file was there already; it has been read.", "model": ModelResource},
         201: {"description": "The file has been read within the wait that was preferred.", "model": ModelResource},
         202: {"description": "The file was accepted and is being read.", "model": ModelResource},
@@ -51,9 +50,12 @@ async def upload_model(
     file: Annotated[UploadFile, File(description="A STEP file (ISO 10303-21).")],
     services: ServicesDep,
     wait_s: WaitDep,
+    request: Request,
     response: Response,
 ) -> ModelResource:
     """Uploads a model. The same file twice is one model, so that the request may be repeated."""
+    if len((await request.form()).getlist("file")) > 1:
+        raise Malformed("send one file a request: of several, all but one would be lost")
     tenant = services.caller.tenant
     async with _on_disk(file, services) as upload:
         resource = ModelResource(
@@ -98,16 +100,16 @@ async def get_model(model_id: ModelId, services: ServicesDep, wait_s: WaitDep) -
     "/{model_id}", status_code=204, response_model=None, responses=responses(ModelNotFound, ServiceUnavailable)
 )
 async def delete_model(model_id: ModelId, services: ServicesDep) -> None:
-    """Deletes the model with its file, questions and answers; what is being done for it is stopped."""
-    await services.model(model_id)
+    """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
+    await services.must_know(model_id)
     state, tenant = services.state, services.caller.tenant
     tasks = await state.tasks_about(tenant, model_id)
     stopped = [task.job for task in tasks if await state.end_job(task, cancelled(task.question))]
     async with state.files_of(model_id):
         nobodys = await state.forget_model(tenant, model_id)
         await state.forget_jobs(tasks)
-        names = [picture_name(task.job) for task in tasks]
-        names += [upload_name(model_id), models_name(model_id)] if nobodys else []
+        names = [upload_name(model_id), models_name(model_id)] if nobodys else []  # see the segworker's drop_if_deleted
+        names += [picture_name(task.job) for task in tasks]
         await asyncio.to_thread(_remove, services, names)
     await services.broker.stop(stopped)
 
@@ -129,7 +131,7 @@ async def _read(services: Services, resource: ModelResource, new: bool) -> None:
         await services.state.forget_outcome(tenant, resource.id)
     await services.state.reading(tenant, resource.id)
     try:
-        await services.broker.ingest(IngestTask(model=resource.id, file_name=resource.file_name), tenant)
+        await services.broker.ingest(resource, tenant)
     except ServiceUnavailable:
         await services.state.forget_model(tenant, resource.id)
         raise

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Annotated
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated, BinaryIO
 
 from fastapi import APIRouter, Query
-from fastapi.responses import FileResponse
+from fastapi.responses import Response, StreamingResponse
 from pydantic import TypeAdapter
 
 from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
@@ -36,6 +39,7 @@ from querycad_contracts import (
 
 CALL_S = 20.0
 DRAW_S = 60.0
+CHUNK_BYTES = 2**18
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
 FILE_NAME = TypeAdapter(TaskOutcome[str])
@@ -72,31 +76,47 @@ async def segment(model_id: ModelId, asked: SegmentRequest, services: ServicesDe
     return await services.broker.call(TaskName.FIND_PARTS, task, _GROUNDING, wait_s)
 
 
-@router.get("/views/{view}", response_class=FileResponse, responses={**PROBLEMS, 200: PNG})
+@router.get("/views/{view}", response_class=Response, responses={**PROBLEMS, 200: PNG})
 async def get_view(
     model_id: ModelId,
     view: ViewName,
     services: ServicesDep,
     width: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 800,
     height: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 600,
-) -> FileResponse:
+) -> Response:
     """How does the model look from there? Orthographic; a side's camera stands one degree off its axis."""
     await services.ready_model(model_id)
     task = ViewTask(model=model_id, view=view, width=width, height=height)
     return await drawn(services, TaskName.VIEW, task, "image/png")
 
 
-@router.get("/glb", response_class=FileResponse, responses={**PROBLEMS, 200: GLB})
-async def get_glb(model_id: ModelId, services: ServicesDep) -> FileResponse:
+@router.get("/glb", response_class=Response, responses={**PROBLEMS, 200: GLB})
+async def get_glb(model_id: ModelId, services: ServicesDep) -> Response:
     """The model's triangles as binary glTF 2.0, metres; the vertex attribute `_FACE_ID` holds the id of the face."""
     await services.ready_model(model_id)
     return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary")
 
 
-async def drawn(services: Services, name: TaskName, task: ModelTask, media_type: str) -> FileResponse:
+async def drawn(services: Services, name: TaskName, task: ModelTask, media_type: str) -> Response:
     """The file that a segworker makes, or has made before. Raises ModelUnreadable and ServiceUnavailable."""
     made = await services.broker.call(name, task, FILE_NAME, DRAW_S)
     path = await asyncio.to_thread(services.files.fetch, made)
-    if path is None:
-        raise ServiceUnavailable("the file was made, and is gone again; try again in a moment")
-    return FileResponse(path, media_type=media_type)
+    try:
+        if path is not None:
+            return await asyncio.to_thread(whole, path, media_type)
+    except FileNotFoundError:
+        pass
+    raise ServiceUnavailable("the file was made, and is gone again; try again in a moment")
+
+
+def whole(path: Path, media_type: str) -> Response:
+    """The file as a response. It is open already: its model may be deleted meanwhile. Raises FileNotFoundError."""
+    file = path.open("rb")
+    size = os.fstat(file.fileno()).st_size
+    return StreamingResponse(_chunks(file), media_type=media_type, headers={"Content-Length": str(size)})
+
+
+def _chunks(file: BinaryIO) -> Iterator[bytes]:
+    with file:
+        while chunk := file.read(CHUNK_BYTES):
+            yield chunk

@@ -5,11 +5,10 @@ from __future__ import annotations
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from querycad_api.problems import FileTooLarge, problem_response
+from querycad_api.problems import ApiProblem, FileTooLarge, TooLarge, problem_response
 
 FORM_BYTES = 64 * 1024
 """What a multipart form adds to its file, generously."""
-
 
 OTHER_BYTES = 1024 * 1024
 """Of what is no upload: a question has some dozen bytes."""
@@ -31,7 +30,8 @@ class BodyLimit:
         is_upload = scope["path"] == self._upload_path
         accepted = self._upload_bytes if is_upload else OTHER_BYTES
         max_bytes = accepted + FORM_BYTES
-        problem = FileTooLarge(f"at most {accepted // 2**20} MiB are accepted")
+        kind: type[ApiProblem] = FileTooLarge if is_upload else TooLarge
+        problem = kind(f"at most {accepted // 2**20} MiB are accepted")
         declared = next((value for name, value in scope["headers"] if name == b"content-length"), b"0")
         if declared.isdigit() and int(declared) > max_bytes:
             await problem_response(problem.problem())(scope, receive, send)
@@ -43,7 +43,7 @@ class BodyLimit:
             message = await receive()
             arrived += len(message.get("body", b""))
             if arrived > max_bytes:
-                raise HTTPException(413, str(problem))
+                raise HTTPException(413, str(problem)) from problem  # no other kind gets out of FastAPI's reading
             return message
 
         await self._app(scope, counted, send)

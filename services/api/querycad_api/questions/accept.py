@@ -10,9 +10,9 @@ from uuid import uuid4
 from fastapi import Header
 from redis.exceptions import RedisError
 
-from querycad_api.dependencies import Services
+from querycad_api.dependencies import Services, no_model
 from querycad_api.keyspace import now
-from querycad_api.problems import KeyReused, ServiceUnavailable, TooManyRequests
+from querycad_api.problems import KeyReused, TooManyRequests
 from querycad_api.state import Once
 from querycad_contracts import Job, JobStatus, QuestionRequest, QuestionTask
 
@@ -34,7 +34,6 @@ IdempotencyKeyDep = Annotated[
 
 async def accept(services: Services, model: str, asked: Sequence[QuestionRequest], key: str | None) -> tuple[Job, ...]:
     """The jobs of the questions. Raises ModelNotFound, KeyReused, TooManyRequests and ServiceUnavailable."""
-    await services.model(model)
     caller = services.caller
     tasks = [
         QuestionTask(
@@ -50,11 +49,9 @@ async def accept(services: Services, model: str, asked: Sequence[QuestionRequest
         await _forget(services, tasks, key)
         raise TooManyRequests(f"at most {services.settings.key_questions} open questions for one API key")
     jobs = await services.state.add_jobs(tasks)
-    try:
-        await services.broker.questions(tasks)
-    except ServiceUnavailable:
+    if not jobs:
         await _forget(services, tasks, key)
-        raise
+        raise no_model()
     return jobs
 
 
@@ -71,8 +68,11 @@ async def _claimed(
 ) -> tuple[list[QuestionTask], tuple[Job, ...]]:
     """The tasks with the ids that they have under this idempotency key, and their jobs where all are there already."""
     tenant = services.caller.tenant
-    claim = await services.state.once(tenant, key, Once(_fingerprint(tasks), tuple(task.job for task in tasks)))
-    if claim.fingerprint != _fingerprint(tasks):
+    wanted = Once(_fingerprint(tasks), tuple(task.job for task in tasks))
+    claim = await services.state.once(tenant, key, wanted)
+    if claim is wanted:
+        return tasks, ()
+    if claim.fingerprint != wanted.fingerprint:
         raise KeyReused("this idempotency key came with another request before")
     tasks = [task.model_copy(update={"job": job}) for task, job in zip(tasks, claim.jobs, strict=True)]
     found = [await services.state.job(tenant, task.job) for task in tasks]

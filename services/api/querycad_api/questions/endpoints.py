@@ -85,5 +85,5 @@ async def list_answers(
     model_id: ModelId, services: ServicesDep, offset: OffsetDep = 0, limit: LimitDep = 100
 ) -> JobsPage:
     """What was asked about the model, and what came of it? The newest first."""
-    await services.model(model_id)
+    await services.must_know(model_id)
     return await services.state.jobs(services.caller.tenant, model_id, offset, limit)
