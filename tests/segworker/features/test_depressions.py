@@ -125,6 +125,16 @@ def test_bars_between_the_openings_of_a_grid_are_no_ribs() -> None:
     assert find(cut(plate(), *openings)).of("rib") == []
 
 
+def test_what_stands_on_both_faces_of_a_plate_does_not_make_it_a_rib() -> None:
+    """The disc below and the pins above meet the plate in concave edges, but not along its edge."""
+    pins = [box((3, 3, 21), (x, y, -0.001)) for x in range(-25, 25, 8) for y in range(-16, 16, 8)]
+    notched = cut(box((60, 40, 5), (-30, -20, -5)), box((6, 14, 10), (-30, -7, -7)))
+    cooler = find(fuse(notched, cylinder(15, 3, (0, 0, -7.999)), *pins))
+    assert cooler.of("rib") == []
+    (base,) = (part for part in cooler.of("prism") if "plate" in part.tags)
+    assert base.height == pytest.approx(5 * MM)
+
+
 def test_square_legs_between_two_plates_are_no_ribs() -> None:
     legs = [box((6, 6, 40), (x, y, -0.001)) for x in (-25, 19) for y in (-16, 10)]
     assert find(fuse(plate(), box((60, 40, 5), (-30, -20, 39.999)), *legs)).of("rib") == []

@@ -13,6 +13,7 @@ from tests.segworker.shapes import (
     DOWN,
     Found,
     ball,
+    bend,
     box,
     chamfered,
     compound,
@@ -140,8 +141,52 @@ def assembly() -> TopoDS_Shape:
     return compound(*rings, *balls, screw, nut, washer, wheel, block, cylinder(4, 50, (-60, 0, -20)))
 
 
+def tubes() -> TopoDS_Shape:
+    """An elbow between flanges, a bent handle on a plate, a square tube on a plate, a nut, a cup, a stepped disc."""
+
+    def elbow(radius: float) -> TopoDS_Shape:
+        curve = bend(60, radius, 90, (60, 0, 40), (0, 1, 0), (-1, 0, 0))
+        return fuse(cylinder(radius, 40), curve, cylinder(radius, 40, (60, 0, 100), X))
+
+    flanges = (cylinder(40, 8), cylinder(40, 8, (92, 0, 100), X))
+    pipe = cut(
+        fuse(elbow(20), *flanges), elbow(16), *(turned(cylinder(3, 8, (30, 0, 0)), (0, 0, 1), 90 * i) for i in range(4))
+    )
+    legs = [cylinder(4, 30, (x, -120, 0)) for x in (-30, 30)]
+    corners = [bend(10, 4, 90, (20, -120, 30), (0, -1, 0), X), bend(10, 4, 90, (-20, -120, 30), (0, -1, 0), (0, 0, 1))]
+    handle = fuse(
+        shifted(plate(100, 40, 6), (0, -120, 0)), *legs, corners[0], cylinder(4, 40, (-20, -120, 40), X), corners[1]
+    )
+    square = fuse(box((60, 60, 5), (-200, -30, 0)), box((40, 40, 150), (-190, -20, 0)))
+    square = cut(square, box((34, 34, 150), (-187, -17, 0)))
+    hexagon = [(9.24, 0), (4.62, 8), (-4.62, 8), (-9.24, 0), (-4.62, -8), (4.62, -8)]
+    nut = shifted(cut(extruded(hexagon, 0, 8), cylinder(5, 8)), (200, 0, 0))
+    cup = cut(cone(30, 40, 60, (200, 120, 0)), cone(28, 38, 60, (200, 120, 4)))
+    disc = cut(
+        fuse(cylinder(50, 12, (-200, 150, 0)), cylinder(20, 20, (-200, 150, 0))), cylinder(8, 20, (-200, 150, 0))
+    )
+    return compound(pipe, handle, square, nut, cup, disc)
+
+
+def keyed() -> TopoDS_Shape:
+    """Hubs with keyways and with splines, a double D hole, a trapezoidal pocket, pads at the border, an undercut."""
+    hub = cut(cylinder(25, 20), cylinder(10, 20), box((28, 5, 20), (-14, -2.5, 0)))
+    keys = [turned(box((12.5, 4, 20), (0, -2, 0)), (0, 0, 1), 60 * i) for i in range(6)]
+    splined = shifted(cut(cylinder(25, 20), cylinder(10, 20), *keys), (80, 0, 0))
+    flattened = shifted(
+        cut(cylinder(8, 20), box((20, 20, 20), (5, -10, 0)), box((20, 20, 20), (-25, -10, 0))), (-60, -80, -20)
+    )
+    block = shifted(plate(120, 60, 20), (-40, -80, 0))
+    trapezium = extruded([(-30, -95), (0, -95), (-8, -70), (-22, -70)], -6, 6)
+    pads = [box((12, 60, 8), (8, -110, 0)), box((10, 20, 4), (-100, -110, 0))]
+    stub = fuse(
+        cylinder(6, 3, (-60, 110, 0)), cylinder(7, 15, (-60, 110, 3)), shifted(plate(30, 30, 10), (-60, 110, 0))
+    )
+    return compound(hub, splined, fuse(cut(block, flattened, trapezium), *pads), stub)
+
+
 MODELS: dict[str, Callable[[], TopoDS_Shape]] = {
-    made.__name__: made for made in (cuts, turned_part, standing, holes, blended, assembly)
+    made.__name__: made for made in (cuts, turned_part, standing, holes, blended, assembly, tubes, keyed)
 }
 MOVES: dict[str, Callable[[TopoDS_Shape], TopoDS_Shape]] = {
     "an oblique turn": lambda shape: turned(shape, (1, 2, 3), 37),
@@ -166,6 +211,7 @@ TAGS = {
         "flat",
         "hollow",
     ),
+    *("trapezoidal", "double_d", "bent"),
     *("rectangular", "hexagonal", "obround", "triangular", "circular", "v_shaped", "keyway", "annular", "semicircular"),
     *("bolt_circle", "row", "grid", "rectangle", "fin", "collar", "flange", "tube", "shaft", "rod", "disc", "washer"),
     *(
@@ -199,17 +245,22 @@ def rows(found: Found, factor: float = 1.0) -> list[Row]:
 
     return sorted(
         (
-            part.kind,
-            tuple(sorted(set(part.tags) & TAGS)),
-            rounded(part.diameter),
-            rounded(part.depth) if part.opening is not None else None,
-            rounded(part.height) if part.kind in ("boss", "rib", "gear", "bearing") else None,
-            part.count,
-            rounded(part.pitch),
-            len(part.tips),
-        )
-        for part in found.parts
-        if part.kind not in LEFT_OUT
+            (
+                part.kind,
+                tuple(sorted(set(part.tags) & TAGS)),
+                rounded(part.diameter),
+                rounded(part.depth) if part.opening is not None else None,
+                rounded(part.height) if part.kind in ("boss", "rib", "gear", "bearing") else None,
+                rounded(part.thickness) if part.kind in ("body", "pipe", "prism") else None,
+                rounded(part.radius) if part.kind == "bend" else None,
+                part.count,
+                rounded(part.pitch),
+                len(part.tips),
+            )
+            for part in found.parts
+            if part.kind not in LEFT_OUT
+        ),
+        key=repr,
     )
 
 
@@ -225,6 +276,8 @@ EXPECTED = {
     "standing": {"rib", "boss", "protrusion", "prism", "cone", "sphere", "hole"},
     "holes": {"hole", "counterbore", "countersink", "pattern", "cutout"},
     "blended": {"fillet", "round", "chamfer", "pocket", "boss"},
+    "keyed": {"hole", "slot", "gear", "pocket", "protrusion", "groove"},
+    "tubes": {"pipe", "bend", "boss", "hole", "prism", "body"},
     "assembly": {"bearing", "gear", "tooth", "prism", "boss", "hole", "body", "sphere"},
 }
 

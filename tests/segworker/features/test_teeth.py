@@ -178,3 +178,12 @@ def test_slots_cut_through_a_polygonal_plate_are_no_teeth(degrees: float) -> Non
     found = find(turned(base, (1, 2, 3), degrees))
     assert found.of("gear") == []
     assert [part.length for part in found.of("cutout")] == pytest.approx([44 * MM] * 8)
+    assert all("radial" in part.tags for part in found.of("cutout"))
+
+
+def test_slots_across_the_way_to_the_hole_are_not_radial() -> None:
+    slots = [turned(box((6, 30, 20), (100, -15, 0)), (0, 0, 1), 90 * i) for i in range(4)]
+    base = cut(box((300, 300, 20), (-150, -150, 0)), cylinder(40, 20), *slots)
+    cutouts = find(base).of("cutout")
+    assert len(cutouts) == 4
+    assert not any("radial" in part.tags for part in cutouts)

@@ -44,6 +44,46 @@ def test_a_keyway_does_not_make_a_bore_d_shaped() -> None:
     assert "d_shaped" not in found.hole.tags
 
 
+@pytest.mark.parametrize("degrees", [0, 40])
+def test_a_bore_with_two_keyways_is_one_bore_with_two_keyways(degrees: float) -> None:
+    found = find(
+        turned(cut(plate(), cylinder(8, 20, (0, 0, -20)), box((22, 5, 20), (-11, -2.5, -20))), (1, 2, 3), degrees)
+    )
+    assert [found.hole.diameter, found.hole.depth] == pytest.approx([16 * MM, 20 * MM])
+    assert "d_shaped" not in found.hole.tags
+    assert ["keyway" in slot.tags for slot in found.of("slot")] == [True, True]
+    assert found.of("cutout") == []
+
+
+def test_a_bore_with_splines_is_one_bore_and_has_its_teeth_counted() -> None:
+    keys = [turned(box((10, 4, 20), (0, -2, -20)), (0, 0, 1), 60 * i) for i in range(6)]
+    found = find(cut(plate(), cylinder(8, 20, (0, 0, -20)), *keys))
+    assert found.hole.diameter == pytest.approx(16 * MM)
+    assert [gear.count for gear in found.of("gear")] == [6]
+
+
+@pytest.mark.parametrize("depth", [30.0, 12.0])
+def test_a_bore_with_two_flats_is_a_double_d_and_owns_them(depth: float) -> None:
+    sides = [box((20, 40, 60), (x, -20, -40)) for x in (6, -26)]
+    found = find(cut(plate(), cut(cylinder(8, 40, (0, 0, -depth)), *sides)))
+    assert {"d_shaped", "double_d"} <= set(found.hole.tags)
+    assert found.hole.diameter == pytest.approx(16 * MM)
+    assert found.of("cutout") == found.of("pocket") == []
+
+
+def test_curved_slots_around_one_centre_are_no_bore() -> None:
+    ring = cut(cylinder(15, 20, (0, 0, -20)), cylinder(11, 20, (0, 0, -20)))
+    spokes = fuse(box((60, 6, 20), (-30, -3, -20)), box((6, 60, 20), (-3, -30, -20)))
+    found = find(cut(plate(), cut(ring, spokes)))
+    assert found.of("hole") == []
+    assert len(found.of("cutout")) == 4
+
+
+def test_a_slot_with_bowed_ends_is_no_bore() -> None:
+    slot = cut(cylinder(15, 20, (0, 0, -20)), box((40, 20, 20), (-20, 5, -20)), box((40, 20, 20), (-20, -25, -20)))
+    assert find(cut(plate(), slot)).of("hole") == []
+
+
 def test_the_washer_face_under_a_hexagon_belongs_to_the_head() -> None:
     screw = fuse(extruded(HEXAGON, 0.6, 6.4), cylinder(7.2, 0.6), cylinder(5, 40, along=DOWN))
     found = find(turned(shifted(screw, (3, 4, 5)), (1, 2, 3), 40))

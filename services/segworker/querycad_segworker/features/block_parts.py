@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from querycad_contracts import Part
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import box_center, box_extents
+from querycad_segworker.vectors import add, box_center, box_extents, scale
 
 from .gears import Gear
+from .hollow_sections import HollowSection
 from .knurls import Knurl
 from .parts import PLATE_RATIO, faces_area, faces_box, geometry, millimetres, outlined, width_of
 from .prisms import Prism
 from .protrusions import Protrusion
+from .volumes import Volumes
 
 
-def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
+def protrusion_part(brep: Brep, found: Protrusion, number: int, volumes: Volumes) -> Part:
     """A protrusion of any outline but a circle."""
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
@@ -33,6 +35,7 @@ def protrusion_part(brep: Brep, found: Protrusion, number: int) -> Part:
         thickness=found.width if "rib" in found.tags else None,
         tip=found.tip,
         local_size=(found.length, found.width, found.height),
+        volume=volumes.of_protrusion(found),
         area=faces_area(brep, found.faces),
         evidence=geometry(f"{len(found.faces)} faces that rise from a face inside one of its boundary loops"),
     )
@@ -64,6 +67,30 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
             if prism.sides
             else "two parallel faces that look away from each other, with square walls between them"
         ),
+    )
+
+
+def hollow_section_part(brep: Brep, found: HollowSection, number: int) -> Part:
+    """A tube with flat sides as a part: length along its axis, thickness of its wall, outer width."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (*found.size, found.wall))
+    return Part(
+        id=f"tube-{number}",
+        kind="prism",
+        tags=(found.outline, "hollow", "tube", "slender"),
+        label=f"{outlined(found.outline, 'tube')}, {size} mm, length {millimetres(found.length)}",
+        faces=found.faces,
+        center=found.center,
+        extents=found.extents,
+        axis=found.axis,
+        normal=found.axis,
+        height=found.length,
+        width=found.size[1],
+        length=found.length,
+        thickness=found.wall,
+        tip=add(found.center, scale(found.axis, found.length / 2)),
+        local_size=(found.length, *found.size),
+        area=faces_area(brep, found.faces),
+        evidence=geometry("a hollow with flat walls, each with a face of the outside at one distance behind it"),
     )
 
 

@@ -7,15 +7,24 @@ from collections.abc import Sequence
 from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import box_center, box_extents, cross, dot, perpendicular
+from querycad_segworker.vectors import box_center, box_extents
 
+from .axes import Axis
 from .bearings import Bearing
+from .body_thickness import is_flat, largest_plane
 from .frames import outline_of
-from .parts import PLATE_RATIO, faces_box, millimetres
-from .turned_bodies import TurnedBody
+from .gears import Gear
+from .hole import Hole
+from .parts import faces_box, millimetres
+from .pipes import Pipe
+from .turned_bodies import COAXIAL, ROUND, TurnedBody
 
 _OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips")
 """What a model that is one round body has of it."""
+MOSTLY = 0.5
+"""A body with more than this share of its surface in one pipe is that pipe, with flanges or ports."""
+HALF = 0.5
+"""A disc whose hole takes more than this share of its diameter is a ring or washer, no plate."""
 RINGS_ALONE = 0.8
 """How surely two rings of one width, one in the other, are a bearing drawn in a simple way."""
 
@@ -36,22 +45,14 @@ def body(brep: Brep, record: BodyRecord) -> Body:
     )
 
 
-def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[tuple[str, ...], float | None]:
-    """Tags for the outline of the body's largest plane face, and the body's thickness where it is a plate along it."""
-    tags = ["solid" if record.is_solid else "sheet"]
-    planes = [brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE]
-    largest = max(planes, key=lambda face: face.area, default=None)
-    if largest is None or not largest.loops:
-        return tuple(tags), None
+def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[str, ...]:
+    """Tags for the outline of the body's largest plane face; 'plate' where it is flat along it."""
+    material = "solid" if record.is_solid else "sheet"
+    largest = largest_plane(brep, record)
+    if largest is None:
+        return (material,)
     outline, _ = outline_of(brep, largest.loops[0], tolerances)
-    points = [brep.edges[e].mid for f in record.faces for e in brep.face_edges[f]]
-    x = perpendicular(largest.axis)
-    reach = [
-        max(dot(p, d) for p in points) - min(dot(p, d) for p in points)
-        for d in (largest.axis, x, cross(largest.axis, x))
-    ]
-    flat = reach[0] < PLATE_RATIO * min(reach[1:])
-    return (*tags, *(("plate",) if flat else ()), outline), reach[0] if flat else None
+    return (material, *(("plate",) if is_flat(brep, record) else ()), outline)
 
 
 def body_part(
@@ -64,18 +65,19 @@ def body_part(
 ) -> Part:
     """A body of the file as a part, so that names and colours find it. A round one has radii, axis and length too.
 
-    `tips`: the free ends of a `turned` body. A ring or disc is as thick as it is long, a tube as its wall is.
+    `tips`: the free ends of a `turned` body. How thick it is, `with_body_thickness` says.
     """
     box = faces_box(brep, record.faces)
     extents = box_extents(box)
-    tags, thickness = _outline(brep, record, tolerances)
-    measures: dict[str, object] = {} if thickness is None else {"thickness": thickness}
+    tags = _outline(brep, record, tolerances)
+    measures: dict[str, object] = {}
     ball = None if turned is not None else _ball(brep, record)
     if ball is not None:
         tags = (*tags, "ball", "spherical")
         measures |= {"radius": ball, "diameter": 2 * ball, "radii": (ball,)}
     if turned is not None:
-        tags = (*tags, *turned.tags)
+        mostly_hole = turned.bore is not None and turned.bore.radius > HALF * turned.outer_radius
+        tags = (*(tag for tag in tags if not (mostly_hole and tag == "plate")), *turned.tags)
         measures |= _turned_measures(turned, tips)
     return Part(
         id=f"body-{number}",
@@ -113,6 +115,58 @@ def with_bearing_roles(bodies: Sequence[Part], bearings: Sequence[Bearing]) -> l
         roles |= dict(zip(bearing.rings, names, strict=True))
     tags = {i: (*bodies[i].tags, role) for i, role in roles.items()}
     return [part.model_copy(update={"tags": tags[i]}) if i in tags else part for i, part in enumerate(bodies)]
+
+
+def with_gear_measures(bodies: Sequence[Part], brep: Brep, gears: Sequence[Gear], holes: Sequence[Hole]) -> list[Part]:
+    """The same bodies; one that a gear is the widest of, but that is no shaft, has its diameter over the tips.
+
+    Its `radii` are those of tips, roots and of the bore; it is as thick as its teeth are wide.
+    """
+    result = []
+    for part, record in zip(bodies, brep.bodies, strict=True):
+        own = [gear for gear in gears if gear.body == record.id and not gear.internal]
+        widest = max(own, key=lambda gear: gear.tip_radius, default=None)
+        if (
+            widest is not None
+            and part.radius is None
+            and _reach_of(brep, record, widest.axis) < ROUND * widest.tip_radius
+        ):
+            near = COAXIAL * widest.tip_radius
+            bores = [h.radius for h in holes if h.body == record.id and widest.axis.radius_of(h.center) < near]
+            part = part.model_copy(
+                update={
+                    "axis": widest.axis.direction,
+                    "radius": widest.tip_radius,
+                    "diameter": 2 * widest.tip_radius,
+                    "radii": (widest.tip_radius, widest.root_radius, *bores),
+                    "thickness": widest.width,
+                }
+            )
+        result.append(part)
+    return result
+
+
+def _reach_of(brep: Brep, record: BodyRecord, axis: Axis) -> float:
+    """How far from an axis does the body reach?"""
+    edges = (brep.edges[e] for face in record.faces for e in brep.face_edges[face])
+    return max(axis.radius_of(p) for edge in edges for p in (edge.start, edge.mid, edge.end))
+
+
+def with_pipe_measures(bodies: Sequence[Part], brep: Brep, pipes: Sequence[Pipe]) -> list[Part]:
+    """The same bodies; one that mostly is a bent pipe or bar has the radii of its cross-section, and a pipe's wall."""
+    result = []
+    for part, record in zip(bodies, brep.bodies, strict=True):
+        own = [pipe for pipe in pipes if pipe.body == record.id and pipe.outer is not None]
+        if len(own) == 1 and own[0].outer is not None and part.radius is None:
+            pipe, outer, inner = own[0], own[0].outer, own[0].inner
+            if sum(brep.faces[f].area for f in pipe.faces) > MOSTLY * record.area:
+                update: dict[str, object] = {"radius": outer, "diameter": 2 * outer, "radii": (outer,)}
+                update["tags"] = (*part.tags, "bent", "tube" if inner is not None else "rod")
+                if inner is not None:
+                    update |= {"radii": (outer, inner), "thickness": outer - inner}
+                part = part.model_copy(update=update)
+        result.append(part)
+    return result
 
 
 def bearing_part(brep: Brep, found: Bearing, number: int, bodies: Sequence[Part]) -> Part:
@@ -161,10 +215,6 @@ def _turned_measures(turned: TurnedBody, tips: tuple[Vector, ...]) -> dict[str, 
     }
     if turned.slender:
         measures |= {"height": turned.length, "tip": tips[0] if tips else None, "tips": tips}
-    if "tube" in turned.tags and turned.bore is not None:
-        measures["thickness"] = turned.radius - turned.bore.radius
-    elif turned.length < turned.outer_radius:
-        measures["thickness"] = turned.length
     return measures
 
 
@@ -191,7 +241,7 @@ def model_part(brep: Brep, shape: Shape, only: Part | None = None) -> Part:
         depth=shape.extents[1],
         height=shape.extents[2],
         length=max(shape.extents),
-        thickness=shape.thickness,
+        thickness=shape.thickness if shape.thickness is not None or only is None else only.thickness,
         volume=shape.volume or None,
         area=shape.area,
         name=shape.name or None,

@@ -49,6 +49,8 @@ class Boss:
     step_of: int
     pitch: float | None = None
     """Of a modelled thread, along the axis."""
+    lean: float = 0.0
+    """Between a cone's wall and its axis, radians."""
     tips: tuple[Vector, ...] = ()
     """All free ends of its axis, where they are more than `tip`."""
 
@@ -182,6 +184,7 @@ def _boss(
         bore_radius=bore_radius,
         breaks=tuple(breaks),
         step_of=len(steps),
+        lean=math.atan2(abs(wall.radius_high - wall.radius_low), wall.height),
         pitch=next((part.pitch for part in step if part.pitch is not None), None),
     )
 

@@ -14,6 +14,8 @@ from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, pe
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
+SKEW = math.sin(math.radians(3.0))
+"""Sides that run apart by more than this lean on purpose; converted files are off by far less."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +146,21 @@ def outline_of(brep: Brep, rim: Loop, tolerances: Tolerances) -> tuple[str, floa
     if len(directions) == 2 and abs(total_arc - 2 * math.pi) < 0.1:
         return "obround", arcs[0].radius
     radii = [arc.radius for arc in arcs if arc.radius]
-    return POLYGONS.get(len(directions), "polygonal"), min(radii) if radii else None
+    return polygon_name(directions), min(radii) if radii else None
+
+
+def polygon_name(sides: Sequence[Vector]) -> str:
+    """What is an outline called that has these sides, given as unit directions along them, or across?
+
+    With four sides 'rectangular' where all corners are square, 'trapezoidal' where only two sides are parallel.
+    """
+    if len(sides) != 4:
+        return POLYGONS.get(len(sides), "polygonal")
+    pairs = [(a, b) for i, a in enumerate(sides) for b in sides[i + 1 :]]
+    parallels = sum(parallel(a, b, SKEW) for a, b in pairs)
+    if parallels == 2:
+        return "rectangular" if sum(abs(dot(a, b)) <= SKEW for a, b in pairs) == 4 else "rhomboid"
+    return "trapezoidal" if parallels == 1 else "polygonal"
 
 
 def _runs(lines: Sequence[EdgeRecord], tolerances: Tolerances) -> list[Vector]:

@@ -9,13 +9,19 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import parallel
 
 from .refusals import refuse
-from .stacks import Stack, radius_at, stacks, wall_range
+from .stacks import End, Stack, radius_at, stacks, wall_range
 from .walls import Wall
 
 MAX_WIDTH = 1.0
 """A groove is narrower than its diameter; between collars further apart lies a step of the shaft."""
+MAX_RELIEF = 0.2
+"""An undercut at a shoulder is no deeper than this share of its diameter: 0.18 for the thread M6 (DIN 76-1). What is
+narrower, between a head and what it stands on, is a neck."""
+SQUARE = 1e-2
+"""Sine of the angle by which a shoulder may deviate from square to the axis."""
 MIN_DEPTH = 1e-3
 """Radii that differ by less than this share are those of one fit, not of a groove."""
 
@@ -133,14 +139,17 @@ def _groove(
     first, last = span
     bottom = min(pieces[i].bottom, pieces[j].bottom)
     rims = [pieces[first].at_low, pieces[last].at_high]
+    at_shoulder = False
     if first == i and pieces[i].wall.kind is SurfaceKind.CYLINDER:
-        rims[0] = pieces[i - 1].at_high if i > 0 else -math.inf
+        rims[0] = pieces[i - 1].at_high if i > 0 else _shoulder(brep, stack, bottom, outward, at_high=False)
+        at_shoulder = i == 0
     if last == j and pieces[j].wall.kind is SurfaceKind.CYLINDER:
-        rims[1] = pieces[j + 1].at_low if j < len(pieces) - 1 else -math.inf
+        rims[1] = pieces[j + 1].at_low if j < len(pieces) - 1 else _shoulder(brep, stack, bottom, outward, at_high=True)
+        at_shoulder = at_shoulder or j == len(pieces) - 1
     low, high = pieces[first].low, pieces[last].high
     depth = min(rims) - bottom
     members = [piece.wall for piece in pieces[first : last + 1]]
-    if depth <= MIN_DEPTH * abs(bottom):
+    if depth <= MIN_DEPTH * abs(bottom) or (at_shoulder and depth > MAX_RELIEF * 2 * abs(bottom)):
         return None
     if high - low >= MAX_WIDTH * 2 * abs(bottom):
         refuse("groove", (f for w in members for f in w.faces), "it is wider than its diameter: a step between collars")
@@ -160,6 +169,24 @@ def _groove(
         faces=tuple(sorted(faces)),
         body=members[0].body,
     )
+
+
+def _shoulder(brep: Brep, stack: Stack, bottom: float, outward: int, *, at_high: bool) -> float:
+    """How high is the plane that a groove's bottom runs into at the end of its stack? As the radii of pieces count.
+
+    It may have any outline, as a hexagon has: what counts is where it comes nearest to the axis. A bore's ends in its
+    floor.
+    """
+    closed = (stack.high_end if at_high else stack.low_end) is End.CLOSED
+    faces = [brep.faces[f] for f in (stack.high_faces if at_high else stack.low_faces)]
+    across = [f for f in faces if f.kind is SurfaceKind.PLANE and parallel(f.axis, stack.axis.direction, SQUARE)]
+    if not closed or len(faces) != 1 or not across or not across[0].loops or not across[0].loops[0].outer:
+        return -math.inf
+    if outward < 0:
+        return 0.0 if len(across[0].loops) == 1 else -math.inf
+    edges = [brep.edges[e] for e in across[0].loops[0].edges]
+    reach = min(stack.axis.radius_of(p) for edge in edges for p in (edge.start, edge.mid, edge.end))
+    return reach if reach > bottom else -math.inf
 
 
 def _section(members: Sequence[Wall]) -> tuple[str, float | None]:

@@ -47,7 +47,8 @@ def recognise_holes(
     """
     found = []
     bores = Bores(brep, walls)
-    keyholes = {face for window in recognise_windows(brep, tolerances) for face in window.faces}
+    windows = recognise_windows(brep, tolerances)
+    keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
         if keyholes.issuperset(_faces_of(stack)):
             refuse("hole", _faces_of(stack), "it is the wide end of a keyhole")
@@ -138,7 +139,8 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         + (("threaded",) if threaded else ())
         + (("rounded",) if mouth is not None else ())
         + (("oblique",) if oblique else ())
-        + (("d_shaped",) if flats else ()),
+        + (("d_shaped",) if flats else ())
+        + (("double_d",) if len(flats) == 2 else ()),
         faces=tuple(sorted(faces)),
         body=stack.walls[0].body,
         sections=sections,

@@ -17,23 +17,34 @@ KEY_SHARE = 0.6
 thin shafts. What is wider is a flat or the gap of a fork."""
 HOST_SHARE = 0.4
 """The face that holds at least this share of a depression's rim is what it is cut into."""
+FULL_RAD = math.radians(350)
+"""A cylinder that covers more than this is whole; files cut it open along a seam."""
 SAME_LINE = 0.1
 """A radial slot points at the axis to within this share of its width."""
+RING = 3
+"""So many slots that point at one round face in a body of another outline are radial; two may do so by chance."""
 
 
 def with_hosts(brep: Brep, found: list[Depression]) -> list[Depression]:
     """The same depressions, with tags for how they lie in what they are cut into.
 
     'keyway': a slot or long pocket along the axis of the shaft or bore that it is cut into. 'axial': along the axis
-    of its round body, or the round part of it that it opens to. 'radial': towards that axis, and not beyond it.
+    of its round body, or the round part of it that it opens to. 'radial': towards that axis, or that of the widest
+    round face of a body with another outline where several do so, and not beyond it.
     """
     axes = {body.id: _round_axis(brep, body.faces) for body in brep.bodies}
-    return [replace(d, tags=(*d.tags, *_place(brep, d, axes.get(d.body) or _rim(brep, d)))) for d in found]
+    rings = _rings(found, {body.id: _widest(brep, body.faces) for body in brep.bodies if axes[body.id] is None})
+    return [replace(d, tags=(*d.tags, *_place(brep, d, axes.get(d.body) or _rim(brep, d), d in rings))) for d in found]
 
 
-def _place(brep: Brep, found: Depression, axis: FaceRecord | None) -> tuple[str, ...]:
-    slot = found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL)
-    if not slot and not (found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE) and _is_long(found)):
+def _rings(found: list[Depression], axes: dict[int, FaceRecord | None]) -> list[Depression]:
+    """Those that point at the axis of their body, as at least two others there do."""
+    pointing = [d for d in found if (axis := axes.get(d.body)) is not None and _may_point(d) and _points_at(d, axis)]
+    return [d for d in pointing if sum(other.body == d.body for other in pointing) >= RING]
+
+
+def _place(brep: Brep, found: Depression, axis: FaceRecord | None, in_ring: bool) -> tuple[str, ...]:
+    if not _may_point(found):
         return ()
     tags = []
     if found.kind is not DepressionKind.PASSAGE:
@@ -41,17 +52,27 @@ def _place(brep: Brep, found: Depression, axis: FaceRecord | None) -> tuple[str,
         if host is not None and host.kind is SurfaceKind.CYLINDER and parallel(host.axis, found.direction, 1e-2):
             if found.width <= KEY_SHARE * 2 * host.radius:
                 tags.append("keyway")
-    if axis is None:
-        return tuple(tags)
-    on_axis = foot(found.center, axis.origin, axis.axis)
-    away = dist(found.center, on_axis)
-    if parallel(found.direction, axis.axis, 1e-2) and away > found.width:
-        tags.append("axial")
-    elif abs(dot(found.direction, axis.axis)) < 1e-2 and away > 0.45 * found.length:
-        offset = norm(cross(sub(found.center, on_axis), found.direction))
-        if offset < SAME_LINE * found.width:
-            tags.append("radial")
+    if axis is not None and parallel(found.direction, axis.axis, 1e-2):
+        if line_distance(found.center, axis.origin, axis.axis) > found.width:
+            tags.append("axial")
+    elif in_ring or (axis is not None and _points_at(found, axis)):
+        tags.append("radial")
     return tuple(tags)
+
+
+def _may_point(found: Depression) -> bool:
+    """Has it a direction of its own: a slot, a channel, what is long?"""
+    return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) or (
+        found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE) and _is_long(found)
+    )
+
+
+def _points_at(found: Depression, axis: FaceRecord) -> bool:
+    """Does a depression run square to the axis, towards it, and not across it?"""
+    on_axis = foot(found.center, axis.origin, axis.axis)
+    if abs(dot(found.direction, axis.axis)) >= 1e-2 or dist(found.center, on_axis) <= 0.45 * found.length:
+        return False
+    return norm(cross(sub(found.center, on_axis), found.direction)) < SAME_LINE * found.width
 
 
 def _is_long(found: Depression) -> bool:
@@ -59,7 +80,7 @@ def _is_long(found: Depression) -> bool:
 
 
 def _host(brep: Brep, found: Depression) -> FaceRecord | None:
-    """The face that most of the depression's convex rim borders on."""
+    """The face that most of the depression's convex rim borders on; pieces of one cylinder count together."""
     own = set(found.faces)
     rim: dict[int, float] = defaultdict(float)
     for face in found.faces:
@@ -69,7 +90,17 @@ def _host(brep: Brep, found: Depression) -> FaceRecord | None:
     if not rim:
         return None
     best = max(rim, key=lambda face: rim[face])
-    return brep.faces[best] if rim[best] >= HOST_SHARE * sum(rim.values()) else None
+    shared = sum(length for face, length in rim.items() if face == best or _on_one(brep.faces[face], brep.faces[best]))
+    return brep.faces[best] if shared >= HOST_SHARE * sum(rim.values()) else None
+
+
+def _on_one(a: FaceRecord, b: FaceRecord) -> bool:
+    """Are these pieces of one cylinder?"""
+    if a.kind is not SurfaceKind.CYLINDER or b.kind is not a.kind or a.outward != b.outward:
+        return False
+    near = 1e-3 * a.radius
+    alike = abs(a.radius - b.radius) <= near and parallel(a.axis, b.axis, 1e-3)
+    return alike and line_distance(b.origin, a.origin, a.axis) <= near
 
 
 def _rim(brep: Brep, found: Depression) -> FaceRecord | None:
@@ -83,6 +114,13 @@ def _rim(brep: Brep, found: Depression) -> FaceRecord | None:
         and brep.faces[other].outward > 0
     ]
     return max(outer, key=lambda face: face.radius, default=None)
+
+
+def _widest(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:
+    """The widest full cylinder, inner or outer."""
+    cylinders = (brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER)
+    full = (face for face in cylinders if face.sweep > FULL_RAD)
+    return max(full, key=lambda face: face.radius, default=None)
 
 
 def _round_axis(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:

@@ -1,15 +1,15 @@
-"""Round walls that slots, flats or keyways interrupt: the pieces of one cylinder around the material are one wall."""
+"""Round walls that slots, flats or keyways interrupt: the pieces of one cylinder are one wall."""
 
 from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import ORIGIN, binned, dot, foot, parallel, sub, unit
 
 from .axes import SWEEP, Axis, Wall
@@ -22,28 +22,37 @@ WIDEST_NOTCH = math.radians(160.0)
 """A wider gap leaves a part that no longer fills a ring put around it."""
 STEEP = math.cos(math.radians(45.0))
 """The walls of a notch meet the rim more steeply than flats and the sides of a polygon do."""
+FLATTENED = math.radians(120.0)
+"""A bore with two flats (double D) keeps a third of its wall at least; a slot with bowed ends has less."""
+BETWEEN = 5
+"""So many faces at most lie between two pieces of a bore's wall: a keyway has three, with rounded corners five."""
 OVERLAP = 0.5
 """Pieces of one cylinder lie beside each other: they share this part of the shorter one's length."""
 
 
 def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[Wall]:
-    """The same walls, where the pieces of one outer cylinder are one wall when together they enclose it.
+    """The same walls, where the pieces of one cylinder are one wall when together they enclose it.
 
-    They do when they cover more than half of the circle, or what is left of a rim that notches interrupt.
+    Of an outer one they do when they cover more than half of the circle, or what is left of a rim that notches
+    interrupt; of a bore when keyways, splines or two flats lead from each piece to the next, all the way around.
     """
-    buckets: dict[tuple[int, str], list[int]] = defaultdict(list)
+    buckets: dict[tuple[int, int, str], list[int]] = defaultdict(list)
     for i, wall in enumerate(walls):
-        if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and not wall.encloses:
-            buckets[(wall.body, binned(wall.radius))].append(i)
+        if wall.kind is SurfaceKind.CYLINDER and not wall.encloses:
+            buckets[(wall.outward, wall.body, binned(wall.radius))].append(i)
     merged: dict[int, Wall] = {}
     gone: set[int] = set()
-    for indices in buckets.values():
-        for group in _by_line(walls, indices, tolerances):
+    for (outward, _, _), indices in buckets.items():
+        for group in _by_line(walls, indices, tolerances) if len(indices) > 1 else []:
             pieces = [walls[i] for i in group]
             if not 1 < len(pieces) <= MAX_PIECES:
                 continue
             covered = sum(piece.sweep for piece in pieces)
-            if covered > math.radians(200):
+            if outward < 0:
+                if _is_bore(brep, pieces, covered):
+                    merged[min(group)] = _one(pieces, 2 * math.pi)
+                    gone.update(group)
+            elif covered > math.radians(200):
                 merged[min(group)] = _one(pieces, covered)
                 gone.update(group)
             elif covered > NOTCHED and _is_notched(brep, pieces):
@@ -77,6 +86,52 @@ def _beside(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
         return False
     low, high = sorted((a.axis.position(b.axis.at(b.low)), a.axis.position(b.axis.at(b.high))))
     return min(high, a.high) - max(low, a.low) > OVERLAP * min(a.height, b.height)
+
+
+def _is_bore(brep: Brep, pieces: Sequence[Wall], covered: float) -> bool:
+    """Are these what keyways, splines or two flats left of the wall of one bore?"""
+    axis, radius = pieces[0].axis, pieces[0].radius
+    owner = {face: i for i, piece in enumerate(pieces) for face in piece.faces}
+    nexts: dict[int, set[int]] = defaultdict(set)
+    flats = 0
+    for face in owner:
+        for first in _along(brep, face, axis) - owner.keys():
+            chain = _chain(brep, face, first, axis, owner)
+            if chain is None:
+                return False
+            nexts[owner[face]].add(owner[chain[-1]])
+            inside = any(axis.radius_of(brep.faces[i].point) < radius for i in chain[:-1])
+            if inside and (len(chain) > 2 or brep.faces[first].kind is not SurfaceKind.PLANE):
+                return False
+            flats += inside
+    around, todo = {0}, [0]
+    while todo:
+        new = nexts[todo.pop()] - around
+        around |= new
+        todo.extend(new)
+    if len(around) < len(pieces):
+        return False
+    if flats:  # each is met from both of its sides
+        return len(pieces) == 2 and flats == 4 and covered > FLATTENED
+    return covered > NOTCHED and _is_notched(brep, pieces)
+
+
+def _along(brep: Brep, face: int, axis: Axis) -> set[int]:
+    """The faces that border this one along the axis."""
+    beside = ((other, sub(edge.end, edge.start)) for edge, other in brep.neighbours(face) if edge.kind is EdgeKind.LINE)
+    return {other for other, way in beside if parallel(unit(way), axis.direction, 1e-3)}
+
+
+def _chain(brep: Brep, start: int, first: int, axis: Axis, owner: Collection[int]) -> list[int] | None:
+    """The faces from one piece of a wall to the next, which is the last of them; None where they lead elsewhere."""
+    chain, before = [first], start
+    while chain[-1] not in owner:
+        beside = _along(brep, chain[-1], axis) - {before}
+        if len(chain) > BETWEEN or len(beside) != 1:
+            return None
+        before = chain[-1]
+        chain.append(beside.pop())
+    return chain
 
 
 def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Part, SurfaceKind
+from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
 from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, unit
@@ -78,20 +78,6 @@ def _is_one(prism: Prism, side: _Side) -> bool:
     """Does a prism have these faces at its ends, or these walls around it?"""
     alike = parallel(prism.normal, side.face.axis, SQUARE)
     return alike and (side.face.id in prism.faces or len(set(prism.faces).intersection(side.walls)) > 1)
-
-
-def with_plate_thickness(bodies: Sequence[Part], plates: Sequence[Prism], brep: Brep) -> list[Part]:
-    """The same bodies; one that is bent or joined of plates of one thickness, as an L-bracket, has that thickness."""
-    result = []
-    for part, record in zip(bodies, brep.bodies, strict=True):
-        own = [plate for plate in plates if plate.body == record.id and plate.height < PLATE_RATIO * plate.width]
-        thickness = own[0].height if own else 0.0
-        alike = all(abs(plate.height - thickness) <= SQUARE * thickness for plate in own)
-        made_of = sum(plate.length * plate.width * plate.height for plate in own) > MOST * record.volume
-        if part.thickness is None and len(own) > 1 and alike and made_of:
-            part = part.model_copy(update={"thickness": thickness})
-        result.append(part)
-    return result
 
 
 def _side(brep: Brep, face: FaceRecord, tolerances: Tolerances) -> _Side | None:
@@ -197,5 +183,5 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
         tip=add(center, scale(normal, high - dot(center, normal))),
         faces=tuple(sorted({face.id, *side.below, *(w for w in side.walls if _is_within(brep, w, side, tolerances))})),
         body=face.body,
-        name=outline,
+        outline=outline,
     )

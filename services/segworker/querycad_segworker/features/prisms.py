@@ -25,14 +25,13 @@ from querycad_segworker.vectors import (
 )
 
 from .adjacency import is_blend
-from .frames import edge_points, frame_of_edges
+from .frames import edge_points, frame_of_edges, polygon_name
 from .parts import faces_box
 from .refusals import refuse
 from .steps import ALIKE
 
 MAX_SIDES = 12
 """More sides than this are a faceted circle."""
-NAMES = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +50,8 @@ class Prism:
     tip: Vector
     faces: tuple[int, ...]
     body: int
-    name: str | None = None
-    """Of an outline that has other than plane sides."""
-
-    @property
-    def outline(self) -> str:
-        """What is its cross-section called?"""
-        return self.name or NAMES.get(self.sides, "polygonal")
+    outline: str
+    """What its cross-section is called."""
 
 
 def recognise_prisms(brep: Brep) -> list[Prism]:
@@ -178,6 +172,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
         tip=add(center, scale(axis, dot(sub(frame.point(0.5, 0.5, 1.0), center), axis))),
         faces=tuple(sorted(own)),
         body=brep.faces[min(ring)].body,
+        outline=polygon_name([brep.faces[side].axis for side in sorted(ring)]),
     )
 
 

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass
 
-from querycad_contracts import Vector
+from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
 
+from .axes import Axis
 from .frames import frame_of, outline_of
 from .refusals import refuse
 from .steps import ALIKE
+from .walls import REVOLVED
 
 RIB_RATIO = 3.0
 """A protrusion this much longer than thick is a rib, fin or wall."""
@@ -50,11 +52,28 @@ def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: 
             walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
             if not group or walls <= set(round_faces):
                 continue
-            if not _is_minor(brep, face, group):
+            if _is_turned(brep, loop, walls, tolerances):
+                refuse("protrusion", group, "a step or groove turned about an axis")
+            elif not _is_minor(brep, face, group):
                 refuse("protrusion", group, "it is more than half of its body: the rest stands on it")
             else:
                 found.append(_protrusion(brep, face, loop, group, tolerances))
     return sorted(found, key=lambda p: p.faces[0])
+
+
+def _is_turned(brep: Brep, rim: Loop, walls: set[int], tolerances: Tolerances) -> bool:
+    """Does a cylinder or cone rise from a circle around its axis, also over a fillet? A boss, or a groove's neck."""
+    faces = [brep.faces[wall] for wall in walls]
+    if any(face.kind not in REVOLVED for face in faces):
+        return False
+    axis = Axis(faces[0].origin, faces[0].axis)
+    near = 10 * tolerances.length
+    circles = [brep.edges[e] for e in rim.edges]
+    if not all(circle.center is not None and axis.radius_of(circle.center) <= near for circle in circles):
+        return False
+    beside = (brep.faces[other] for wall in walls for edge, other in brep.neighbours(wall) if edge.id not in rim.edges)
+    stem = [face for face in (*faces, *beside) if face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE)]
+    return any(Axis(face.origin, face.axis).same_line(axis, tolerances) for face in stem)
 
 
 def _is_minor(brep: Brep, host: FaceRecord, group: set[int]) -> bool:
@@ -96,13 +115,6 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
     frame = frame_of(brep, group, normal, loop)
     outline, _ = outline_of(brep, loop, tolerances)
     length, width, height = frame.size
-    tags = []
-    if length > RIB_RATIO * width:
-        tags.append("rib")
-    if height > ALIKE * max(length, width):
-        tags.append("slender")
-    elif height < 0.5 * width:
-        tags.append("flat")
     return Protrusion(
         outline=outline,
         normal=normal,
@@ -115,5 +127,13 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         direction=frame.u,
         faces=tuple(sorted(group)),
         body=host.body,
-        tags=tuple(tags),
+        tags=tags_of(length, width, height),
     )
+
+
+def tags_of(length: float, width: float, height: float) -> tuple[str, ...]:
+    """What else is a protrusion of these measures: 'rib', 'slender', 'flat'?"""
+    rib = ("rib",) if length > RIB_RATIO * width else ()
+    if height > ALIKE * max(length, width):
+        return (*rib, "slender")
+    return (*rib, "flat") if height < 0.5 * width else rib

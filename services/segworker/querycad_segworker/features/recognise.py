@@ -10,13 +10,22 @@ from typing import TypeVar
 from querycad_contracts import Face, Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep
+from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_center, box_extents, dist
 
 from .bearings import recognise_bearings
 from .blends import recognise_blends
-from .block_parts import gear_part, knurl_part, prism_part, protrusion_part, tooth_parts
-from .bodies import bearing_part, body, body_part, model_part, with_bearing_roles
+from .block_parts import gear_part, hollow_section_part, knurl_part, prism_part, protrusion_part, tooth_parts
+from .bodies import (
+    bearing_part,
+    body,
+    body_part,
+    model_part,
+    with_bearing_roles,
+    with_gear_measures,
+    with_pipe_measures,
+)
+from .body_thickness import with_body_thickness
 from .bosses import Boss, recognise_bosses
 from .clevises import recognise_clevises
 from .depression import Depression
@@ -29,18 +38,21 @@ from .grooves import TurnedGroove, recognise_turned_grooves
 from .hole import Hole
 from .hole_parts import dimple_part, hole_part, hole_section_parts, pattern_part
 from .holes import recognise_holes
+from .hollow_sections import beside_sections, recognise_hollow_sections
 from .knurls import recognise_knurls
+from .pads import recognise_pads
 from .parts import rib_part
 from .patterns import recognise_patterns
-from .plates import recognise_plates, with_plate_thickness, without_edgewise
+from .pipes import beside_pipes, ending_in_bends, recognise_pipes
+from .plates import recognise_plates, without_edgewise
 from .prisms import recognise_prisms
 from .protrusions import recognise_protrusions
 from .refusals import gathering, left_refused, refuse
 from .relations import with_relations
 from .ribs import fins, recognise_lugs, recognise_ribs
-from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, surface_parts
+from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .thickness import NO_THICKNESS, Thickness
-from .turned_bodies import tips_of, turned_body, with_free_tips
+from .turned_bodies import TurnedBody, tips_of, turned_body, with_free_tips
 from .united import united
 from .volumes import Volumes
 from .walls import walls
@@ -74,33 +86,29 @@ def recognise(
     whole = united(brep, tolerances)
     with gathering() as refused:
         if whole is None:
-            parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh))
+            parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
         else:
             volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
-            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes)
+            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness)
     left = left_refused(refused, parts)
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
         left = tuple(one.model_copy(update={"faces": whole.faces_of_file(one.faces)}) for one in left)
-    return Recognised(shape, tuple(_with_walls(part, brep, thickness) for part in parts), left)
+    return Recognised(shape, tuple(parts), left)
 
 
-def _with_walls(part: Part, brep: Brep, thickness: Thickness) -> Part:
-    """A body that has no thickness of its own form is as thick as its walls."""
-    if part.kind != "body" or part.thickness is not None:
-        return part
-    number = int(part.id.removeprefix("body-"))
-    return part.model_copy(update={"thickness": thickness.bodies.get(brep.bodies[number - 1].id)})
-
-
-def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, volumes: Volumes) -> list[Part]:
+def _parts(
+    brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, volumes: Volumes, thickness: Thickness
+) -> list[Part]:
     """All parts, made of faces of `brep`."""
     found_walls = walls(brep, tolerances)
     holes = recognise_holes(brep, found_walls, tolerances, is_clear)
+    pipes = recognise_pipes(brep, found_walls, tolerances)
+    holes = ending_in_bends(holes, pipes)
     model_m = dist(*brep.box)
     bosses = with_free_tips(recognise_bosses(brep, found_walls, holes, tolerances), is_clear, model_m)
     hole_parts = _numbered(holes, lambda hole, n: hole_part(brep, hole, n))
-    round_faces = {face for hole in holes for face in hole.faces} | {face for boss in bosses for face in boss.faces}
+    round_faces = {face for own in (holes, bosses, pipes) for record in own for face in record.faces}
     hole_faces = {face for hole in holes for face in hole.faces}
     blends = recognise_blends(brep, round_faces, tolerances)
     blend_faces = {face for blend in blends for face in blend.faces}
@@ -118,20 +126,27 @@ def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, 
     threads = [frozenset(hole.faces) for hole in holes if "threaded" in hole.tags]
     grooves = recognise_turned_grooves(brep, found_walls, tolerances)
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
+    protrusions = recognise_protrusions(brep, round_faces, tolerances)
+    known = {face for found in protrusions for face in found.faces} | {rib.top for rib in ribs}
+    pads = recognise_pads(brep, known, tolerances)
     prisms = recognise_prisms(brep)
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
-    sections = [section for hole in holes for section in hole.sections] + [b for boss in bosses for b in boss.breaks]
+    sections = recognise_hollow_sections(brep, depressions)
+    standing = beside_pipes(brep, bosses, pipes)
+    edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
         *hole_parts,
         *(part for n, hole in enumerate(holes, start=1) for part in hole_section_parts(brep, hole, n)),
         *_numbered(recognise_dimples(brep, hole_faces), lambda dimple, n: dimple_part(brep, dimple, n)),
-        *_numbered(bosses, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
-        *(part for n, boss in enumerate(bosses, start=1) for part in boss_break_parts(brep, boss, n)),
+        *_numbered(standing, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
+        *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
+        *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
         *_numbered(grooves, lambda found, n: turned_groove_part(brep, found, n)),
         *_numbered(depressions, lambda found, n: depression_part(brep, found, n, volumes)),
-        *_numbered(recognise_protrusions(brep, round_faces, tolerances), lambda p, n: protrusion_part(brep, p, n)),
-        *_numbered(prisms, lambda prism, n: prism_part(brep, prism, n)),
+        *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
+        *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
+        *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
         *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
         *_numbered(
@@ -146,14 +161,16 @@ def _parts(brep: Brep, shape: Shape, tolerances: Tolerances, is_clear: IsClear, 
             ],
             lambda wall, n: arc_part(brep, wall, n),
         ),
-        *surface_parts(brep, found_walls, sections),
+        *surface_parts(brep, found_walls, edges),
         *_numbered(gears, lambda gear, n: gear_part(brep, gear, n)),
         *_numbered(knurls, lambda knurl, n: knurl_part(brep, knurl, n)),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
     bearings = recognise_bearings(brep, tolerances)
-    bodies = with_bearing_roles(_bodies(brep, bosses, holes, gears, tolerances, is_clear), bearings)
-    bodies = with_plate_thickness(bodies, prisms, brep)
+    turned = _turned(brep, bosses, holes, gears)
+    bodies = with_bearing_roles(_bodies(brep, turned, tolerances, is_clear), bearings)
+    bodies = with_body_thickness(bodies, brep, prisms, turned, thickness.bodies)
+    bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
@@ -174,23 +191,20 @@ def _outside(kind: str, found: Sequence[D], larger: Sequence[frozenset[int]], re
     return kept
 
 
-def _bodies(
-    brep: Brep,
-    bosses: Sequence[Boss],
-    holes: Sequence[Hole],
-    gears: Sequence[Gear],
-    tolerances: Tolerances,
-    is_clear: IsClear,
-) -> list[Part]:
+def _turned(
+    brep: Brep, bosses: Sequence[Boss], holes: Sequence[Hole], gears: Sequence[Gear]
+) -> list[TurnedBody | None]:
     own_bosses, own_holes, own_gears = _by_body(bosses), _by_body(holes), _by_body(gears)
+    return [turned_body(brep, one, own_bosses[one.id], own_holes[one.id], own_gears[one.id]) for one in brep.bodies]
+
+
+def _bodies(brep: Brep, turned: Sequence[TurnedBody | None], tolerances: Tolerances, is_clear: IsClear) -> list[Part]:
     model_m = dist(*brep.box)
-
-    def make(record: BodyRecord, number: int) -> Part:
-        turned = turned_body(brep, record, own_bosses[record.id], own_holes[record.id], own_gears[record.id])
-        tips = tips_of(turned, is_clear, model_m) if turned is not None and turned.slender else ()
-        return body_part(brep, record, number, tolerances, turned, tips)
-
-    return _numbered(brep.bodies, make)
+    parts = []
+    for number, (record, form) in enumerate(zip(brep.bodies, turned, strict=True), start=1):
+        tips = tips_of(form, is_clear, model_m) if form is not None and form.slender else ()
+        parts.append(body_part(brep, record, number, tolerances, form, tips))
+    return parts
 
 
 def _by_body(records: Sequence[R]) -> dict[int, list[R]]:

@@ -193,12 +193,17 @@ def _stands(brep: Brep, flank: FaceRecord, top: FaceRecord) -> bool:
 
 
 def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, float]]:
-    """The flank's concave edges below the top, and along it: their lengths and positions along the top's normal."""
+    """The flank's concave edges below the top, and along it: their lengths and positions along the top's normal.
+
+    They are of its outline: what stands on the flank itself, a pin on a plate, is no foot.
+    """
     level = dot(top.point, top.axis)
+    outline = {edge for loop in flank.loops if loop.outer for edge in loop.edges}
     return [
         (edge.length, dot(edge.mid, top.axis))
         for edge, other in brep.neighbours(flank.id)
-        if (
+        if edge.id in outline
+        and (
             edge.convexity is EdgeConvexity.CONCAVE
             or (edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].outward < 0)
         )

@@ -14,6 +14,7 @@ from .bosses import Boss
 from .hole import Section, SectionKind
 from .hole_parts import section_part
 from .parts import faces_area, faces_box, geometry, millimetres
+from .pipes import Bend, Pipe
 from .walls import Wall
 
 CONE_ROLES = (SectionKind.DRILL_POINT, SectionKind.CHAMFER)
@@ -194,8 +195,64 @@ def cylinder_part(brep: Brep, wall: Wall, number: int) -> Part:
     )
 
 
+def pipe_parts(brep: Brep, pipe: Pipe, number: int) -> list[Part]:
+    """A bent pipe, bar or bore as a part, with its bends as parts of their own, which it carries.
+
+    `radii` of the pipe: outer, then inner; a bend's radius is that of the pipe's middle line.
+    """
+    radii = tuple(radius for radius in (pipe.outer, pipe.inner) if radius is not None)
+    wall = None if pipe.outer is None or pipe.inner is None else pipe.outer - pipe.inner
+    name, tags = ("pipe", ("hollow", "tube")) if wall is not None else ("bar", ("rod", "slender"))
+    if pipe.outer is None:
+        name, tags = "bore", ("inner", "hollow")
+    bends = [_bend_part(brep, bend, f"bend-{number}.{i}", name) for i, bend in enumerate(pipe.bends, start=1)]
+    box = faces_box(brep, pipe.faces)
+    part = Part(
+        id=f"pipe-{number}",
+        kind="pipe",
+        tags=(*tags, "bent", "cylindrical", "circular"),
+        label=f"bent {name}, diameter {millimetres(2 * radii[0])}, length {millimetres(pipe.length)}",
+        faces=pipe.faces,
+        center=box_center(box),
+        extents=box_extents(box),
+        radius=radii[0],
+        diameter=2 * radii[0],
+        width=2 * radii[0],
+        length=pipe.length,
+        thickness=wall,
+        area=faces_area(brep, pipe.faces),
+        radii=radii,
+        children=tuple(bend.id for bend in bends),
+        evidence=geometry(f"{len(bends)} bend(s) and the straight lengths that run into them, of one cross-section"),
+    )
+    return [part, *bends]
+
+
+def _bend_part(brep: Brep, bend: Bend, part_id: str, owner: str) -> Part:
+    box = faces_box(brep, (bend.face,))
+    return Part(
+        id=part_id,
+        kind="bend",
+        tags=("outer" if bend.outward > 0 else "inner", "bent"),
+        label=f"bend of a {owner}, radius {millimetres(bend.radius)}",
+        faces=(bend.face,),
+        center=box_center(box),
+        extents=box_extents(box),
+        axis=bend.axis.direction,
+        radius=bend.radius,
+        length=bend.radius * bend.angle,
+        area=faces_area(brep, (bend.face,)),
+        radii=(bend.radius,),
+        angle=bend.angle,
+        evidence=geometry("part of a torus that whole cross-sections bound"),
+    )
+
+
 def arc_part(brep: Brep, wall: Wall, number: int) -> Part:
-    """A cylindrical wall that does not enclose its axis: a semicircular notch or rounded end."""
+    """A cylindrical wall that does not enclose its axis: a semicircular notch or rounded end.
+
+    Its length and height run along its axis, its depth is how far a hollow one goes in below its two edges.
+    """
     side = "outer" if wall.outward > 0 else "inner"
     half = math.radians(170.0) <= wall.sweep <= math.radians(190.0)
     return Part(
@@ -210,7 +267,7 @@ def arc_part(brep: Brep, wall: Wall, number: int) -> Part:
         radius=wall.radius,
         diameter=2 * wall.radius,
         height=wall.height,
-        depth=wall.height,
+        depth=wall.radius * (1 - math.cos(wall.sweep / 2)) if wall.outward < 0 else None,
         length=wall.height,
         width=2 * wall.radius if half else None,
         area=faces_area(brep, wall.faces),

@@ -11,7 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, scale, sub, unit
 
-from .frames import POLYGONS
+from .frames import POLYGONS, polygon_name
 
 ACROSS = 0.02
 """Cosine above which a face does not run along a direction: 1.1 degrees."""
@@ -101,7 +101,7 @@ def _section(faces: Collection[FaceRecord], corners: list[float], closed: bool) 
         sides = 2 * math.pi / sharp[0]
         if abs(sides - round(sides)) < 0.1:
             return POLYGONS.get(round(sides), "polygonal")
-    return POLYGONS.get(len(flats), "polygonal")
+    return polygon_name([face.axis for face in flats])
 
 
 def _distinct(planes: Collection[FaceRecord]) -> list[FaceRecord]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -23,6 +24,8 @@ WASHER_RATIO = 0.25
 """A plain ring thinner than this share of its diameter is a washer: ISO 7089 has 0.1 to 0.2, spring washers 0.25."""
 HOLLOW_SHARE = 0.5
 """A blind coaxial hole shorter than this share of a body is a centre or threaded hole; a longer one makes it hollow."""
+MOSTLY = 0.5
+"""A body with a tube over more than this share of its length is one; a hub or socket on it makes none."""
 ROUND = 1.005
 """A body is round when nothing reaches beyond its widest step by more than this factor."""
 COAXIAL = 0.01
@@ -47,10 +50,16 @@ class TurnedBody:
     radii: tuple[float, ...]
     bore: Hole | None
     steps: int
+    tapered: bool
+    """Its widest step is a cone."""
     walled: bool
-    """A step of it is a tube."""
+    """More than half of it is a tube."""
+    wall: float | None
+    """Thickness of the material around the bore, at the longest hollow step."""
     widest_at: float
     """Where along the axis the middle of the widest step lies."""
+    disc: float | None
+    """How thick the widest step is, where it is a disc."""
 
     @property
     def length(self) -> float:
@@ -66,7 +75,7 @@ class TurnedBody:
     def tags(self) -> tuple[str, ...]:
         """What kinds of turned part is it?"""
         diameter = 2 * self.outer_radius
-        tags = ["circular", "cylindrical"]
+        tags = ["circular", "conical" if self.tapered else "cylindrical"]
         if self.slender:
             tags.append("slender")
         if self.bore is not None:
@@ -94,8 +103,9 @@ def turned_body(
     It is when no edge lies further from the widest step's axis than that step's wall, but for what lies in a gear on
     the same axis, as long as the body is longer than the gear is wide: a shaft with teeth, not a gear with a hub.
     """
-    widest = max(bosses, key=lambda boss: boss.radius, default=None)
-    if widest is None or "conical" in widest.tags:
+    # A cone is no wider than the cylinder whose rim it begins at.
+    widest = max(bosses, key=lambda boss: boss.radius / ROUND if "conical" in boss.tags else boss.radius, default=None)
+    if widest is None:
         return None
     axis = Axis(widest.base, widest.normal)
     near = COAXIAL * widest.radius
@@ -118,7 +128,9 @@ def turned_body(
         refuse("shaft", record.faces, "its gear is wider than it is long: a gear with a hub")
         return None
     own = [b.radius for b in steps if "flat" not in b.tags] if slender else []
-    radii = [b.radius for b in steps] + ([bore.radius] if bore is not None else [])
+    along = [(axis.position(mid(b.base, b.tip)), b.radius) for b in steps]
+    along += [(axis.position(gear.center), gear.tip_radius) for gear in toothed]
+    radii = [radius for _, radius in sorted(along)] + ([bore.radius] if bore is not None else [])
     return TurnedBody(
         axis=axis,
         low=low,
@@ -128,9 +140,20 @@ def turned_body(
         radii=tuple(dict.fromkeys(radii)),
         bore=bore,
         steps=len(steps),
-        walled=any("tube" in b.tags for b in steps),
+        tapered="conical" in widest.tags,
+        walled=sum(b.height for b in steps if "tube" in b.tags) > MOSTLY * dist(low, high),
+        wall=_wall(steps),
         widest_at=_widest_at(axis, widest, toothed),
+        disc=widest.height if "flat" in widest.tags else None,
     )
+
+
+def _wall(steps: Sequence[Boss]) -> float | None:
+    """How thick is the wall of the longest hollow step, tubes before all others?"""
+    longest = max(steps, key=lambda b: (b.bore_radius is not None, "tube" in b.tags, b.height), default=None)
+    if longest is None or longest.bore_radius is None:
+        return None
+    return (longest.radius - longest.bore_radius) * math.cos(longest.lean)
 
 
 def _is_within(axis: Axis, point: Vector, gear: Gear) -> bool:

@@ -270,7 +270,7 @@ def _loops(face: FaceRecord, edges: Sequence[EdgeRecord], tolerances: Tolerances
         outer, inner = chains[:1], chains[1:]
     else:
         axis = Axis(face.origin, face.axis)
-        around = [sum(winding(axis, edge) for edge in chain) > math.radians(350) for chain in chains]
+        around = [_winds(face, axis, chain) for chain in chains]
         outer = [chain for chain, goes in zip(chains, around, strict=True) if goes]
         inner = [chain for chain, goes in zip(chains, around, strict=True) if not goes]
         if not outer:
@@ -281,6 +281,18 @@ def _loops(face: FaceRecord, edges: Sequence[EdgeRecord], tolerances: Tolerances
         *((Loop(tuple(first), True),) if first else ()),
         *(Loop(tuple(edge.id for edge in chain), False) for chain in inner),
     )
+
+
+def _winds(face: FaceRecord, axis: Axis, chain: Sequence[EdgeRecord]) -> bool:
+    """Does a boundary go around the axis, or around the tube of a torus?"""
+    if sum(winding(axis, edge) for edge in chain) > math.radians(350):
+        return True
+    if face.kind is not SurfaceKind.TORUS:
+        return False
+    near = 1e-3 * face.radius
+    rims = [e for e in chain if e.center is not None and abs(axis.radius_of(e.center) - face.radius) <= near]
+    rims = [e for e in rims if e.radius is not None and abs(e.radius - face.minor_radius) <= near]
+    return sum(edge.length for edge in rims) > math.radians(350) * face.minor_radius
 
 
 def _size(chain: Sequence[EdgeRecord]) -> float:

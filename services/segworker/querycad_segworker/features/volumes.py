@@ -1,4 +1,4 @@
-"""How much material was taken out? Volumes of depressions, of the inside of housings and of closed voids."""
+"""How much material was taken out, or stands out? Volumes of depressions, closed voids and protrusions."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
 from querycad_segworker.vectors import cross, dist, dot, scale, sub
 
 from .depression import Depression, DepressionKind
+from .protrusions import Protrusion
 
 WHOLE = 0.02
 """Below this share of their area, faces that close a ring cancel out: what is left is the opening's."""
@@ -53,6 +54,19 @@ class Volumes:
         if found.kind is DepressionKind.PASSAGE:
             return abs(flux) / 2 if float(np.linalg.norm(area)) < WHOLE * size else None
         return abs(flux - float(area @ (np.array(found.opening) - center))) / 3
+
+    def of_protrusion(self, found: Protrusion) -> float | None:
+        """How much material stands out, in cubic metres? None where its faces do not close on a plane."""
+        if self._fluxes is None:
+            return None
+        fluxes, areas = self._fluxes
+        faces, base = list(found.faces), np.array(found.base)
+        area = areas[faces].sum(axis=0)
+        size = float(sum(self._brep.faces[f].area for f in faces))
+        up = float(area @ np.array(found.normal))
+        if up < WHOLE * size or float(np.linalg.norm(area - up * np.array(found.normal))) > WHOLE * size:
+            return None
+        return float(fluxes[faces].sum() - base @ area) / 3
 
     def _prism(self, found: Depression) -> float | None:
         """Area of the floor times depth, where all walls are upright and the floor is one plane of lines and arcs."""

@@ -86,6 +86,9 @@ def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
     positions = [axis.position(p) for p in points] or [axis.position(first.point)]
     if first.kind is SurfaceKind.TORUS:
         positions.extend(axis.position(f.point) for f in faces)
+        if not any(_goes_around(brep.edges[e], axis) for f in faces for e in brep.face_edges[f.id]):
+            middle = axis.position(first.origin)  # no rim: all of the cross-section is there
+            positions += [middle - first.minor_radius, middle + first.minor_radius]
     low, high = min(positions), max(positions)
     if first.kind is SurfaceKind.CONE:
         slope = math.tan(first.half_angle)
@@ -115,12 +118,18 @@ def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
 
 def _rings(edge: EdgeRecord, axis: Axis, near: float) -> bool:
     """Is the edge a circle around the axis, of some radius, at the position `near`?"""
-    if edge.center is None or edge.axis is None or edge.radius is None:
+    if not _goes_around(edge, axis) or edge.center is None or edge.radius is None:
+        return False
+    return abs(axis.position(edge.center) - near) < 0.05 * edge.radius
+
+
+def _goes_around(edge: EdgeRecord, axis: Axis) -> bool:
+    """Is the edge part of a circle around the axis, and no seam?"""
+    if edge.center is None or edge.axis is None or edge.radius is None or edge.convexity is EdgeConvexity.SEAM:
         return False
     return (
         norm(cross(edge.axis, axis.direction)) < 1e-2
         and norm(sub(edge.center, foot(edge.center, axis.origin, axis.direction))) < 1e-2 * edge.radius
-        and abs(axis.position(edge.center) - near) < 0.05 * edge.radius
     )
 
 

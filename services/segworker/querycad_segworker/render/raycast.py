@@ -179,13 +179,18 @@ class Scene:
 
         Infinite where nothing is hit. A point on a surface starts 1e-5 of the model's size beyond it.
         """
+        return self.ahead(points_m, directions)[0]
+
+    def ahead(self, points_m: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        """As `reach`, and which face is there: (N,) metres and (N,) int32 ids, `BACKGROUND` where nothing is hit."""
         points = (np.asarray(points_m, dtype=np.float64).reshape(-1, 3) - self._center) / self._radius
         towards = np.asarray(directions, dtype=np.float64).reshape(-1, 3)
         gap = 2e-5  # of the radius 1
         if self._embree is None or not len(points):
-            return np.full(len(points), np.inf)
+            return np.full(len(points), np.inf), np.full(len(points), BACKGROUND, dtype=np.int32)
         hits = self._trace(points + gap * towards, towards)
-        return np.where(hits.triangle >= 0, (hits.distance.astype(np.float64) + gap) * self._radius, np.inf)
+        distances = np.where(hits.triangle >= 0, (hits.distance.astype(np.float64) + gap) * self._radius, np.inf)
+        return distances, self._face_of[hits.triangle]
 
     def is_clear(self, start_m: Vector, end_m: Vector) -> bool:
         """Is the straight way from one point to another free of surfaces?"""

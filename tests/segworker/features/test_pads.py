@@ -1,0 +1,108 @@
+"""Pads and ridges that reach the border of what they stand on, and what only looks like a protrusion."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import (
+    box,
+    cut,
+    cylinder,
+    extruded,
+    filleted,
+    find,
+    fuse,
+    gear,
+    plate,
+    prism,
+    rims,
+    turned,
+)
+
+MM = 1e-3
+BAR = box((140, 30, 32), (0, 0, 0))
+
+
+def pads(shape: TopoDS_Shape) -> list[tuple[float, float, float]]:
+    """Length, width and height of each protrusion, millimetres."""
+    sizes = [part.local_size for part in find(shape).of("protrusion")]
+    return [(round(a / MM, 6), round(b / MM, 6), round(c / MM, 6)) for a, b, c in filter(None, sizes)]
+
+
+@pytest.mark.parametrize("degrees", [0, 37])
+@pytest.mark.parametrize(
+    ("size", "at"),
+    [
+        ((44, 25, 3), (0, 2.5, -3)),
+        ((44, 25, 3), (0, 0, -3)),
+        ((44, 30, 3), (48, 0, -3)),
+    ],
+    ids=["flush at an end", "in a corner", "right across"],
+)
+def test_a_pad_that_is_flush_with_a_side_has_its_measures(
+    size: tuple[float, float, float], at: tuple[float, float, float], degrees: float
+) -> None:
+    assert pads(turned(fuse(BAR, box(size, at)), (1, 2, 3), degrees)) == [size]
+
+
+def test_a_pad_knows_what_it_stands_out_from() -> None:
+    (pad,) = find(fuse(BAR, box((44, 25, 3), (0, 0, -3)))).of("protrusion")
+    assert pad.normal == pytest.approx((0, 0, -1))
+    assert pad.center == pytest.approx((22 * MM, 12.5 * MM, -1.5 * MM))
+    assert pad.tip == pytest.approx((22 * MM, 12.5 * MM, -3 * MM))
+
+
+def test_two_lugs_on_a_block_are_two_pads() -> None:
+    lugs = [box((10, 30, 20), (x, 0, 32)) for x in (40, 90)]
+    assert pads(fuse(BAR, *lugs)) == [(30.0, 10.0, 20.0)] * 2
+
+
+def test_a_block_with_steps_cut_at_both_ends_has_no_pad() -> None:
+    steps = [box((20, 30, 10), (x, 0, 22)) for x in (0, 120)]
+    assert pads(cut(BAR, *steps)) == []
+
+
+def test_an_upright_flange_of_an_angle_is_no_pad() -> None:
+    assert pads(fuse(box((60, 40, 4)), box((60, 4, 40)))) == []
+
+
+def test_the_volume_of_a_protrusion_is_that_of_its_material() -> None:
+    wedge = prism([(10, 5, 0), (30, 5, 0), (10, 5, 12)], (0, 20, 0))
+    (found,) = find(fuse(plate(100, 60, 10), wedge)).of("protrusion")
+    assert found.volume == pytest.approx(0.5 * 20 * 12 * 20 * MM**3)
+
+
+def test_steps_and_grooves_of_a_turned_part_are_no_protrusions() -> None:
+    steps = fuse(cylinder(20, 10), cylinder(12, 40))
+    neck = cut(cylinder(12, 4, (0, 0, 30)), cylinder(9, 4, (0, 0, 30)))
+    assert pads(cut(filleted(steps, 2, *rims(steps, 12, 10)), neck)) == []
+
+
+@pytest.mark.parametrize("inner", [False, True])
+def test_an_undercut_at_a_shoulder_of_any_outline_is_a_groove(inner: bool) -> None:
+    hexagon = [(15.6, 0), (7.8, 13.5), (-7.8, 13.5), (-15.6, 0), (-7.8, -13.5), (7.8, -13.5)]
+    if inner:
+        shape = cut(plate(60, 60, 40), cylinder(10, 30, (0, 0, -30)), cylinder(11, 3, (0, 0, -30)))
+    else:
+        shape = fuse(extruded(hexagon, 0, 10), cylinder(9, 3, (0, 0, 10)), cylinder(10.5, 15, (0, 0, 13)))
+    (groove,) = find(shape).of("groove")
+    assert groove.width == pytest.approx(3 * MM)
+    assert groove.depth == pytest.approx((1.0 if inner else 1.5) * MM)
+
+
+def test_a_knob_on_a_thin_neck_has_no_groove() -> None:
+    knob = fuse(plate(60, 60, 8), cylinder(5, 8), cylinder(10, 6, (0, 0, 8)))
+    assert find(knob).of("groove") == []
+
+
+def test_a_gear_with_a_bore_has_its_diameters_and_face_width() -> None:
+    (body,) = find(cut(gear(18, 20, 16, 8), cylinder(5, 8))).of("body")
+    assert body.diameter == pytest.approx(40 * MM)
+    assert body.radii == pytest.approx((20 * MM, 16 * MM, 5 * MM), rel=0.01)
+    assert body.thickness == pytest.approx(8 * MM)
+
+
+def test_a_semicircle_is_as_deep_as_it_is_cut_in() -> None:
+    (arc,) = find(cut(plate(60, 40, 10), cylinder(8, 10, (0, 20, -10)))).of("arc")
+    assert arc.depth == pytest.approx(8 * MM)
+    assert arc.length == pytest.approx(10 * MM)
