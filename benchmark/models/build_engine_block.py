@@ -9,7 +9,7 @@ from build123d import Compound, Part
 from benchmark.kit import Item, Model, count, exists, length, lengths, points, size
 from benchmark.shapes import BACK, DOWN, RIGHT, assembly, block, drill, grid, named, rod
 
-MODEL = Model("Two-cylinder engine block", "held_out", bodies=8)
+MODEL = Model("Two-cylinder engine block", "dev", bodies=8)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from benchmark.kit import Item, Model, count, length, lengths, text
 from benchmark.shapes import BACK, DOWN, FRONT, assembly, block, grid, named, prism, rod
 from build_gear_shaft import GearShaft, tooth_edges
 
-MODEL = Model("Gear pump", "held_out", bodies=10)
+MODEL = Model("Gear pump", "dev", bodies=10)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Part, chamfer
 from benchmark.kit import Item, Model, count, length, lengths, point, size
 from benchmark.shapes import DOWN, RIGHT, block, grid, prism, rod
 
-MODEL = Model("Carriage of a 3D printer", "held_out")
+MODEL = Model("Carriage of a 3D printer", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Part, Pos, Rot
 from benchmark.kit import Item, Model, Triple, count, length, point
 from benchmark.shapes import DOWN, block, prism, rod
 
-MODEL = Model("Rocker arm in an oblique position", "held_out")
+MODEL = Model("Rocker arm in an oblique position", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from build123d import Axis, Part
 from benchmark.kit import Item, Model, count, exists, length, lengths, points, size
 from benchmark.shapes import DOWN, LEFT, block, circle, cone, drill, prism, rod
 
-MODEL = Model("Indexing table", "held_out")
+MODEL = Model("Indexing table", "dev")
 
 
 @dataclass(frozen=True, slots=True)

@@ -124,7 +124,7 @@ class Part:
         ...
 
     def center_distance(self, other: "Part") -> float:
-        """How far apart are the two parts' centres? Of holes on parallel axes: how far apart the axes are."""
+        """How far apart are the two parts' centres? Of holes, or gears, on parallel axes: how far apart these are."""
         ...
 
     def angle_to(self, other: "Part") -> float:

@@ -43,5 +43,5 @@ def test_what_selects_or_measures_is_no_aside(asked: str) -> None:
 
 def test_a_pronoun_stands_for_what_the_sentence_before_speaks_of() -> None:
     stated = parse("The part has a tapped hole. How deep is it?")
-    assert 'find_parts("tapped hole")' in stated.code
+    assert 'find_parts("the tapped hole")' in stated.code
     assert "'it' is read as 'a tapped hole'." in stated.notes

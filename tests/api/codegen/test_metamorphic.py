@@ -164,3 +164,77 @@ def test_any_noun_is_a_description(noun: str) -> None:
     if noun in LEXICON.words or tokenize(noun)[0].word != noun or LEXICON.is_plural(noun) or noun[:2] in ("un", "no"):
         return
     assert parse(f"Is there a {noun} on the left?").code.startswith(f'parts = find_parts("{noun}", sides=["left"])')
+
+
+FRAMES = [
+    "Hi, {}",
+    "So, {}",
+    "Ok, next one: {}",
+    "Quick question: {}",
+    "I need to know: {}",
+    "Please tell me: {}",
+    "On this part, {}",
+    "Looking at the model, {}",
+    "Sorry if this is a stupid question, but {}",
+    "I am working on this part. {}",
+    "We lost the drawing. {}",
+    "{} Thanks in advance!",
+    "{} Please.",
+]
+ASKED = [
+    "what is the diameter of the holes on the top?",
+    "how deep is the blind hole?",
+    "how many slots are on the left?",
+    "how far apart are the two legs?",
+    "where is the centre of the largest hole?",
+    "how high above the bottom is the axis of the bore?",
+    "how far do the pins stick out of the plate?",
+    "what is the height of the object without the shaft?",
+    "what is the distance between the shaft and the flange?",
+    "how long are the screws without the head?",
+    "which different radii do the fillets have?",
+    "is there a threaded hole?",
+]
+
+
+@pytest.mark.parametrize("frame", FRAMES)
+def test_what_is_said_around_a_question_leaves_its_program(frame: str) -> None:
+    framed = {asked: parse(frame.format(asked)).code for asked in ASKED}
+    assert framed == {asked: parse(asked).code for asked in ASKED}
+
+
+@pytest.mark.parametrize("measure", ["depth", "length", "height", "diameter", "thickness"])
+@pytest.mark.parametrize("parts", ["the slot on the left", "the blind holes", "the pin in the flange", "the collar"])
+def test_the_parts_may_come_before_or_behind_what_is_asked(measure: str, parts: str) -> None:
+    plain = parse(f"What is the {measure} of {parts}?").code
+    for said in (
+        f"{parts}: {measure}?",
+        f"{parts} - {measure}?",
+        f"{parts}, what's their {measure}?",
+        f"tell me the {measure} of {parts}",
+        f"I'd like to have the {measure} of {parts}",
+        f"We need the {measure} of {parts} for the order.",
+        f"All I need is the {measure} of {parts}.",
+        f"Do you happen to know the {measure} of {parts}?",
+        f"I forgot to write down the {measure} of {parts}, can you look it up?",
+        f"What {measure} do {parts} have?",
+    ):
+        assert parse(said).code == plain, said
+
+
+@pytest.mark.parametrize("adjective", ["deep", "wide", "long", "high", "thick"])
+def test_an_embedded_question_is_the_question(adjective: str) -> None:
+    plain = parse(f"How {adjective} is the slot on the left?").code
+    for said in (
+        f"Do you know how {adjective} the slot on the left is?",
+        f"I wonder how {adjective} the slot on the left is",
+        f"Any idea how {adjective} the slot on the left is?",
+        f"What I'd like to know is how {adjective} the slot on the left is.",
+        f"my boss wants to know how {adjective} the slot on the left is",
+        f"The slot on the left, how {adjective} is it?",
+        f"The slot on the left: how {adjective}?",
+        f"There is a slot on the left. How {adjective} is it?",
+        f"There's a slot on the left, how {adjective} is it?",
+        f"hwo {adjective} is teh slot on the left",
+    ):
+        assert parse(said).code == plain, said

@@ -171,7 +171,7 @@ def test_programs_are_short() -> None:
         ("What is the radius of the holes?", 'parts = find_parts("hole")\nsolution = [p.radius for p in parts]\n'),
         (
             "What is the diameter of the shaft?",
-            'parts = find_parts("shaft")\n'
+            'parts = find_parts("the shaft")\n'
             "values = [p.diameter for p in parts]\n"
             "solution = values[0] if len(different(values)) == 1 else values\n",
         ),

@@ -123,3 +123,12 @@ def test_a_slot_is_visible_from_the_side_that_it_runs_out_at() -> None:
     (slot,) = seen(cut(plate(60, 40, 20), box((40, 8, 6), (0, -4, -6))), "slot")
     assert {Side.TOP, Side.RIGHT} <= set(slot.sides)
     assert Side.LEFT not in slot.sides
+
+
+def test_a_bolt_circle_is_visible_where_all_of_its_holes_are() -> None:
+    holes = [cylinder(2, 30, (15 * x, 15 * y, -25)) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    (through,) = seen(cut(plate(), *holes), "pattern")
+    assert set(through.sides) == {Side.TOP, Side.BOTTOM}
+    blind = [cylinder(2, 5, (15 * x, 15 * y, 0), DOWN) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    (closed,) = seen(cut(plate(), *blind), "pattern")
+    assert closed.sides == (Side.TOP,)

@@ -1,4 +1,4 @@
-"""What a question says beside itself: further sentences, appositions, and how a measure is to be taken.
+"""What a sentence says beside what it asks: appositions, and how a measure is to be taken.
 
 Such words would otherwise be read as parts. They are left out before the grammar reads the question, each with a note;
 what they tell of a distance (`between centres`, `the free space`) is kept.
@@ -8,38 +8,26 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias
 
 from . import modifiers
 from .asking import EXTENTS
+from .distances import between_planes
 from .lexicon import LEXICON
 from .meaning import Distance, Get, Measure, NounClass, Query, Reduce, Selection
-from .phrases import target
+from .phrases import is_known, target
 from .text import LEFT_OUT, Text
 from .tokens import Kind, Token, tokenize
 
-_SENTENCE = re.compile(
-    r"(?<=[.!?])\s+(?=[A-Z](?:[a-z]|\s|'))"
-    r"|;\s+(?=(?:how|what|which|where)\b)"
-    r"|(?:[:—–]|\s-)\s+(?=(?:how|what|which|where|who|is|are|does|do|give|list|name|state|count)\b)"
-    r"|,\s+so\s+(?=(?:how|what|which|where)\b)"
-    r"|,\s+and\s+(?=(?:how|where)\b[^,]*\b(?:it|they)\b)",
-    re.IGNORECASE,
-)
-_THAT_IS = re.compile(
-    r",?\s+\(?(?:i\.\s?e\.|that is to say|that is,|i mean|in other words|namely)[,:]?\s+", re.IGNORECASE
-)
-_STATED = re.compile(
-    r"(.*\b(?:there\s+(?:is|are)|there['’]s|(?:i|you|we|one)\s+(?:can\s+|could\s+)?(?:see|have|got|need|want|pick|take|choose|"
-    r"consider|notice|find)|(?:it|part|object|model|body|piece)\s+has)\b[^,]*),\s+(?:then\s+|and\s+|so\s+)?"
-    r"((?:how|what|which|where|can\s+you|could\s+you|please|give|tell)\b.*)",
-    re.IGNORECASE | re.DOTALL,
-)
 _ONE_VALUE = re.compile(r"\b(?:one|single) (?:number|value|figure)\b(?! (?:per|for each|each))", re.IGNORECASE)
-_PRONOUNS = ("it", "they", "them")
-_POSSESSIVES = ("its", "their")
-_WH = ("how", "what", "which", "where", "whose")
+_INCLUDED = re.compile(
+    r"\b(?:included|including|inclusive|(?<!together )with (?:the|its|their) \w+\W*$)", re.IGNORECASE
+)
+_ENABLING = (
+    "makes", "make", "lets", "let", "allows", "allow", "enables", "enable", "helps", "help", "prevents", "prevent",
+    "ensures", "ensure", "gives", "give", "stops", "stop",
+)  # fmt: skip
 _SPAN = 8
 """An aside of one sentence has fewer words than this."""
 
@@ -47,137 +35,9 @@ Rule: TypeAlias = Callable[[Text, int, int], int | None]
 """Where does the aside end that stands at a token? None when none does."""
 
 
-@dataclass(frozen=True, slots=True)
-class Asked:
-    """The sentence that asks, what was stated before it, and the sentences that explain it."""
-
-    question: str
-    before: str
-    hints: tuple[str, ...]
-
-
-def sentences(text: str) -> Asked | None:
-    """Which sentence asks, and what do the others say? None when more than one asks."""
-    found = [part.strip() for part in _SENTENCE.split(text) if re.search(r"\w", part)] or [text]
-    asking = [i for i, part in enumerate(found) if _asks(part)] if len(found) > 1 else [0]
-    if len(asking) == 2 and (chosen := _elaborated(found[asking[0]], found[asking[1]])) is not None:
-        asking = [asking[chosen]]
-    if len(asking) != 1 or len([part for part in found[asking[0]].split("?") if re.search(r"\w", part)]) > 1:
-        return None
-    at = asking[0]
-    return Asked(found[at], " ".join(found[:at]), tuple(found[at + 1 :]))
-
-
-def explained(text: str) -> Asked | None:
-    """'How thick is the shaft, i.e. what is its diameter?', '… I mean their diameter': what is said last is asked."""
-    parts = _THAT_IS.split(text, maxsplit=1)
-    if len(parts) < 2 or not parts[0].strip():
-        return None
-    first, last = parts[0].strip(), parts[1].strip().rstrip(")?. ")
-    opening = last.split(maxsplit=1)[0].lower() if last else ""
-    if opening in _POSSESSIVES:
-        return Asked(f"what is {last}?", first, ())
-    pronoun = any(word in last.lower().split() for word in (*_PRONOUNS, *_POSSESSIVES))
-    return Asked(f"{last}?", first, ()) if opening in _WH and pronoun else Asked(first, "", (last,))
-
-
-def introduced(text: str) -> Asked | None:
-    """'There is a slot at the back, how wide is it?': what is stated first, and the question about it."""
-    found = _STATED.fullmatch(text.strip())
-    return None if found is None else Asked(found[2], found[1], ())
-
-
-def _elaborated(first: str, second: str) -> int | None:
-    """Which of two sentences asks, where the second only says how the first is to be answered? None when neither does.
-
-    'Where must the screws go? Give the centres of the round holes.': the second. 'At which positions are the holes?
-    Give the centres.': the first. 'Is there a logo? How many of them?': the second. 'Which spanner fits, so what is the
-    width of the head?': the second, as the first names no measure.
-    """
-    text = Text(tokenize(second))
-    end = len(text.tokens)
-    start = text.skip(0, end, "polite", "light", "noise")
-    if text.after("imperative", start, end) is not None:
-        names_parts = any(text.word_at(i, end, "of", "for") for i in range(start, end))
-        measured = any(text.match("property", i, end) for i in range(start, end))
-        pronoun = any(text.word_at(i, end, *_PRONOUNS, *_POSSESSIVES) for i in range(start, end))
-        return (1 if names_parts or pronoun else 0) if measured else None
-    if any(text.word_at(i, end, *_PRONOUNS) for i in range(start, end)):
-        stated = Text(tokenize(first))
-        asks_value = any(stated.match(c, i, len(stated.tokens)) for c in ("property", "count", "scale.positive")
-                         for i in range(len(stated.tokens)))  # fmt: skip
-        return None if asks_value else 1
-    stated = Text(tokenize(first))
-    spoken = any(stated.match(c, i, len(stated.tokens)) for c in ("property", "count", "scale.positive", "distance")
-                 for i in range(len(stated.tokens)))  # fmt: skip
-    return None if spoken or not stated.word_at(0, len(stated.tokens), "which", "what") else 1
-
-
 def bracketed(text: str) -> tuple[str, ...]:
     """What stands in brackets: '(clear opening)' tells which distance is meant."""
     return tuple(re.findall(r"\(([^()]*)\)", text))
-
-
-def _asks(sentence: str) -> bool:
-    """Is a sentence a question or a request of its own? 'List it for all of them' and 'Count … too' explain one."""
-    if sentence.endswith("?"):
-        return True
-    text = Text(tokenize(sentence))
-    end = len(text.tokens)
-    start = text.skip(0, end, "polite", "light", "noise")
-    if text.word_at(start, end, *_WH) or text.word_at(text.skip(0, end, "polite"), end, *_WH):
-        return True
-    after = text.after("imperative", start, end) or text.after("count", start, end)
-    if after is None or after >= end or text.words[-1] in ("too", "also", "well"):
-        return False
-    if text.word_at(text.skip(after, end, "each"), end, *_PRONOUNS, "one"):
-        return False
-    return _axes(text, text.skip(after, end, "article"), end) != end
-
-
-def resolved(text: Text, before: str) -> Text:
-    """The question with 'it', 'they', 'its', 'their' replaced by what the sentence before speaks of."""
-    at = next((i for i, word in enumerate(text.words) if word in (*_PRONOUNS, *_POSSESSIVES)), None)
-    several = at is not None and text.words[at] in ("they", "them", "their")
-    stated = _subject(before, several) if before and at is not None else ()
-    if at is None or not stated:
-        words = Text(tokenize(before))
-        if words.skip(0, len(words.tokens), "polite", "noise", "light") < len(words.tokens):
-            text.note(f"{LEFT_OUT} {before}")
-        return text
-    mark = (Token("'s", "'s"),) if text.words[at] in _POSSESSIVES else ()
-    text.note(f"'{text.tokens[at].raw}' is read as '{' '.join(token.raw for token in stated)}'.")
-    return Text((*text.tokens[:at], *stated, *mark, *text.tokens[at + 1 :]), text.book)
-
-
-def _subject(sentence: str, plural: bool = False) -> tuple[Token, ...]:
-    """The parts that a statement is about: what something has ('a slot'), else its subject, else its object."""
-    text = Text(tokenize(sentence))
-    end = len(text.tokens)
-    named: list[tuple[Token, ...]] = []
-    if (stating := text.find("stating", 0, end)) is not None:
-        seen = modifiers.sides(text, 0, stating[0])
-        beside = (Token("visible", "visible"), *text.tokens[: seen[1]]) if seen is not None else ()
-        noun = text.skip(stating[2], end, "quantifier")
-        if isinstance(target(text, noun, end), Selection):
-            return (*text.tokens[noun:end], *beside)
-    if plural:  # 'to drive a screwdriver into the holes': 'they' are the holes
-        for article in (i for i in range(end) if text.match("article", i, end)):
-            of = target(text, article, end)
-            if isinstance(of, Selection) and of.plural:
-                return text.tokens[article:end]
-    start = 0
-    for at in range(end + 1):
-        if at < end and not any(text.after(category, at, end) for category in ("be", "do", "have", "verb", "light")):
-            continue
-        article = next((i for i in range(start, at) if text.match("article", i, at)), start)
-        if at > article and isinstance(target(text, article, at), Selection):
-            had = start and text.match("have", start - 1, end) and text.word_at(article, at, "a", "an")
-            if had:
-                return text.tokens[article:at]
-            named.append(text.tokens[article:at])
-        start = at + 1
-    return named[0] if named else ()
 
 
 def _plain(text: Text) -> Text:
@@ -222,12 +82,8 @@ def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text, befor
             meaning = replace(meaning, reduce=Reduce.LARGEST)
     for hint in hints:
         text.note(f"{LEFT_OUT} {hint.strip()}")
-    if isinstance(meaning, Get) and meaning.measures in ((Measure.WIDTH,), (Measure.LENGTH,)):
-        sides = [Text(tokenize(said)).match("property", 0, 2) for said in bracketed(asked)]
-        named = [Measure(side[0]) for side in sides if side and side[0] in (Measure.SHORT_SIDE, Measure.LONG_SIDE)]
-        meaning = replace(meaning, measures=(named[0],)) if named else meaning
-    if isinstance(meaning, Get) and isinstance(meaning.target, Selection) and _is_along_axis(asked):
-        meaning = replace(meaning, measures=tuple(_along_axis(one, meaning.target) for one in meaning.measures))
+    if isinstance(meaning, Get):
+        meaning = _measured_so(meaning, asked)
     if isinstance(meaning, Get) and meaning.reduce is Reduce.EACH and isinstance(meaning.target, Selection):
         if any(_ONE_VALUE.search(hint) for hint in (*hints, *asked.split(",")[1:])):
             text.note("One value is given for all; several where they differ.")
@@ -241,6 +97,20 @@ def hinted(meaning: Query, asked: str, hints: tuple[str, ...], text: Text, befor
             point = words.match("point_to_point", at, end)
             if point or (said is not asked and (point := words.match("distance", at, end)) and point[0] == "surfaces"):
                 return replace(meaning, centers=point[0] == "centers")
+    return meaning
+
+
+def _measured_so(meaning: Get, asked: str) -> Get:
+    """Which measure is it when brackets name a side, an axis is given, or all is to be included?"""
+    if meaning.measures in ((Measure.WIDTH,), (Measure.LENGTH,)):
+        sides = [Text(tokenize(said)).match("property", 0, 2) for said in bracketed(asked)]
+        named = [Measure(side[0]) for side in sides if side and side[0] in (Measure.SHORT_SIDE, Measure.LONG_SIDE)]
+        meaning = replace(meaning, measures=(named[0],)) if named else meaning
+    if isinstance(meaning.target, Selection) and _is_along_axis(asked):
+        of = meaning.target
+        meaning = replace(meaning, measures=tuple(_along_axis(one, of) for one in meaning.measures))
+    if meaning.reduce is Reduce.TOTAL and _INCLUDED.search(asked):
+        meaning = replace(meaning, reduce=Reduce.EACH)  # 'the total length of the screws, head included' is overall
     return meaning
 
 
@@ -292,7 +162,19 @@ def _parenthesis(text: Text, at: int, end: int) -> int | None:
         return None
     if (named := modifiers.sides(text, at + 1, close)) and named[1] >= close and not named[0].noun:
         return None
+    if text.word_at(at + 1, close, "the") and text.match("ones", at + 2, close):
+        return None  # '(the one on the left)'
+    if text.match("article", at + 1, close) and _explains(text, at, close):
+        return None
     return after
+
+
+def _explains(text: Text, at: int, close: int) -> bool:
+    """Does a bracket say in words of the trade what the unusual one before it is: 'the seat (the slot)'?"""
+    other = target(text, at + 1, close)
+    before = (LEXICON.singular(text.words[at - 1]),)
+    usual = any(LEXICON.match(category, before, 0, 1) for category in ("noun", "common_noun"))
+    return isinstance(other, Selection) and is_known(other) and not usual and modifiers.starts_noun(text, at - 1, at)
 
 
 def _bracketed_adjectives(text: Text) -> Text:
@@ -312,7 +194,7 @@ def _bracketed_adjectives(text: Text) -> Text:
     return text if tuple(tokens) == text.tokens else Text(tuple(tokens), text.book)
 
 
-def _axes(text: Text, start: int, end: int) -> int | None:
+def axes(text: Text, start: int, end: int) -> int | None:
     """Where does a list of three axes or extents end: 'x, y and z', 'width, depth, height'?"""
     found: set[str] = set()
     at = after = start
@@ -338,7 +220,7 @@ def _axis_list(text: Text, at: int, end: int) -> int | None:
     led = text.after("axis_preposition", _led(text, at, end), end)
     listed = text.skip_commas(at, end)
     led = listed if led is None and listed > at else led  # 'the dimensions of the part: width, depth and height'
-    after = _axes(text, text.skip(led, end, "article"), end) if led is not None else None
+    after = axes(text, text.skip(led, end, "article"), end) if led is not None else None
     if after is None or not _is_sized(text, end):
         return None
     after = text.skip(after, end, "side_noun", "axis_noun")
@@ -369,6 +251,15 @@ def _clause(text: Text, at: int, end: int) -> int | None:
     return end if alone and end - led <= _SPAN and not text.word_at(led + 1, end, "is", "are") else None
 
 
+def _enabling(text: Text, at: int, end: int) -> int | None:
+    """'(the slit) that makes the clamp elastic', '(the rib) which lets the lid close': what a part is good for."""
+    asked = any(text.match(c, i, at) for i in range(at) for c in ("property", "scale.positive", "count", "distance"))
+    if not asked or not text.word_at(at, end, "that", "which") or not text.word_at(at + 1, end, *_ENABLING):
+        return None
+    stop = next((i for i in range(at, end) if text.words[i] == ","), end)
+    return None if any(text.number(i, stop) for i in range(at, stop)) else stop
+
+
 def _one_value(text: Text, at: int, end: int) -> int | None:
     """', one value', ', just a single number please': how it is to be answered."""
     led = text.skip_commas(at, end)
@@ -388,13 +279,15 @@ def _own_axis(text: Text, at: int, end: int) -> int | None:
         return None
     noun = text.skip(led + 1 + text.word_at(led + 1, end, "to"), end, "article")
     noun += text.word_at(noun, end, "own", "rotation", "center")
-    return noun + 1 if text.word_at(noun, end, "axis", "axes", "centerline") and _ends(text, noun + 1, end) else None
+    axial = text.word_at(noun, end, "axis", "axes", "centerline")
+    axial = axial or (text.word_at(noun - 1, end, "its", "their") and text.word_at(noun, end, "bore", "bores", "hole"))
+    return noun + 1 if axial and _ends(text, noun + 1, end) else None
 
 
 def _drill_tip(text: Text, at: int, end: int) -> int | None:
     """'not counting the drill tip', 'drill point excluded': the depth of a hole ends where its cone begins."""
     start = text.skip_commas(at, end)
-    led = text.after("minus", start, end)
+    led = text.after("minus", start, end) or (start + 1 if text.word_at(start, end, "no") else None)
     noun = text.after("drill_tip", text.skip(led or start, end, "article"), end)
     if noun is None:
         return None
@@ -435,7 +328,7 @@ def _stated(text: Text, at: int, end: int) -> int | None:
     led = text.skip_commas(at, end)
     if led == at and not text.word_at(at, end, "measured", "taken"):
         return None
-    if text.after("manner", led, end):
+    if text.after("manner", led, end) and not modifiers.sides(text, led + text.word_at(led, end, "as"), end):
         return next((i for i in range(led, end) if text.word_at(i, end, ",")), end)
     last = (
         text.after("excluded", end - 1, end)
@@ -453,6 +346,8 @@ def _from_to(text: Text, at: int, end: int) -> int | None:
         return None  # 'from left to right' is an axis
     if not text.word_at(led, end, "from") or (led == at and text.match("verb", at - 1, end)) or _is_distance(text, end):
         return None
+    if between_planes(text, led, end) is not None:
+        return None  # that is what is measured
     to = next((i for i in range(led + 2, end - 1) if text.words[i] == "to"), None)
     if to is None or any(text.number(i, end) for i in range(led, end)):
         return None
@@ -476,7 +371,11 @@ def _is_distance(text: Text, end: int) -> bool:
 def _point_to_point(text: Text, at: int, end: int) -> int | None:
     """'center to center', behind what is measured."""
     after = text.after("point_to_point", _led(text, at, end), end)
-    return after if after is not None and _ends(text, after, end) else None
+    if after is None:
+        return None
+    along = text.after("axis_preposition", after, end)  # 'center to center in y direction'
+    axis = along is not None and text.match("axis", text.skip(along, end, "article"), end)
+    return after if axis or _ends(text, after, end) else None
 
 
 _SELECTING = ("negation", "preposition", "side", "side_word", "light", "extreme", "scale.more", "scale.most")
@@ -495,6 +394,6 @@ _NO_ADJECTIVE = (
     "unit",
 )
 _RULES: tuple[Rule, ...] = (
-    _parenthesis, _drill_tip, _excepting, _clause, _one_value,
+    _parenthesis, _drill_tip, _excepting, _clause, _enabling, _one_value,
     _point_to_point, _axis_list, _own_axis, _from_to, _included, _together, _stated,
 )  # fmt: skip

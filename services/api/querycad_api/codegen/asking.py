@@ -73,7 +73,7 @@ def _reduction(text: Text, start: int, end: int) -> tuple[Asked, int]:
     wanted, at = Asked(()), start
     while True:
         at = text.skip(at, end, "article", "noise", "quantifier")
-        if text.match("property", at, end):
+        if text.match("property", at, end) or _inner_and_outer(text, at, end):
             return wanted, at
         if found := text.match("reduce", at, end) or text.match("extreme", at, end):
             wanted, at = replace(wanted, reduce=Reduce(found[0])), found[1]

@@ -6,14 +6,32 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Side
 
+from . import modifiers
 from .lexicon import LEXICON
-from .meaning import Angle, Boundary, Distance, Get, Measure, NounClass, Origin, Place, Query, Reduce, Selection, Whole
+from .meaning import (
+    Angle,
+    Boundary,
+    Distance,
+    Get,
+    Measure,
+    NounClass,
+    Origin,
+    Place,
+    Plane,
+    Query,
+    Reduce,
+    Selection,
+    Whole,
+)
 from .phrases import selection
 from .relations import of_whole, without_axis
 from .text import Text
+from .tokens import Token
 
 _CENTERS_NOTE = "The distance of like or round parts is taken between their centres, as on a drawing."
 _SURFACES_NOTE = "The distance is taken between the surfaces: the gap."
+_OWN_CENTER = ("center", "centers", "axis", "axes", "centerline", "centerlines")
+"""'the holes' axes': what of a part a distance is taken from."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +75,12 @@ def distance(text: Text, start: int, end: int) -> Query | None:
         return None
     if named[0] == "surfaces" and wording.centers is None:
         wording = replace(wording, centers=False)
-    return between(text, named[1], end, wording)
+    if query := text.attempt(between, named[1], end, wording):
+        return query
+    if end > named[1] and not text.match("preposition", named[1], end) and LEXICON.is_plural(text.words[end - 1]):
+        worded = Text((Token("of", "of"), *text.tokens[named[1] : end]), text.book)
+        return between(worded, 0, len(worded.tokens), wording)
+    return None
 
 
 def _adjective(text: Text, wording: Wording, word: str) -> Wording:
@@ -110,6 +133,8 @@ def _distance(text: Text, first: End, second: End | None, wording: Wording) -> Q
         if centers is not None
     ]
     places = [first.place] if second is None else [first.place, second.place]
+    if any(isinstance(place, Plane) for place in places):
+        return _from_plane(first.place, second.place if second else None, said)
     if said:
         centers = said[0]
     else:
@@ -123,6 +148,21 @@ def _distance(text: Text, first: End, second: End | None, wording: Wording) -> Q
         return None
     other = second.place if second is not None else None
     return Distance(first.place, other, centers, wording.axis, wording.reduce, wording.alike)
+
+
+def _from_plane(first: Place | None, second: Place | None, said: list[bool]) -> Query | None:
+    """From a plane of parts to another plane along the same axis, or to parts."""
+    if first is None or second is None or isinstance(first, Whole | Origin) or isinstance(second, Whole | Origin):
+        return None
+    axes = {axis_of(place.side) for place in (first, second) if isinstance(place, Plane | Boundary)}
+    parts = next((place for place in (first, second) if isinstance(place, Selection)), None)
+    centers = said[0] if said else parts is None or parts.noun_class.is_round
+    return Distance(first, second, centers, axes.pop()) if len(axes) == 1 else None
+
+
+def axis_of(side: Side) -> int:
+    """Along which axis does a side look: 0, 1 or 2?"""
+    return next(i for i, value in enumerate(side.outward) if value)
 
 
 def _between_centers(places: list[Place | None]) -> bool:
@@ -165,7 +205,8 @@ def _ends(text: Text, start: int, end: int) -> tuple[End, End | None] | None:
     joints = ("and", "to") if preposition == "between" else ("to", "from", "and")
     for joint in joints:
         for middle in range(at + 1, end):
-            if text.word_at(middle, end, joint) and not text.match("verb", middle - 1, end):
+            runs = text.match("verb", middle - 1, end) and not text.match("noun_verb", middle - 1, end)
+            if text.word_at(middle, end, joint) and not runs:
                 first = text.attempt(_end, at, middle, None)
                 like = first.place if first and isinstance(first.place, Selection) else None
                 second = text.attempt(_end, middle + 1, end, like)
@@ -177,7 +218,7 @@ def _ends(text: Text, start: int, end: int) -> tuple[End, End | None] | None:
     alone = _end(text, at, end, None)
     if alone is None or not isinstance(alone.place, Selection):
         return None
-    if preposition == "to":
+    if preposition == "to" or (preposition == "for" and not alone.place.plural):
         return None
     return alone, None
 
@@ -190,6 +231,15 @@ def _end_like(text: Text, start: int, end: int, like: Selection) -> End | None:
     other = like.phrases[0]
     phrase = replace(found.place.phrases[0], sides=other.sides, filters=other.filters)
     return End(Selection((phrase,)), found.centers)
+
+
+def _before_center(text: Text, at: int, end: int) -> int | None:
+    """Where do the parts end in 'the hole's center', 'the bore axis'? None where no such point is named last."""
+    if not text.word_at(end - 1, end, *_OWN_CENTER) or end - 2 < at:
+        return None
+    if text.word_at(end - 2, end, "'s"):
+        return end - 2
+    return end - 1 if modifiers.starts_noun(text, end - 2, end - 1) else None
 
 
 def _end(text: Text, start: int, end: int, like: Selection | None) -> End | None:
@@ -209,18 +259,55 @@ def _end(text: Text, start: int, end: int, like: Selection | None) -> End | None
         after = text.skip(side[1], end, "side_noun", "edge")
         if (of_whole(text, after, end) or after) >= end:
             return End(Boundary(Side(side[0])))
+    if plane := plane_of(text, at, end):
+        return End(plane)
     centers = None
     if found := text.match("point_of", at, end):
         centers, at = found[0] == "centers", text.skip(found[1], end)
         at = text.after("adjacent", at, end) or at
-    elif text.word_at(end - 2, end, "'s") and text.word_at(end - 1, end, "center", "centers"):
-        centers, end = True, end - 2
+    elif stop := _before_center(text, at, end):
+        centers, end = True, stop
     elif (lead := text.match("center", at, end)) and text.word_at(lead[1], end, "of"):
         centers, at = True, lead[1] + 1
     parts = selection(text, at, end, like)
     if parts is None:
         return None
     return End(parts, centers)
+
+
+def plane_of(text: Text, start: int, end: int) -> Plane | None:
+    """'the underside of the foot', 'the flange's front face', 'the carriage top': an outermost plane of parts."""
+    at = text.skip(start, end, "article", "noise", "whole_adjective")
+    if (side := text.match("side", at, end)) is not None:
+        after = text.skip(side[1], end, "side_noun", "edge")
+        if text.word_at(after, end, "of") and text.match("article", after + 1, end):
+            of = selection(text, after + 1, end)
+            return Plane(Side(side[0]), of) if of is not None and not of.phrases[0].sides else None
+        return None
+    for last in range(end - 1, at, -1):
+        side = text.match("side", last, end)
+        if side is None or text.skip(side[1], end, "side_noun", "edge") < end:
+            continue
+        led = any(text.match(category, last - 1, last) for category in ("article", "side_preposition", "verb", "light"))
+        of = None if led else selection(text, at, last - text.word_at(last - 1, last, "'s"))
+        return Plane(Side(side[0]), of) if of is not None and not of.phrases[0].sides else None
+    return None
+
+
+def between_planes(text: Text, start: int, end: int) -> Distance | None:
+    """'from the rail's underside to the carriage top': how far such planes are apart."""
+    if not text.word_at(start, end, "from"):
+        return None
+    for middle in range(start + 2, end - 1):
+        if text.word_at(middle, end, "to"):
+            first, second = text.attempt(_end, start + 1, middle, None), text.attempt(_end, middle + 1, end, None)
+            if first is None or second is None:
+                continue
+            places = (first.place, second.place)
+            if all(isinstance(place, Plane | Boundary) for place in places) and Plane in map(type, places):
+                found = _distance(text, first, second, Wording())
+                return found if isinstance(found, Distance) else None
+    return None
 
 
 def _is_edge(text: Text, start: int, end: int) -> bool:
@@ -252,8 +339,16 @@ def angle(text: Text, start: int, end: int) -> Query | None:
     own = selection(text, at + 1, end) if text.word_at(at, end, "of") else None
     if own is not None and len(own.phrases) == 1 and LEXICON.match("angled_noun", (own.phrases[0].noun,), 0, 1):
         return Get((Measure.ANGLE,), own)
+    if (next_to := text.find("adjacent", at + 1, end)) is not None:
+        around = selection(text.rearranged(range(next_to[2], end)), 0, end - next_to[2])
+        return _around(around, text) if around is not None and around.plural else None
     pair = two_selections(text, at + 1, end, ("and", "to", "with", "against", "relative"))
     return Angle(*pair) if pair else None
+
+
+def _around(parts: Selection, text: Text) -> Angle:
+    text.note("The angle between neighbours is taken as seen from the middle of all of them.")
+    return Angle(parts, None, seen=True)
 
 
 def two_selections(

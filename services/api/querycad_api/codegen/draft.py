@@ -7,7 +7,23 @@ from dataclasses import dataclass, field
 from querycad_contracts import Side
 
 from .lexicon import LEXICON
-from .meaning import ByDistance, ByPlace, Described, Filter, NounClass, Phrase, Placed, Rank, Selection, Target, Whole
+from .meaning import (
+    AnyOf,
+    Bound,
+    ByDistance,
+    ByPlace,
+    Described,
+    Filter,
+    Holding,
+    NounClass,
+    Phrase,
+    Placed,
+    Rank,
+    Selection,
+    Target,
+    Whole,
+    Within,
+)
 from .readings import bounded, ranked
 from .text import Text
 
@@ -88,6 +104,9 @@ class Draft:
         return after
 
 
+_CIRCLES = ("bolt circle", "pitch circle", "hole circle")
+
+
 def noun_class(description: str) -> NounClass:
     """How is the size of what a head noun names meant? Judged by its longest known ending."""
     words = description.split()
@@ -154,16 +173,34 @@ def _phrase(text: Text, draft: Draft, words: list[str], noun: NounClass, plural:
         adjectives = ["whole", *adjectives]
     if draft.count and not (draft.filters or draft.ranks):
         adjectives = [str(draft.count), *adjectives]
+    said = tuple(bounded(condition, noun, text) for condition in draft.filters)
+    filters = _of_members(text, draft, [*adjectives, *words]) or said
     return Phrase(
         description=" ".join([*adjectives, *words, *draft.located]),
         noun_class=noun,
         plural=plural,
         sides=() if at_end else tuple(sides),
-        filters=(*(bounded(condition, noun, text) for condition in draft.filters), *denied),
+        filters=(*filters, *denied),
         ranks=tuple(ranked(rank, noun, text) for rank in ranks),
         sample=draft.sample,
         stands=stands,
     )
+
+
+def _of_members(text: Text, draft: Draft, words: list[str]) -> tuple[Filter, ...]:
+    """'The bolt circle of the 6.6 mm holes': the size is that of the holes, not of their circle, which holds them."""
+    members, circle = words[:-2], " ".join(words[-2:])
+    if circle not in _CIRCLES:
+        return ()
+    within = [one.reference for one in draft.filters if isinstance(one, Within)]
+    if within and len(within) == len(draft.filters) and all(of.noun_class is NounClass.HOLE for of in within):
+        return tuple(Holding(of) for of in within)
+    if not members or not all(isinstance(one, Bound | AnyOf) for one in draft.filters):
+        return ()
+    noun = noun_class(" ".join(members))
+    filters = tuple(bounded(condition, noun, text) for condition in draft.filters)
+    holes = Phrase(" ".join([*members, *draft.located]), noun, True, filters=filters)
+    return (Holding(Selection((holes,))),) if filters and noun is NounClass.HOLE else ()
 
 
 def _whole(text: Text, draft: Draft) -> Whole:

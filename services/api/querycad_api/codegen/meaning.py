@@ -194,6 +194,13 @@ class Within:
 
 
 @dataclass(frozen=True, slots=True)
+class Holding:
+    """A filter: one of `members` lies in the part, as the holes of a bolt circle do."""
+
+    members: Selection
+
+
+@dataclass(frozen=True, slots=True)
 class Bottom:
     """A filter: a hole's bottom has this form: 'flat', 'conical', 'spherical', 'through' or 'open'."""
 
@@ -209,7 +216,7 @@ class Described:
     holds: bool
 
 
-Filter: TypeAlias = Bound | AnyOf | Placed | Centered | Seen | Within | Bottom | Described
+Filter: TypeAlias = Bound | AnyOf | Placed | Centered | Seen | Within | Holding | Bottom | Described
 
 
 @dataclass(frozen=True, slots=True)
@@ -329,7 +336,15 @@ class Boundary:
     side: Side
 
 
-Place: TypeAlias = Selection | Whole | Origin | Boundary
+@dataclass(frozen=True, slots=True)
+class Plane:
+    """The outermost plane of parts on one side: the underside of a foot, the front face of a flange."""
+
+    side: Side
+    of: Selection
+
+
+Place: TypeAlias = Selection | Whole | Origin | Boundary | Plane
 
 
 @dataclass(frozen=True, slots=True)
@@ -405,6 +420,13 @@ class Overhang:
 
 
 @dataclass(frozen=True, slots=True)
+class Span:
+    """How long are parts together, along the axis on which they lie apart: over the flanges?"""
+
+    target: Selection
+
+
+@dataclass(frozen=True, slots=True)
 class Exists:
     """Is there such a part?"""
 
@@ -433,6 +455,8 @@ class Angle:
 
     first: Selection
     second: Selection | None
+    seen: bool = False
+    """Of neighbours around a centre: as seen from the middle of all of them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -452,7 +476,7 @@ class Parts:
 
 
 Query: TypeAlias = (
-    Get | Distance | Overhang | Calculate | Compare | Count | Exists | Every | Uniform | Angle | Aligned | Parts
+    Get | Distance | Overhang | Span | Calculate | Compare | Count | Exists | Every | Uniform | Angle | Aligned | Parts
 )
 
 

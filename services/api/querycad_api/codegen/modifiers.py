@@ -303,6 +303,12 @@ def _superlative(text: Text, start: int, end: int) -> tuple[Rank, int] | None:
     for form, largest in (("scale.most", True), ("scale.least", False), ("scale.more", True), ("scale.less", False)):
         if (scale := text.match(form, at, end)) and not text.match("side", at, end):
             measure, after = _in_measure(text, Measure(scale[0]), scale[1], end)
+            named = text.match("property", after, end) if measure is Measure.MAGNITUDE else None
+            if named and not text.word_at(named[1], end, "of", "between", "than"):  # 'with the larger diameter'
+                measure, after = Measure(named[0]), named[1]
+            bodies = text.match("whole", after, end) or text.match("whole_plural", after, end)
+            if text.word_at(at, end, "highest", "lowest") and bodies:  # 'the highest part in the assembly'
+                return Rank(ByPlace(2), largest, nth, count), after
             return None if text.match("than", after, end) else (Rank(ByMeasure(measure), largest, nth, count), after)
     return None
 

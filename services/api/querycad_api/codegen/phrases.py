@@ -65,6 +65,13 @@ def _target(text: Text, start: int, end: int, like: Target | None) -> Target | N
     others: Selection | None = None
     at = start
     while at < end and others is None:
+        if (same := _apposed(text, at, end, draft)) is not None:
+            first = finished(text, draft, like)
+            if isinstance(first, Selection) and (is_known(first) or not is_known(same)):
+                text.leave_out(at, end)
+                return first
+            text.leave_out(start, at)
+            return same
         others = _conjunct(text, at, end, draft)
         at = at if others else _step(text, at, end, draft)
     first = finished(text, draft, like)
@@ -78,16 +85,33 @@ def _target(text: Text, start: int, end: int, like: Target | None) -> Target | N
     return Selection((*first.phrases[:-1], head, *others.phrases))
 
 
+def _apposed(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
+    """'the socket, the small cylinder inside the shade': the same part in other words, and no list of parts."""
+    if not text.word_at(at, end, ",") or not draft.words or not text.match("article", at + 1, end):
+        return None
+    if any(text.match("conjunction", i, end) and not text.word_at(i, end, ",") for i in range(at + 1, end)):
+        return None
+    stop = end - text.word_at(end - 1, end, ",")
+    if any(text.word_at(i, stop, ",", "one", "ones") for i in range(at + 1, stop)):
+        return None
+    other = target(text, at + 1, stop)
+    return other if isinstance(other, Selection) and not other.phrases[0].ranks else None
+
+
+def is_known(parts: Selection) -> bool:
+    """Is it a word of the trade, by which people explain others?"""
+    noun = (parts.phrases[0].noun,)
+    return any(LEXICON.match(category, noun, 0, 1) for category in ("noun", "common_noun"))
+
+
 def _conjunct(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
     """'… and slots': the other phrases. 'blind and through holes' lends its noun to the first."""
     joined = text.after("conjunction", at, end)
     if joined is None or not draft.words:
         return None
     rest = text.skip(joined, end, "conjunction", "article")
-    if draft.in_tail and "without" in draft.tail:
-        return None  # 'the tube without keyway and collar'
-    if text.match("minus", rest, end):
-        return None  # ', without the recess'
+    if _goes_on_about(text, at, rest, end, draft) or text.match("minus", rest, end):
+        return None
     same_parts = any(rule(text, rest, end) for rule in (modifiers.bound, modifiers.sides, modifiers.rank))
     if rest >= end or same_parts or any(text.after(category, rest, end) for category in _NO_CONJUNCT):
         return None
@@ -95,10 +119,21 @@ def _conjunct(text: Text, at: int, end: int, draft: Draft) -> Selection | None:
     if not isinstance(others, Selection):
         return None
     words = others.phrases[0].description.split()
+    if len(words) == 1 and len(others.phrases) == 1 and text.find("ones", rest, min(end, rest + 3)):
+        named = f"{words[0]} {LEXICON.singular(draft.words[-1])}"  # 'the blind holes and the threaded ones'
+        return Selection((replace(others.phrases[0], description=named, plural=True),))
     adjective = not draft.tail and not draft.closed and not LEXICON.is_plural(draft.words[-1])
     if adjective and others.phrases[-1].plural and len(words) > 1:
         draft.words += words[1:]
     return others
+
+
+def _goes_on_about(text: Text, at: int, rest: int, end: int, draft: Draft) -> bool:
+    """Is it still the same part: 'the lid, the round one', 'the tube without keyway and rim', 'with pins and ribs'?"""
+    if text.word_at(at, end, ",") and text.find("ones", rest, min(end, rest + 3)):
+        return True
+    bare = rest == at + 1 and text.word_at(at, end, "and", "or")
+    return draft.in_tail and ("without" in draft.tail or (draft.tail[0] == "with" and bare))
 
 
 def _step(text: Text, at: int, end: int, draft: Draft) -> int:
@@ -202,6 +237,9 @@ def _rank(text: Text, at: int, end: int, draft: Draft) -> int | None:
     if found is None:
         return None
     chosen, after = found
+    if draft.words and not draft.closed and text.tokens[at - 1].kind is Kind.POSSESSIVE:  # 'the tube's wider bore'
+        draft.located += ["in", *(LEXICON.singular(word) for word in draft.words)]
+        draft.words.clear()
     draft.ranks.append(chosen)
     draft.plural = draft.plural or chosen.count > 1
     if draft.words:
@@ -231,8 +269,11 @@ def _side(text: Text, at: int, end: int, draft: Draft) -> int | None:
         if not draft.words and not named.prepositional and not named.noun:
             draft.leading.extend(named.sides)
             draft.highest = draft.highest or text.word_at(after - 1, after, "upper", "lower")
-    if not draft.words and not named.prepositional:
-        draft.side_noun = named.noun
+    itself = text.match("side_itself", after - 1, end) is not None and not named.prepositional and not draft.closed
+    if itself and draft.words and _only_adjectives(draft):
+        draft.words.append("face")  # 'the flat underside'
+    elif not draft.words and not named.prepositional:
+        draft.side_noun = named.noun or ("face" if itself else "")
     return draft.close(after)
 
 
@@ -308,8 +349,9 @@ def _description(text: Text, at: int, end: int, draft: Draft) -> int:
     joined = text.after("conjunction", at, end)
     if joined or text.tokens[at].kind is Kind.SYMBOL:
         draft.refused = draft.refused or word == "or"
-        if joined and draft.in_tail and "without" in draft.tail:
-            draft.tail.append("without")  # 'without keyway and collar'
+        link = draft.tail[0] if joined and draft.in_tail else ""
+        if link in ("with", "without"):
+            draft.tail.append(link)  # 'without keyway and collar'
         return joined or at + 1
     named = word == "half" and not draft.closed  # 'the clamp half', 'the half round notch'
     named = named and (bool(draft.words) or text.word_at(at + 1, end, "round", "circular", "circle", "moon"))
@@ -375,7 +417,7 @@ def _having(text: Text, at: int, end: int, draft: Draft) -> int | None:
     verb = text.skip(at, end, "relative")
     if not text.word_at(verb, end, "have", "has", "having") or not draft.words:
         return None
-    if not text.word_at(verb + 1, end, "a", "an", "no") and (verb == at or text.match("article", verb + 1, end)):
+    if not text.word_at(verb + 1, end, "a", "an", "no") and verb == at:
         return None
     if modifiers.bound(text, at, end) or modifiers.rank(text, at, end) or text.find("same", verb, end):
         return None
@@ -408,6 +450,7 @@ _RULES: tuple[Rule, ...] = (
     _of_whole,
     _relation(relations.owner),
     _relation(relations.within),
+    _relation(relations.between),
     _negation,
     _contact_clause,
     _function_word,

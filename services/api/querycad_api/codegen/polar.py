@@ -196,10 +196,13 @@ def _has(text: Text, start: int, end: int) -> Query | None:
             if text.match("any", start + 1, end):
                 return existence(text, start + 1, end)
             return Every(owner, (bounded(found[0], owner.noun_class, text),))
-        parts = selection(text, after, end)
+        many = modifiers.quantity(text, after, end)
+        counted = many is not None and many[0].power is None and many[0].high is None and many[1] < end
+        parts = selection(text, many[1] if many is not None and counted else after, end)
         if parts and len(parts.phrases) == 1:
             phrase = parts.phrases[0]
-            return Exists(Selection((replace(phrase, filters=(*phrase.filters, Within(owner))),)))
+            held = Selection((replace(phrase, filters=(*phrase.filters, Within(owner))),))
+            return Compare(Count(held), many[0].relation, many[0].low) if many is not None and counted else Exists(held)
     return None
 
 
@@ -209,6 +212,8 @@ def _is_so(text: Text, start: int, end: int) -> Query | None:
         return None
     of_sides: Every | None = None
     for middle in range(start + 2, end):
+        if any(text.match(category, middle - 1, middle) for category in ("shape_adjective", "scale.positive")):
+            continue  # 'the big (hole threaded)'
         owner = text.attempt(target, start + 1, middle)
         said = text.attempt(predicate, middle, end, owner) if isinstance(owner, Selection) else None
         if said is None or not isinstance(owner, Selection):

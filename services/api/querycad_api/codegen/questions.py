@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from . import modifiers
 from .amounts import compared_amount, compared_counts
-from .asking import Asked, asked_measures
-from .distances import Wording, between, distance, two_selections
+from .asking import SCALARS, Asked, asked_measures
+from .distances import Wording, between, between_planes, distance, two_selections
 from .lexicon import LEXICON
 from .meaning import (
     ENDS,
@@ -21,12 +21,13 @@ from .meaning import (
     Query,
     Reduce,
     Selection,
+    Span,
     Whole,
     Within,
 )
 from .phrases import selection, target
 from .polar import polar
-from .reach import above_ground, reach, reach_in
+from .reach import above_ground, how_far, reach, reach_in
 from .readings import asked, bounded
 from .relations import of_whole
 from .text import Text
@@ -44,12 +45,6 @@ from .values import (
 
 _PLACES = (Measure.POSITION, Measure.OPENING, Measure.TIP, *ENDS)
 _PREPOSITIONS = {word: Token(word, word) for word in ("of", "between", "from")}
-_MUTUAL = {
-    "farthest": Reduce.LARGEST,
-    "furthest": Reduce.LARGEST,
-    "closest": Reduce.SMALLEST,
-    "nearest": Reduce.SMALLEST,
-}
 _WH = ("how", "what", "which", "where")
 _OPENERS = (*_WH, "is", "are", "does", "do", "give", "list", "name", "count")
 
@@ -58,10 +53,28 @@ def question(text: Text) -> Query | None:
     """What does the whole question mean?"""
     end = len(text.tokens)
     start = _polite(text, 0, end)
-    for frame in (_framed, _fronted, _needed, _rotated, value, telegraphic):
+    extent = any(text.match(category, i, end) for i in range(end) for category in ("scale.positive", "property"))
+    for at in (i for i in range(start + 1, end - 3) if extent and text.words[i] == "from"):
+        if apart := text.attempt(between_planes, at, end):
+            return apart  # 'how tall is it from the rail's underside to the carriage top'
+    if extent and (over := text.find("spanning", start + 1, end)):
+        ends = selection(text, over[2], end)
+        if ends is not None and ends.plural:
+            return Span(ends)
+    for frame in (_framed, _fronted, _needed, _rotated, value, telegraphic, _natural):
         if start < end and (found := text.attempt(frame, start, end)):
             return found
     return None
+
+
+def _natural(text: Text, start: int, end: int) -> Query | None:
+    """'What is the bore of the cylinder?', 'chamfer at the rim?': the measure that the part is known by."""
+    at = text.skip(start + text.word_at(start, end, "what", "which"), end, "be", "noise")
+    of = selection(text, at, end)
+    if of is None or len(of.phrases) > 1:
+        return None
+    measure = LEXICON.match("natural_measure", (of.phrases[0].noun,), 0, 1)
+    return get(text, Asked((Measure(measure[0]),)), of) if measure else None
 
 
 def topical(text: Text) -> Query | None:
@@ -72,6 +85,8 @@ def topical(text: Text) -> Query | None:
     start = text.after("topic", start, end) or start
     if colon >= end - 1 or any(text.match(c, i, colon) for i in range(start, colon) for c in ("be", "do", "relative")):
         return None
+    if any(text.match("modal", i, colon) and text.match("purpose", i + 1, colon) for i in range(colon)):
+        return None  # 'we need to replace the gasket: which thickness?'
     asking = text.tokens[colon + 1 :]
     if (side := modifiers.sides(text, start, colon)) and side[1] == colon:  # 'top view: how many holes?'
         lead = () if side[0].prepositional else (_PREPOSITIONS["from"],)
@@ -80,7 +95,8 @@ def topical(text: Text) -> Query | None:
         return None
     own = Text(asking).attempt(question)
     if not (own is None or (isinstance(own, Get) and isinstance(own.target, Whole))):
-        return None
+        located = text.word_at(start, colon, "on", "in", "at", "inside")  # 'on the left wall: how far apart are they?'
+        return Text((*asking, *text.tokens[start:colon]), text.book).attempt(question) if located else None
     wh = Text(asking).match("property", 1, len(asking)) if asking[0].word in ("what", "which") else None
     asking = asking[1:] if wh is not None and wh[1] == len(asking) else asking  # 'which diameter?' names the measure
     return Text((*asking, _PREPOSITIONS["of"], *text.tokens[start:colon]), text.book).attempt(question)
@@ -104,9 +120,24 @@ def _polite(text: Text, start: int, end: int) -> int:
     while True:
         start = text.skip_commas(start, end)
         after = text.after("polite", start, end)
-        if after is None or text.match("exists", start, end):
+        if text.match("exists", start, end):
             return start
+        if after is None:
+            return _behind_chat(text, start, end)
         start = after
+
+
+def _behind_chat(text: Text, start: int, end: int) -> int:
+    """Where does the question begin behind 'any idea', 'I forgot', 'it would be great to know'? Where it is."""
+    at = text.skip(start, end, "chat")
+    if not any(text.match("person", i, at) for i in range(start, at)):
+        return start
+    noun = text.skip(at, end, "article")
+    measured = any(
+        text.match(category, noun, end) for category in ("property", "spacing", "distance", "distance_adjective")
+    )
+    embedded = text.word_at(at, end, *_WH) or (noun > at and measured)
+    return at if embedded else start
 
 
 def _fronted(text: Text, start: int, end: int) -> Query | None:
@@ -140,7 +171,7 @@ def _moved(text: Text) -> Query | None:
 def _rotated(text: Text, start: int, end: int) -> Query | None:
     """'The holes on top have what diameter': the question word comes first."""
     wh = next((i for i in range(start + 1, end) if text.word_at(i, end, *_WH)), None)
-    if wh is None:
+    if wh is None or text.word_at(wh - 1, end, "by"):
         return None
     before = [i for i in range(start, wh) if text.words[i] != ","]
     return text.rearranged([*range(wh, end), *before]).attempt(_moved)
@@ -194,7 +225,7 @@ def _how(text: Text, start: int, end: int) -> Query | None:
         return None
     at = text.skip(start + 1, end, "noise")
     if text.word_at(at, end, "far", "close", "near", "distant") or text.match("gap", at, end):
-        return _how_far(text, at, end)
+        return how_far(text, at, end)
     return _how_adjective(text, at, end)
 
 
@@ -272,32 +303,6 @@ def _without(text: Text, start: int, end: int, measure: Measure) -> Query | None
     return Calculate(Operation.MINUS, left, right) if right is not None else None
 
 
-def _how_far(text: Text, start: int, end: int) -> Query | None:
-    """'how far apart are A and B', 'how far is A from B', 'how far does A stick out'."""
-    at = start + text.word_at(start, end, "far", "close", "near", "distant")
-    at += text.word_at(at, end, "down", "in", "up", "out", "inwards", "outwards", "downwards", "upwards")
-    at = text.skip(text.after("gap", at, end) or at, end, "be", "do", "noise")
-    if found := text.attempt(reach, at, end) or above_ground(text, at, end):
-        return found
-    mutual = text.find("reciprocal", at, end)
-    bounds = {"most": Reduce.LARGEST, "maximum": Reduce.LARGEST, "least": Reduce.SMALLEST, "minimum": Reduce.SMALLEST}
-    bound = next((i for i in range(at, end - 1) if text.words[i] == "at" and text.words[i + 1] in bounds), end)
-    kept = [i for i in range(at, end) if mutual is None or not mutual[0] <= i < mutual[2]]
-    kept = [i for i in kept if i not in (bound, bound + 1) and text.words[i] not in ("can", "could", "be")]
-    kept = [i for i in kept if text.words[i] not in ("apart", "away", "located", "separated", "together")]
-    if kept and text.words[kept[0]] == "from":  # 'how far from the edge is the hole'
-        verb = next((n for n, i in enumerate(kept) if text.match("be", i, end)), None)
-        kept = kept if verb is None else [*kept[verb + 1 :], *kept[:verb]]
-    leads = (text.words[i] == "from" and not text.match("verb", i - 1, end) for i in kept)
-    preposition = "of" if any(leads) else "between"
-    extreme = next((i for i in kept if text.words[i] in _MUTUAL), None)  # 'the two farthest holes'
-    reduce = Reduce.EACH if extreme is None or preposition == "of" else _MUTUAL[text.words[extreme]]
-    reduce = bounds[text.words[bound + 1]] if bound < end else reduce
-    kept = kept if reduce is Reduce.EACH else [i for i in kept if i != extreme]
-    worded = Text((_PREPOSITIONS[preposition], *(text.tokens[i] for i in kept)), text.book)
-    return between(worded, 0, len(worded.tokens), Wording(reduce))
-
-
 def _plural_noun(text: Text, start: int, end: int) -> bool:
     """Is one of the words a noun in the plural: '(how much) round holes (for mounting are there)'?"""
     return any(LEXICON.is_plural(text.words[i]) and modifiers.starts_noun(text, i, i + 1) for i in range(start, end))
@@ -323,6 +328,13 @@ def _property_of(text: Text, start: int, end: int) -> Query | None:
     stop = text.trimmed(verb, end)
     if (along := extent_along(text, wanted.measures, verb, stop)) is not None:
         return along
+    if (less := text.find("minus", verb + 1, stop)) and isinstance(
+        held := text.attempt(target, verb, less[0]), Selection
+    ):
+        left = get(text, wanted, held)
+        rest = taken_off(text, less[2], stop, left, text.attempt(operand, less[2], stop, left))
+        if rest is not None:
+            return rest
     of = target(text, verb, stop)
     if of is None and text.skip(verb, end, "verb", "light", "noise") >= end:
         of = Whole()  # 'what sheet thickness was used'
@@ -330,6 +342,16 @@ def _property_of(text: Text, start: int, end: int) -> Query | None:
         kept = bounded(limit[0], of.noun_class, text)
         of = Selection(tuple(replace(phrase, filters=(*phrase.filters, kept)) for phrase in of.phrases))
     return get(text, wanted, of) if of is not None else None
+
+
+def _less(text: Text, wanted: Asked, start: int, end: int) -> Query | None:
+    """'(what length) do the screws have without the head'."""
+    less = text.find("minus", start + 1, end)
+    held = text.attempt(target, start, less[0]) if less else None
+    if less is None or not isinstance(held, Selection):
+        return None
+    left = get(text, wanted, held)
+    return taken_off(text, less[2], end, left, text.attempt(operand, less[2], end, left))
 
 
 def _of_which(text: Text, start: int, end: int) -> Query | None:
@@ -354,6 +376,11 @@ def _what(text: Text, start: int, end: int) -> Query | None:
     if not text.word_at(start, end, "what", "which", "whose"):
         return None
     at = text.skip(start + 1, end, "noise")
+    compared = text.match("scale.more", text.skip(at, end, "be"), end) or text.match(
+        "scale.less", text.skip(at, end, "be"), end
+    )
+    if compared and any(text.word_at(i, end, "or") for i in range(compared[1], end)):
+        return None  # 'which is wider, A or B'
     for rule in (_which_way, _which_side, _which_angle, _which_distance, _property_of, _what_is, _which_parts):
         if found := text.attempt(rule, at, end):
             return found
@@ -362,7 +389,8 @@ def _what(text: Text, start: int, end: int) -> Query | None:
 
 def _which_side(text: Text, start: int, end: int) -> Query | None:
     """'(on which) side is the pocket', '(from which) sides is the flange visible'."""
-    noun = text.after("side_noun", start, end)
+    noun = text.after("side_noun", start, end) if not text.word_at(start, end, "area", "surface area") else None
+    noun = (of_whole(text, noun, end) or noun) if noun is not None else None
     verb = noun and (text.after("be", noun, end) or text.after("do", noun, end) or text.after("light", noun, end))
     if noun is None or not verb:
         return None
@@ -405,7 +433,11 @@ def _which_angle(text: Text, start: int, end: int) -> Query | None:
         return None
     verb = text.skip(verb, end, "light")
     verb += text.word_at(verb, end, "between")
-    pair = two_selections(text, verb, text.trimmed(verb, end), ("and", "to", "with", "against"))
+    stop = text.trimmed(verb, end)
+    own = selection(text, verb, stop)
+    if own is not None and len(own.phrases) == 1 and LEXICON.match("angled_noun", (own.phrases[0].noun,), 0, 1):
+        return Get((Measure.ANGLE,), own)
+    pair = two_selections(text, verb, stop, ("and", "to", "with", "against"))
     return Angle(*pair) if pair else None
 
 
@@ -417,7 +449,11 @@ def _what_is(text: Text, start: int, end: int) -> Query | None:
         return found
     if not isinstance(found.target, Selection):
         return None
-    listed = found.reduce is Reduce.EACH and not text.match("article", at, end)
+    several = found.target.plural or any(
+        named[0] in SCALARS and LEXICON.is_plural(text.words[named[1] - 1])
+        for named in (text.match("property", i, end) for i in range(at, end)) if named
+    )  # fmt: skip
+    listed = found.reduce is Reduce.EACH and not text.match("article", at, end) and several
     return replace(found, reduce=Reduce.DIFFERENT) if listed else found
 
 

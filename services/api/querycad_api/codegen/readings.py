@@ -13,10 +13,12 @@ _LENGTHS_OF_ROUND = {
     ),
 }
 _STEPS = "A stepped hole is as large as its widest step and as small as its narrowest."
-_SIZES: dict[str, tuple[Measure, str]] = {
+_SIZES: dict[NounClass, tuple[Measure, str]] = {
     NounClass.HOLE: (Measure.DIAMETER, "The size of a hole is taken as its diameter."),
     NounClass.FACE: (Measure.AREA, "The size of a face is taken as its area."),
-    NounClass.OTHER: (Measure.SIZE, "The size is given as the full extents along x, y and z."),
+}
+_SIZE = (Measure.SIZE, "The size is given as the full extents along x, y and z.")
+_SIZES_OF_NOUN: dict[str, tuple[Measure, str]] = {
     **dict.fromkeys(
         ("fillet", "rounding", "round", "blend"), (Measure.RADIUS, "The size of a rounding is taken as its radius.")
     ),
@@ -24,7 +26,7 @@ _SIZES: dict[str, tuple[Measure, str]] = {
         ("chamfer", "bevel"), (Measure.LEAST_EXTENT, "The size of a chamfer is how much it takes off the edge.")
     ),
 }
-"""How big something is, by its noun or by the class of its noun."""
+"""How big something is, by the class of its noun, and by the noun itself."""
 _OF_NOUN = {
     **{
         (Measure.THICKNESS, noun): (Measure.WALL_THICKNESS, "The thickness of a tube is that of its wall.")
@@ -34,6 +36,7 @@ _OF_NOUN = {
         (Measure.THICKNESS, noun): (Measure.DIAMETER, "The thickness of a round bar is its diameter.")
         for noun in ("shaft", "rod", "pin", "axle", "spindle", "dowel", "peg", "stud", "cylinder", "column", "pillar")
     },
+    (Measure.THICKNESS, "nut"): (Measure.LEAST_EXTENT, "The thickness of a nut is how long it is along its axis."),
     (Measure.DIAMETER, "countersink"): (Measure.OUTER_DIAMETER, "The diameter of a countersink is its widest."),
     (Measure.RADIUS, "countersink"): (Measure.OUTER_RADIUS, "The radius of a countersink is its widest."),
 }
@@ -60,7 +63,7 @@ def asked(measure: Measure, target: Target, text: Text) -> Measure:
         return _of_whole(measure, text)
     noun = target.noun_class
     if measure is Measure.MAGNITUDE:
-        measure, note = _SIZES.get(target.phrases[0].noun) or _SIZES.get(noun) or _SIZES[NounClass.OTHER]
+        measure, note = _SIZES_OF_NOUN.get(target.phrases[0].noun) or _SIZES.get(noun, _SIZE)
         text.note(note)
         return measure
     if named := _OF_NOUN.get((measure, target.phrases[0].noun)):
@@ -128,14 +131,17 @@ def ranked(rank: Rank, noun: NounClass, text: Text) -> Rank:
         return rank
     measure = _length(rank.order.measure, noun, text)
     order: Order = ByMeasure(measure)
-    if measure in (Measure.RADIUS, Measure.DIAMETER) or (measure is Measure.MAGNITUDE and noun.is_round):
+    across = measure is Measure.MAGNITUDE or (measure is Measure.WIDTH and noun is NounClass.HOLE)
+    across = across or (measure is Measure.THICKNESS and noun is NounClass.AXIAL)
+    if measure in (Measure.RADIUS, Measure.DIAMETER) or (across and noun.is_round):
         text.note(_STEPS)
-        order = ByMeasure(Measure.OUTER_RADIUS if rank.largest else Measure.INNER_RADIUS)
+        outer = rank.largest or noun is not NounClass.HOLE  # a flange with a narrow bore is not the smallest
+        order = ByMeasure(Measure.OUTER_RADIUS if outer else Measure.INNER_RADIUS)
     elif measure is Measure.MAGNITUDE:
         largest = Measure.VOLUME if noun is NounClass.BODY else Measure.AREA
         text.note(f"Large and small are compared by {largest.value}.")
         order = ByMeasure(largest)
-    elif measure is Measure.HEIGHT and noun is NounClass.HOLE:
-        text.note("High and low are taken as the position in z, because a hole has no height.")
+    elif measure is Measure.HEIGHT and (noun is NounClass.HOLE or (noun is NounClass.BODY and not rank.largest)):
+        text.note("High and low are taken as the position in z.")
         order = ByPlace(2)
     return Rank(order, rank.largest, rank.nth, rank.count)

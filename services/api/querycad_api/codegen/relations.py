@@ -268,6 +268,28 @@ def within(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int |
     return _inside(text, draft, holder, stop, link)
 
 
+def between(text: Text, at: int, end: int, draft: Draft, nested: Nested) -> int | None:
+    """'the arcs between the slots', 'the web between the hub and the rim': SegCAD looks where they lie."""
+    if not text.word_at(at, end, "between") or not draft.words or draft.in_tail or text.number(at + 1, end):
+        return None
+    stop = _end_of_noun(text, text.skip(at + 1, end, "article", "each"), end)
+    first = nested(text, at + 1, stop)
+    if not isinstance(first, Selection) or len(first.phrases) > 1:
+        return None
+    places = [first.phrases[0].description]
+    if text.word_at(stop, end, "and") and not first.plural:
+        after = _end_of_noun(text, text.skip(stop + 1, end, "article", "each"), end)
+        second = nested(text, stop + 1, after)
+        if not isinstance(second, Selection):
+            return None
+        places.append(second.phrases[0].description)
+        stop = after
+    elif not first.plural:
+        return None
+    draft.located += ["between", *" and ".join(places).split()]
+    return draft.close(stop)
+
+
 def _end_of_noun(text: Text, noun: int, end: int) -> int:
     """Where do the words of a noun phrase end that begins at `noun`? A side before the noun belongs to it."""
     lead = modifiers.sides(text, noun, end, verbs=False)

@@ -19,6 +19,7 @@ from .meaning import (
     Described,
     Filter,
     Get,
+    Holding,
     Measure,
     NounClass,
     Order,
@@ -185,6 +186,8 @@ class Selecting:
                 return " and ".join(f"close(p.center[{axis}], shape.center[{axis}])" for axis in axes)
             case Seen(side, visible):
                 return f'"{side.value}" {"in" if visible else "not in"} p.sides'
+            case Holding(members):
+                return f"any(q.is_in(p) for q in {self.choose(members).listed})"
             case Bottom(form, holds):
                 return f'hasattr(p, "bottom") and p.bottom {"==" if holds else "!="} "{form}"'
             case Described(description, holds):
@@ -209,9 +212,12 @@ def _is_beside(condition: Filter) -> bool:
 
 
 def _find(phrase: Phrase) -> str:
+    """'The hole' where one is meant and nothing else picks it: of several SegCAD takes the one that stands out."""
+    several = phrase.plural or phrase.filters or phrase.ranks or phrase.sample
+    description = phrase.description if several else f"the {phrase.description}"
     if not phrase.sides:
-        return f"find_parts({_quoted(phrase.description)})"
-    description = f"{phrase.description} on {phrase.sides[0].value}" if phrase.stands else phrase.description
+        return f"find_parts({_quoted(description)})"
+    description = f"{description} on {phrase.sides[0].value}" if phrase.stands else description
     return f"find_parts({_quoted(description)}, sides={json.dumps([side.value for side in phrase.sides])})"
 
 

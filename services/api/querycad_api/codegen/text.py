@@ -72,7 +72,9 @@ class Text:
     def trimmed(self, start: int, end: int) -> int:
         """Where does the span end without the verb that closes it: '… do the holes have', '… does the part take up'?"""
         for at in range(max(start + 1, end - 2), end):
-            if self.skip(start, at) < at and (self.after("have", at, end) == end or self.after("be", at, end) == end):
+            if self.skip(start, at, "article", "shape_adjective") < at and (
+                self.after("have", at, end) == end or self.after("be", at, end) == end
+            ):
                 return self.trimmed(start, at)
         return end
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from . import modifiers
 from .asking import BORE_WORDS, BORES, EXTENTS, SCALARS, Asked, asked_measures, is_part
 from .distances import angle, distance
 from .draft import MODEL_NOUN
 from .lexicon import LEXICON
 from .meaning import (
+    ENDS,
     Calculate,
     Count,
     Get,
@@ -36,6 +38,7 @@ _MEASURED_THERE = {
 _TAKEN_OFF = {Measure.HEIGHT, Measure.LENGTH, Measure.AXIAL_LENGTH}
 """Extents that become less when what sticks out is taken away."""
 _OF_BOX = {Measure.MAGNITUDE: Measure.SIZE, Measure.VOLUME: Measure.BOX_VOLUME}
+_FASTENERS = {"screw", "bolt"}
 _TUBES = {"tube", "pipe", "sleeve", "bushing", "bush", "nozzle", "collar", "ring", "cylinder", "standoff"}
 
 
@@ -72,6 +75,10 @@ def get(text: Text, wanted: Asked, of: Target) -> Get | None:
             of, reduce = Selection(tuple(different)), Reduce.DIFFERENT  # 'the names of the different bodies'
     if isinstance(of, Selection) and of.phrases[0].sample and reduce is Reduce.EACH and measures[0] in SCALARS:
         reduce = Reduce.ONE
+    if isinstance(of, Selection) and measures == (Measure.RADIUS,) and reduce is Reduce.EACH and not wanted.plural:
+        if of.plural and LEXICON.match("dimensioned_once", (of.phrases[0].noun,), 0, 1):
+            text.note("The radius of corners is one value where they share it.")
+            reduce = Reduce.ONE
     if isinstance(of, Selection) and wanted.plural and reduce is Reduce.EACH and not of.single:
         of = Selection(tuple(replace(phrase, plural=True) for phrase in of.phrases))
     if measures == (Measure.SIZE,) and reduce in (Reduce.LARGEST, Reduce.SMALLEST):
@@ -144,7 +151,11 @@ def _measures_of(text: Text, start: int, end: int) -> Query | None:
     before = wanted
     wanted, rest = _nested(text, wanted, rest, end)
     owned = wanted.measures == (Measure.POSITION,) and text.word_at(end - 2, end, "'s")
+    last = text.match("property", end - 1, end)
+    centers = last is not None and last[0] == wanted.measures[0] == Measure.POSITION and end - 1 > rest
+    owned = owned or (centers and modifiers.starts_noun(text, end - 2, end - 1))  # 'of the hole centres'
     if (wanted != before or owned) and text.match("property", end - 1, end):
+        wanted = replace(wanted, plural=wanted.plural or LEXICON.is_plural(text.words[end - 1]))
         end -= 1
     of = target(text, rest, end) or measured_part(text, wanted.measures, rest, end)
     if of is None:
@@ -211,6 +222,8 @@ def _nested(text: Text, wanted: Asked, start: int, end: int) -> tuple[Asked, int
         ):
             return replace(wanted, measures=(Measure(last[0]),)), start
         return wanted, start
+    if wanted.measures[0] in _MEASURED_THERE and Measure(named[0]) in ENDS:
+        return wanted, start  # 'the diameter of the left end of the shaft'
     if wanted.measures[0] in (Measure.POSITION, Measure.DIRECTION):
         wanted = replace(wanted, measures=(Measure(named[0]),))
     return wanted, named[1] + 1
@@ -220,7 +233,8 @@ def _owned(text: Text, start: int, end: int) -> Query | None:
     """'the shaft's diameter', 'the object's height'."""
     if "'s" not in text.words[start:end]:
         return None
-    mark = text.words.index("'s", start, end)
+    marks = [i for i in range(start, end) if text.words[i] == "'s"]
+    mark = next((i for i in reversed(marks) if asked_measures(text, i + 1, end)), marks[0])
     named = asked_measures(text, mark + 1, end)
     if named is None:
         return None
@@ -272,7 +286,9 @@ def _count(text: Text, start: int, end: int) -> Query | None:
     """'number of holes', 'number of different radii', 'hole count'."""
     after = text.after("count", start, end)
     noun = next((i for i in range(start + 1, end) if text.word_at(i, end, "count", "number", "quantity")), None)
-    if after is None and noun is not None and not any(text.match("preposition", i, end) for i in range(start, noun)):
+    joined = noun is not None and any(text.word_at(i, noun, "and", "or", "&") for i in range(start, noun))
+    led = noun is not None and any(text.match("preposition", i, end) for i in range(start, noun))
+    if after is None and noun is not None and not (led or joined):
         rest = text.rearranged([*range(start, noun), *range(noun + 1, end)])
         return counted(rest, 0, len(rest.tokens))
     if after is None or text.words[start] == "how":
@@ -299,7 +315,8 @@ def counted(text: Text, start: int, end: int) -> Query | None:
         if isinstance(query, Get) and isinstance(query.target, Selection):
             return Count(query.target, query.measures[0])
     parts = selection(text, start, end)
-    return Count(parts) if parts else None
+    beside = parts is not None and any(" between " in phrase.description for phrase in parts.phrases)
+    return Count(parts) if parts and not beside else None
 
 
 def _named_values(text: Text, start: int, end: int) -> Query | None:
@@ -307,6 +324,8 @@ def _named_values(text: Text, start: int, end: int) -> Query | None:
     query = text.attempt(_compound, start, end)
     if not isinstance(query, Get) or not isinstance(query.target, Selection) or not query.target.plural:
         return None
+    if query.measures[0] not in SCALARS:
+        return None  # 'holes top side count'
     return Count(query.target, query.measures[0])
 
 
@@ -336,10 +355,17 @@ def taken_off(
     """'(the height of the motor without) the shaft': one that is there, taken away from what it is a part of."""
     if not isinstance(left, Get) or not isinstance(right, Get) or left.measures[0] not in _TAKEN_OFF:
         return None
-    if not text.word_at(start, end, "the") or not isinstance(right.target, Selection) or right.target.plural:
+    if not text.word_at(start, end, "the", "its", "their", "head") or not isinstance(right.target, Selection):
+        return None
+    if right.target.plural and not (isinstance(left.target, Selection) and left.target.plural):
         return None
     if right.measures == (Measure.LENGTH,) and right.target.noun_class is not NounClass.HOLE:
         right = replace(right, measures=(Measure.AXIAL_LENGTH,))
+    assert isinstance(right.target, Selection)
+    whose, what = left.target, right.target.phrases[0]
+    if isinstance(whose, Selection) and whose.phrases[0].noun in _FASTENERS and what.description == what.noun == "head":
+        named = replace(what, description=f"{whose.phrases[0].noun} head")  # and not the cylinder head below it
+        right = replace(right, target=Selection((named, *right.target.phrases[1:])))
     return Calculate(Operation.WITHOUT, left, right)
 
 
@@ -423,7 +449,14 @@ def _difference(text: Text, start: int, end: int) -> Query | None:
     if not text.word_at(rest, end, "between", "of", "from"):
         return None
     pair = _between(text, rest + 1, end, Measure(measure[0])) if measure else _pair(text, rest + 1, end, ("and", "to"))
-    return Calculate(Operation.APART, *pair) if pair else None
+    if pair:
+        return Calculate(Operation.APART, *pair)
+    several = get(text, Asked((Measure(measure[0]),)), of) if measure and (of := target(text, rest + 1, end)) else None
+    found = several or text.attempt(scalar, rest + 1, end)
+    if not isinstance(found, Get) or not isinstance(found.target, Selection) or not found.target.plural:
+        return None  # else 'the difference between the two diameters': the largest less the smallest
+    most, least = (replace(found, reduce=reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
+    return Calculate(Operation.MINUS, most, least)
 
 
 def _between(text: Text, start: int, end: int, measure: Measure) -> tuple[Scalar, Scalar] | None:

@@ -26,11 +26,13 @@ from .meaning import (
     Overhang,
     Parts,
     Place,
+    Plane,
     Query,
     Reduce,
     Relation,
     Scalar,
     Selection,
+    Span,
     Uniform,
     Whole,
 )
@@ -82,6 +84,8 @@ class _Writer:
                 return self._distance(query)
             case Overhang(target, holder):
                 return self._overhang(target, holder)
+            case Span(target):
+                return self._span(target), AnswerType.LENGTH
             case Count():
                 return self._count(query), AnswerType.COUNT
             case Exists(target):
@@ -97,6 +101,8 @@ class _Writer:
             case Uniform(measure, target):
                 values = f"[{of_part(measure, 'p')} for p in {self.select.every(target).name}]"
                 return f"len(different({values})) == 1", AnswerType.BOOLEAN
+            case Angle(first, seen=True):
+                return self._seen_angle(first), AnswerType.ANGLE
             case Angle(first, second):
                 angles = self._angles(first, second)
                 return f"{angles}[0] if len({angles}) == 1 else {angles}", AnswerType.ANGLE
@@ -231,6 +237,16 @@ class _Writer:
         self.select.lines.insert(0, _OVERHANG)
         return self._each(f"(overhang({{0}}, {other}) or {{0}}.height)", target, AnswerType.LENGTH)
 
+    def _span(self, target: Selection) -> str:
+        """From the outermost end of the first to that of the last, along the axis on which they lie farthest apart."""
+        parts = self.select.every(target).name
+        apart, axis = self.select.name("apart"), self.select.name("axis")
+        reach = f"max(p.center[i] for p in {parts}) - min(p.center[i] for p in {parts})"
+        self.select.lines.append(f"{apart} = [{reach} for i in range(3)]")
+        self.select.lines.append(f"{axis} = {apart}.index(max({apart}))")
+        most = f"max(p.center[{axis}] + p.half_extents[{axis}] for p in {parts})"
+        return f"{most} - min(p.center[{axis}] - p.half_extents[{axis}] for p in {parts})"
+
     # Two values
 
     def _scalar(self, value: Scalar, relation: Relation | None = None, right: bool = False) -> str:
@@ -254,6 +270,9 @@ class _Writer:
         return f"{pick}({of_part(value.measures[0], 'p')} for p in {chosen.name})"
 
     def _calculate(self, query: Calculate) -> tuple[str, AnswerType]:
+        if query.operation is Operation.WITHOUT and isinstance(query.left, Get) and isinstance(query.right, Get):
+            if isinstance(query.left.target, Selection) and query.left.target.plural:
+                return self._each_without(query.left, query.right)
         left, right = self._term(query.left, query.operation), self._term(query.right, query.operation)
         kind = AnswerType.NUMBER if isinstance(query.left, Count) else AnswerType.LENGTH
         if isinstance(query.left, Get):
@@ -272,6 +291,16 @@ class _Writer:
                 assert isinstance(query.left.target, Selection)
                 holder = self.select.choose(query.left.target).first
                 return f'{left} - ({right} if {holder}.kind in ("body", "model") else 0.0)', kind
+
+    def _each_without(self, left: Get, right: Get) -> tuple[str, AnswerType]:
+        """Of each of several bodies what remains without the part of it: the screws without their heads."""
+        assert isinstance(left.target, Selection)
+        assert isinstance(right.target, Selection)
+        parts, others = self.select.choose(left.target).listed, self.select.every(right.target).name
+        whole, taken = of_part(left.measures[0], "p"), of_part(right.measures[0], "q")
+        kind = answer_type(left.measures[0], True)
+        off = f'(max({taken} for q in {others} if q.is_in(p)) if p.kind in ("body", "model") else 0.0)'
+        return f"[{whole} - {off} for p in {parts}]", kind
 
     def _term(self, value: Scalar, operation: Operation) -> str:
         """One number of a calculation; in a sum, all parts count."""
@@ -306,6 +335,19 @@ class _Writer:
         self.select.lines.append(f"{name} = [a.angle_to(b) {pairs}]")
         return name
 
+    def _seen_angle(self, around: Selection) -> str:
+        """The smallest angle at the middle of parts in a circle: twice the arc sine of half a chord over the radius."""
+        parts = self.select.every(around).name
+        self.select.lines.insert(0, "import math\n")
+        middle, angles = self.select.name("middle"), self.select.name("angles")
+        self.select.lines.append(
+            f"{middle} = tuple(sum(p.center[i] for p in {parts}) / len({parts}) for i in range(3))"
+        )
+        chord = f"distance(a.center, b.center) / (distance(a.center, {middle}) + distance(b.center, {middle}))"
+        pairs = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
+        self.select.lines.append(f"{angles} = [2 * math.asin(min(1.0, {chord})) {pairs}]")
+        return f"min({angles})"
+
     def _pairs(self, first: Selection, second: Selection | None) -> str:
         """The loop over 'a' and 'b': every two of one selection, or each of one with each of the other."""
         if second is None:
@@ -316,6 +358,8 @@ class _Writer:
 
     def _distance(self, query: Distance) -> tuple[str, AnswerType]:
         first, second = query.first, query.second
+        if isinstance(first, Plane) or isinstance(second, Plane):
+            return self._from_plane(query)
         if not isinstance(first, Selection) and second is not None:
             first, second = second, first
         if not isinstance(first, Selection):
@@ -325,6 +369,10 @@ class _Writer:
         if isinstance(second, Selection) and first.single and second.single:
             a, b = self.select.choose(first).first, self.select.choose(second).first
             return _apart(query.centers, query.axis, a, b), AnswerType.LENGTH
+        return self._of_pairs(first, second, query)
+
+    def _of_pairs(self, first: Selection, second: Selection | None, query: Distance) -> tuple[str, AnswerType]:
+        """The distances of all pairs of parts, or what becomes of them."""
         pairs = self._pairs(first, second)
         name = self.select.name("distances")
         alike = query.alike and second is None and first.noun_class is NounClass.HOLE
@@ -350,6 +398,33 @@ class _Writer:
             case _:
                 return f"min({name})", AnswerType.LENGTH
 
+    def _from_plane(self, query: Distance) -> tuple[str, AnswerType]:
+        """Along one axis, from a plane of parts to what lies at the other end; one value for each of several parts."""
+        first, second, axis = query.first, query.second, query.axis or 0
+        assert second is not None
+        if isinstance(first, Plane) and isinstance(second, Plane):
+            return f"abs({self._coordinate(first, axis)} - ({self._coordinate(second, axis)}))", AnswerType.LENGTH
+        many = [place for place in (first, second) if isinstance(place, Selection)]
+        many = many or [place.of for place in (first, second) if isinstance(place, Plane)]
+        others = [self._coordinate(place, axis) for place in (first, second) if getattr(place, "of", place) != many[0]]
+        own = next(place for place in (first, second) if getattr(place, "of", place) == many[0])
+        gap = isinstance(own, Selection) and not query.centers
+        template = f"abs({_plane(own, axis)} - ({others[0]}))"
+        template = f"max(0.0, {template} - {{0}}.half_extents[{axis}])" if gap else template
+        return self._each(template, many[0], AnswerType.LENGTH)
+
+    def _coordinate(self, place: Place, axis: int) -> str:
+        """Where a plane, or the first of some parts, lies along an axis."""
+        if isinstance(place, Boundary):
+            return f"shape.{'max' if place.side.outward[axis] > 0 else 'min'}_corner[{axis}]"
+        of = place.of if isinstance(place, Plane) else place
+        assert isinstance(of, Selection)
+        chosen = self.select.choose(of)
+        if isinstance(place, Plane) and chosen.plural:  # the outermost of 'the undersides of the feet'
+            pick = "max" if place.side.outward[axis] > 0 else "min"
+            return f"{pick}({_plane(place, axis).format('q')} for q in {chosen.listed})"
+        return _plane(place, axis).format(chosen.first)
+
     def _to_place(self, parts: Selection, place: Place, query: Distance) -> tuple[str, AnswerType]:
         """From parts to a point or an outer plane of the whole model."""
         template = _from_place(place, query.axis, query.centers)
@@ -357,6 +432,13 @@ class _Writer:
             return self._each(template, parts, AnswerType.LENGTH)
         pick = "max" if query.reduce is Reduce.LARGEST else "min"
         return f"{pick}({template.format('p')} for p in {self.select.every(parts).name})", AnswerType.LENGTH
+
+
+def _plane(place: Place, axis: int) -> str:
+    """Where a part '{0}', or its plane on a side, lies along an axis."""
+    if not isinstance(place, Plane):
+        return f"{{0}}.center[{axis}]"
+    return f"{{0}}.center[{axis}] {'+' if place.side.outward[axis] > 0 else '-'} {{0}}.half_extents[{axis}]"
 
 
 def _apart(centers: bool, axis: int | None, a: str = "a", b: str = "b") -> str:

@@ -3,40 +3,50 @@
 from __future__ import annotations
 
 import colorsys
-import itertools
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from querycad_contracts import Part, Side
-from querycad_segworker.vectors import dot, line_distance, norm, sub
+from querycad_segworker.vectors import dot, sub
 
-from .lexicon import Adjective, Choice, Lexicon, Order, Pick, words_of
+from .lexicon import Choice, Lexicon, Pick, words_of
 from .names import bodies_marked, bodies_named, is_whole
-from .places import STANDING_OUT, TOUCH_M, coaxial, encloses, held, is_inside, lies_between, next_to, touches
+from .places import (
+    FACING,
+    STANDING_OUT,
+    TOUCH_M,
+    coaxial,
+    encloses,
+    held,
+    is_inside,
+    lies_between,
+    lies_in_wall,
+    next_to,
+    touches,
+)
 from .reading import SIDE_WORDS, Place, Reading
+from .roles import ROLES, Kinds
+from .sizes import BLENDS, SAME_SIZE, SIZE_CONFIDENCE, at_ends, by_size, measure, ordered, outstanding
 
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
 LOOSE_PLACE_CONFIDENCE = 0.5
 """What is left when the place that a description names could not be checked."""
+PRESUMED_CONFIDENCE = 0.6
+"""A side is surer than other words: what is visible there is rather meant than what the words fit elsewhere."""
 PURPOSE_CONFIDENCE = 0.9
 """A purpose ('for the dowel pins') hardly ever changes which parts are meant."""
-SIZE_CONFIDENCE = 0.8
-"""'Large' and 'small' are told by the gaps between the sizes that the model has."""
-SAME_SIZE = 1.02
-"""Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
-CLEAR_GAP = 1.5
-"""Sizes that differ by this ratio are large and small to anybody who looks."""
 WIDE = 0.7
 """A flange or plate is at least this wide, compared with the widest: two flanges of a pipe differ by less."""
-CORNER_SHARE = 0.5
-"""In a corner is what lies at least half-way out to two edges."""
-FACING = 0.7
-"""Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 _HOLDING = (
     "in", "of", "on", "at", "from", "to", "by", "inside", "within", "into", "onto", "through", "across", "along",
 )  # fmt: skip
 _TRAITS = ("with", "without")
+_CORNER = "corner"
+_SIDE = "side"
+_WALL = "wall"
+"""The term whose places are known by where they lie: a box's walls are rarely parts of their own."""
 _IMPLIED = {
     "chamfer": ("beveled", "chamfered"),
     "round": ("rounded",),
@@ -45,9 +55,13 @@ _IMPLIED = {
     "gear": ("toothed",),
 }
 """Attributes that all parts of a kind have."""
+_OUTSIDE = frozenset(("groove", "outer", "turned"))
+"""A groove that runs around a rim, tyre or shaft is on its outside."""
+_TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
+"""A plate whose axis, the direction across it, is vertical is a horizontal plate."""
 _DIRECTIONS = frozenset(("vertical", "horizontal"))
+_OF_TEETH = ("axis", "radius", "diameter", "radii")
 _SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
-_BLENDS = ("fillet", "round", "chamfer")
 _FASTENERS = frozenset(("screw", "nut"))
 
 
@@ -57,32 +71,49 @@ class Parts:
     def __init__(self, parts: Sequence[Part], words: Lexicon) -> None:
         self.all = parts
         self.words = words
-        self.bodies = [part for part in parts if part.kind == "body"]
+        self.kinds = Kinds(parts)
+        self._roles: dict[tuple[str, str], bool] = {}
+        self.bodies = self.kinds.get("body")
         self.alone = len(self.bodies) == 1
         self.model = next((part for part in parts if part.kind == "model"), None)
         lettering = [body for body in self.bodies if _name_holds(body.name, words.terms["logo"].choices[0].name)]
         self._lettering = (
             frozenset(face for body in lettering for face in body.faces) if not self.alone else frozenset()
         )
-        self._cores = [diameters[0] for diameters in words.threads.values()]
+        self._cores = sorted(words.cores)
 
     def named(self, reading: Reading, sides: Sequence[Side] | None) -> list[Part]:
-        """The bodies that the words name; adjectives that hold for none of them say nothing more."""
+        """The bodies that the words name; adjectives that hold for none of them say nothing more, but denials do."""
         found = bodies_named(self.all, reading.words, sides)
-        return self._narrowed(found, reading) or found if found else []
+        kept = self._narrowed(found, reading) if found else []
+        return kept or ([] if reading.without else found)
+
+    def as_named(self, bodies: list[Part], reading: Reading) -> list[Part]:
+        """The same bodies; one that is called a gear is as wide as its teeth reach, and turns about their axis."""
+        if reading.term is None or reading.term.choices[0].kind != ("gear",):
+            return bodies
+        measured = []
+        for body in bodies:
+            gears = [part for part in self.all if part.kind == "gear" and set(part.faces) <= set(body.faces)]
+            update = {name: getattr(gears[0], name) for name in _OF_TEETH} if len(gears) == 1 else {}
+            measured.append(body.model_copy(update=update))
+        return measured
 
     def marked(self, reading: Reading) -> list[Part]:
         """The bodies whose names hold all words of the description, such as a standard's number."""
         words = [*reading.words[:-1], *reading.words[-1:]]
         return bodies_marked(self.bodies, words) if len(self.bodies) > 1 else []
 
-    def choose(self, reading: Reading, sides: Sequence[Side] | None = None) -> list[Part]:
+    def choose(
+        self, reading: Reading, sides: Sequence[Side] | None = None, among: Sequence[Part] | None = None
+    ) -> list[Part]:
         """The parts of the first reading of the term that finds any, wherever they can be seen from.
 
         Readings that hold at the place named come first. `sides` do not change which reading it is, but for two things:
         what is visible from nowhere is not meant, and 'the largest' is the largest of those visible from there.
         """
         assert reading.term is not None
+        self._cores = sorted({*self._cores, *(self.words.threads[name][0] for name in reading.threads)})
         choices = list(reading.term.choices)
         if reading.colors:
             choices.append(Choice(("body",), confidence=0.7))
@@ -94,10 +125,10 @@ class Parts:
                 continue
             if (choice.kind == ("model",) or choice.alone) and is_narrowed(reading, sides):
                 continue  # 'the handle on the right' is a part of the model
-            found = without_twins([part for part in self.all if self._fits(part, choice)])
+            found = without_twins([part for part in (self.all if among is None else among) if self._fits(part, choice)])
             found = found if reading.places else self._but_letters(found)
             found = self._narrowed(found, reading, loose)
-            found = self._picked(seen_from(found, sides) or found, choice.pick) if choice.pick else found
+            found = self._picked(seen_from(found, sides) or found, choice.pick, reading.count) if choice.pick else found
             for place in reading.places:  # 'the plate without the boss' is the plate: traits are looked at last
                 if found and place.relation in _TRAITS:
                     found = self._placed(found, place, reading, loose)
@@ -114,49 +145,87 @@ class Parts:
                 return found
         return unseen
 
-    def told_apart(self, found: list[Part], reading: Reading) -> list[Part]:
+    def presumed(self, found: Sequence[Part], reading: Reading, sides: Sequence[Side]) -> list[Part]:
+        """'The bleed screw hole on the left' is there: where one is meant, its side is surer than what else is said.
+
+        Of the same kind of parts visible from there, those that the noun means in any sense, then those that its last
+        word means, then those without adjectives; else what lies towards that side, though something covers it.
+        """
+        assert reading.term is not None
+        kinds = {part.kind for part in found}
+        visible = [part for part in seen_from(self.all, sides) if part.kind in kinds]
+        term = self.words.terms.get(reading.phrase.split()[-1], reading.term)
+        sizes = [adjective for adjective in reading.adjectives if adjective.order]
+        for noun, said in ((reading.term, reading.adjectives), (term, reading.adjectives), (term, sizes)):
+            wider = replace(reading, term=noun, adjectives=said, places=list(reading.places), notes=[])
+            if visible and (kept := self.choose(wider, sides, visible)):
+                words = " ".join(reading.words)
+                reading.doubt(f"'{words}' was taken as what is visible from there", PRESUMED_CONFIDENCE)
+                return kept
+        covered = [part for part in found if any(self._lies_towards(part, side) for side in sides)]
+        if covered:
+            reading.doubt(f"none is visible from the {sides[0]}: what lies there was taken", PRESUMED_CONFIDENCE)
+        return at_ends(covered, sides[:1], self.model)
+
+    def _lies_towards(self, part: Part, side: Side) -> bool:
+        """Does it lie in that half of the model?"""
+        return self.model is not None and dot(sub(part.center, self.model.center), side.outward) > TOUCH_M
+
+    def told_apart(self, found: list[Part], reading: Reading, sides: Sequence[Side] | None = None) -> list[Part]:
         """Of several parts, those that are the large ones, the outer ones, or as many as the description says."""
         for adjective in reading.adjectives:
-            tagged = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
+            tagged = [part for part in found if self._has(part, adjective.tags)]
             if adjective.order and len(tagged) in (0, len(found)):
-                found = self._ordered(found, adjective, reading)
+                found = ordered(found, adjective, reading, self.model)
         for side in reading.ends:
             if not all(_names_side(part, side) for part in found):
-                found = self.at_ends(found, (side,))
+                found = at_ends(found, (side,), self.model)
+        if reading.one:
+            raised = all(part.kind in STANDING_OUT for part in found)  # 'the flange on the top' is the topmost
+            toward = sides if sides and len(sides) == 1 and raised else reading.toward
+            return outstanding(at_ends(found, toward, self.model), reading, self.model)
         wanted = reading.count
         if wanted is None or wanted < 2 or len(found) == wanted or len(found) < 2:
             return found
-        groups = [group for group in _by_size(found) if len(group) == wanted]
+        groups = [group for group in by_size(found) if len(group) == wanted]
         if len(found) > wanted and len(groups) == 1:
             reading.doubt(f"of {len(found)} the {wanted} of one size were taken", SIZE_CONFIDENCE)
             return groups[0]
+        if any(place.relation == "" for place in reading.places):  # 'the five wheel bolt holes' need not be in a wheel
+            wider = replace(reading, places=[place for place in reading.places if place.relation], notes=[])
+            groups = [group for group in by_size(seen_from(self.choose(wider, sides), sides)) if len(group) == wanted]
+            if len(groups) == 1:
+                reading.doubt(f"the model has {wanted} of one size, elsewhere than the words say", SIZE_CONFIDENCE)
+                return groups[0]
         reading.doubt(f"the model has {len(found)} of them, not {wanted}", SIZE_CONFIDENCE)
         return found
 
-    def at_ends(self, found: list[Part], sides: Sequence[Side]) -> list[Part]:
-        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
-        for side in sides:
-            if len(found) > 1 and self.model is not None:
-                reach = [dot(part.center, side.outward) for part in found]
-                near = 0.02 * max(self.model.extents)
-                found = [part for part, at in zip(found, reach, strict=True) if at >= max(reach) - near]
-        return found
-
-    def tags(self, part: Part) -> set[str]:
-        """The part's own tags, those of its kind, and what it is to other parts."""
+    def tags(self, part: Part, asked: Iterable[str] = ()) -> set[str]:
+        """The part's own tags, those of its kind, and of what it is to other parts those `asked` for."""
         tags = {*part.tags, *_IMPLIED.get(part.kind, ())}
+        if part.kind == "prism" and "plate" in tags:
+            tags = {_TURNED.get(tag, tag) for tag in tags}
         if part.kind == "hole" and part.diameter is not None:
             if any(abs(part.diameter - core) <= THREAD_TOLERANCE_M for core in self._cores):
                 tags.add("core_diameter")
-        return tags
+        return tags | {role for role in asked if role in ROLES and role not in tags and self._plays(part, role)}
+
+    def _plays(self, part: Part, role: str) -> bool:
+        if (part.id, role) not in self._roles:
+            self._roles[part.id, role] = ROLES[role](part, self.kinds)
+        return self._roles[part.id, role]
+
+    def _has(self, part: Part, tags: Sequence[str]) -> bool:
+        """Does it have one of the tags?"""
+        return not self.tags(part, tags).isdisjoint(tags)
 
     def _tagged(self, found: Sequence[Part], tags: Sequence[str]) -> bool:
-        return any(not self.tags(part).isdisjoint(tags) for part in found)
+        return any(self._has(part, tags) for part in found)
 
     def _fits(self, part: Part, choice: Choice) -> bool:
         if part.kind not in choice.kind:
             return False
-        tags = self.tags(part)
+        tags = self.tags(part, (*choice.tags, *choice.any, *choice.without))
         return (
             tags.issuperset(choice.tags)
             and (not choice.any or not tags.isdisjoint(choice.any))
@@ -172,10 +241,10 @@ class Parts:
         for adjective in reading.adjectives:
             if set(adjective.tags) <= _DIRECTIONS and adjective.tags and not self._tagged(found, tuple(_DIRECTIONS)):
                 continue  # corners and flat parts have no axis that could be vertical
-            shared = adjective.order and all(not self.tags(part).isdisjoint(adjective.tags) for part in found)
+            shared = adjective.order and all(self._has(part, adjective.tags) for part in found)
             if adjective.tags and not shared and (not adjective.order or self._tagged(found, adjective.tags)):
-                kept = [part for part in found if not self.tags(part).isdisjoint(adjective.tags)]
-                wider = [part for part in found if not self.tags(part).isdisjoint(adjective.fallback)]
+                kept = [part for part in found if self._has(part, adjective.tags)]
+                wider = [part for part in found if self._has(part, adjective.fallback)]
                 if adjective.loose and found and not kept and not wider and not any(p.kind == "hole" for p in found):
                     note = f"'{adjective.name}' was not checked: such details are often not modelled"
                     reading.doubt(note, LOOSE_PLACE_CONFIDENCE)
@@ -185,7 +254,7 @@ class Parts:
                 found = kept or wider
         for adjective in reading.without:
             sure = adjective.fallback if adjective.fallback_confidence == 1.0 else ()
-            found = [part for part in found if self.tags(part).isdisjoint((*adjective.tags, *sure))]
+            found = [part for part in found if not self._has(part, (*adjective.tags, *sure))]
         found = [part for part in found if all(self._has_thread(part, name) for name in reading.threads)]
         found = [part for part in found if all(self._has_color(part.color, name) for name in reading.colors)]
         for place in reading.places:
@@ -201,7 +270,7 @@ class Parts:
 
     def _has_thread(self, part: Part, name: str) -> bool:
         if part.kind == "body":
-            return bool(bodies_marked([part], [name]))
+            return bool(bodies_marked([part], [name.partition("x")[0]]))  # the 20 of an 'M5x20' is its length
         return part.diameter is not None and any(
             abs(part.diameter - d) <= THREAD_TOLERANCE_M for d in self.words.threads[name]
         )
@@ -217,6 +286,8 @@ class Parts:
         if place.relation == "for":
             reading.doubt(f"{said} is not checked", PURPOSE_CONFIDENCE)
             return found
+        if (kept := self._by_position(found, place)) is not None:
+            return kept
         holders = self.named(place.what, None)
         if not holders and place.relation in _HOLDING and is_whole(self.all, place.what.words):
             return found
@@ -228,8 +299,26 @@ class Parts:
             return kept
         if place.relation == "without" and holders and len(found) > 1:
             return kept
-        reading.doubt(f"{said} could not be checked and was left out", LOOSE_PLACE_CONFIDENCE)
-        return found
+        seen = seen_from(found, place.what.ends) if place.what.ends and not holders else []
+        instead = "what is visible from there was taken" if seen else "was left out"
+        reading.doubt(f"{said} could not be checked{':' if seen else ' and'} {instead}", LOOSE_PLACE_CONFIDENCE)
+        return seen or found
+
+    def _by_position(self, found: list[Part], place: Place) -> list[Part] | None:
+        """Those at a place that is known without parts that make it; None where it is not of that kind."""
+        ends, term = place.what.ends, place.what.term
+        kept: list[Part] = []
+        if place.relation == "around":
+            kept = [part for part in found if {part.kind, *part.tags} >= _OUTSIDE]
+        elif term is self.words.terms[_WALL] and ends and self.model and place.relation in _HOLDING:
+            if any(part.normal or part.axis for part in found):
+                return [part for part in found if all(lies_in_wall(part, side, self.model) for side in ends)]
+        elif place.what.words == [_SIDE] and place.relation in _HOLDING:  # neither from above nor from below
+            directions = [(part, part.normal or part.axis) for part in found]
+            kept = [part for part, along in directions if along is not None and abs(along[2]) < FACING]
+        elif term is self.words.terms[_CORNER] and all(part.kind in BLENDS for part in found):
+            kept = at_ends(found, ends, self.model)  # a bevel at the corner is the corner
+        return kept or None
 
     def _holders(self, place: Reading) -> list[Part]:
         if place.term is None or place.head_unknown:
@@ -250,7 +339,7 @@ class Parts:
                 return [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
             case "around":
                 around = [p for p in found if any(encloses(p, h) for h in holders)]
-                if not around and all(p.kind in _BLENDS for p in found):
+                if not around and all(p.kind in BLENDS for p in found):
                     return next_to(found, holders)
                 return around or [p for p in found if not any(coaxial(p, h) for h in holders)]
             case _ if relation in (*_HOLDING, ""):
@@ -259,7 +348,7 @@ class Parts:
 
     # Picks and sizes
 
-    def _picked(self, found: list[Part], pick: Pick) -> list[Part]:
+    def _picked(self, found: list[Part], pick: Pick, count: int | None = None) -> list[Part]:
         if not found:
             return found
         if pick == "lowest":
@@ -267,17 +356,19 @@ class Parts:
             near = 0.02 * max(part.extents[2] for part in found) + 1e-9
             return [part for part in found if part.center[2] - part.extents[2] / 2 <= lowest + near]
         if pick == "elongated":
-            return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+            long = [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+            return [part for part in long if not any(_leads_on(part, other) for other in long)]
         if pick == "standing":
             return [part for part in found if self._stands(part)]
         if pick == "most":
-            groups = _by_size(found)
+            groups = by_size(found)
             return max(groups, key=len) if max(map(len, groups)) > 2 else []
-        sizes = [_measure(part, "size") for part in found]
-        limit = min(sizes) if pick == "smallest" else max(sizes)
+        sizes = [measure(part, "size") for part in found]
         if pick == "wide":
-            return [part for part, size in zip(found, sizes, strict=True) if size >= WIDE * limit]
-        return [part for part, size in zip(found, sizes, strict=True) if abs(size - limit) <= 1e-3 * limit]
+            return [part for part, size in zip(found, sizes, strict=True) if size >= WIDE * max(sizes)]
+        ranked = sorted(sizes, reverse=pick != "smallest")
+        limits = ranked[: count or 1]  # 'the two bearing bores' are the two largest
+        return [part for part, size in zip(found, sizes, strict=True) if any(abs(size - s) <= 1e-3 * s for s in limits)]
 
     def _stands(self, part: Part) -> bool:
         """Does it stand out of its body, instead of being the body's own outline?"""
@@ -318,46 +409,6 @@ class Parts:
                 walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
         return walls
 
-    def _ordered(self, found: list[Part], adjective: Adjective, reading: Reading) -> list[Part]:
-        assert adjective.order is not None
-        if len(found) < 2 or self.model is None:
-            return found
-        if adjective.order == "corner":
-            kept = [part for part in found if self._out(part) >= CORNER_SHARE - 1e-6]
-            if reading.count and len(kept) > reading.count:
-                alike = [group for group in _by_size(kept) if len(group) == reading.count]
-                ranked = sorted(kept, key=self._out, reverse=True)[: reading.count]
-                kept = max(alike, key=lambda group: min(map(self._out, group))) if alike else ranked
-            if not kept:
-                reading.doubt("'corner' could not be checked and was left out", LOOSE_PLACE_CONFIDENCE)
-            return kept or found
-        key: Callable[[Part], float] = lambda part: _measure(part, adjective.order or "size")  # noqa: E731
-        if adjective.order == "distance":
-            key = self._off_center
-        kept = _end_of(found, key, adjective.most, reading.count)
-        if len(kept) < len(found):
-            reading.doubt(f"'{adjective.name}' was taken as {len(kept)} of {len(found)}, by {adjective.order}",
-                          SIZE_CONFIDENCE)  # fmt: skip
-        return kept
-
-    def _off_center(self, part: Part) -> float:
-        """How far is the part, or its axis, from the middle of the model?"""
-        assert self.model is not None
-        if part.axis is not None:
-            return line_distance(part.center, self.model.center, part.axis)
-        return norm(sub(part.center, self.model.center))
-
-    def _out(self, part: Part) -> float:
-        """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
-        assert self.model is not None
-        axis = part.axis
-        offsets = [
-            abs(c - m) / (e / 2) if e > 0 else 0.0
-            for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)
-        ]
-        along = 2 if axis is None else max(range(3), key=lambda i: abs(axis[i]))
-        return min(value for i, value in enumerate(offsets) if i != along)
-
 
 def _names_side(part: Part, side: Side) -> bool:
     """Is the side a word of the body's own name: 'left leaf'?"""
@@ -372,6 +423,11 @@ def seen_from(found: Sequence[Part], sides: Sequence[Side] | None) -> list[Part]
 def is_narrowed(reading: Reading, sides: Sequence[Side] | None) -> bool:
     """Does the description say which of several, so that it cannot be the whole model?"""
     return bool(sides or reading.toward or reading.count) or any(place.relation for place in reading.places)
+
+
+def _leads_on(part: Part, other: Part) -> bool:
+    """Is it the counterbore of a slot that goes on through its floor, and so no slot of its own?"""
+    return other.kind == "cutout" and other.id in part.children and "obround" in part.tags and "obround" in other.tags
 
 
 def without_twins(found: list[Part]) -> list[Part]:
@@ -390,50 +446,6 @@ def turned_to(found: list[Part], sides: Sequence[Side]) -> list[Part]:
     turned = [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
     standing = [p for p in found if p.kind in STANDING_OUT and p.kind != "body"]
     return [p for p in found if p not in standing or p in turned] if any(p in turned for p in standing) else found
-
-
-def _end_of(found: list[Part], key: Callable[[Part], float], most: bool, count: int | None) -> list[Part]:
-    """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
-    ranked = sorted(found, key=key, reverse=most)
-    values = [key(part) for part in ranked]
-    floor = 0.01 * max(values) + 1e-9
-    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in itertools.pairwise(values)]
-    if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
-        return ranked[:count]
-    widest = max(steps)
-    if widest <= SAME_SIZE:
-        return found
-    first = next((i for i, step in enumerate(steps) if step >= CLEAR_GAP), steps.index(widest))
-    return ranked[: first + 1]
-
-
-def _measure(part: Part, order: Order) -> float:
-    """What a word such as 'long' compares; a part without that measure goes by its extents."""
-    across = part.diameter or (part.length * part.width) ** 0.5 if part.length and part.width else part.diameter
-    value = {
-        "size": across,
-        "length": part.depth if part.kind == "hole" else part.length or part.height,
-        "width": part.width or part.diameter,
-        "depth": part.depth,
-        "height": part.height or part.extents[2],
-        "thickness": part.thickness or part.diameter or part.width,
-    }.get(order)
-    return value if value is not None else max(part.extents)
-
-
-def _by_size(found: Sequence[Part]) -> list[list[Part]]:
-    """Groups of parts of one kind and size, along parallel axes."""
-    groups: list[list[Part]] = []
-    for part in found:
-        size = _measure(part, "size")
-        for group in groups:
-            other = _measure(group[0], "size")
-            if part.kind == group[0].kind and max(size, other) <= SAME_SIZE * min(size, other):
-                group.append(part)
-                break
-        else:
-            groups.append([part])
-    return groups
 
 
 def has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:

@@ -8,11 +8,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import Grounding, Part, Side
+from querycad_segworker.vectors import dot
 
 from .choosing import Parts, is_narrowed, seen_from, turned_to
 from .lexicon import Lexicon, lexicon
-from .names import bodies_marked, is_whole, name_words, vocabulary
+from .names import bodies_marked, bodies_named, is_whole, name_words, same_word, vocabulary
+from .places import FACING, STANDING_OUT, carries
 from .reading import Reading, read
+from .sizes import at_ends
 
 AT_END_CONFIDENCE = 0.7
 """'The holes at the top' that look elsewhere are the topmost ones."""
@@ -40,11 +43,11 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
         return _grounding(description, asked, [whole], reading)
     named = model.named(reading, asked)
     if named and _is_by_head_only(named, reading) and reading.term is not None:
-        known = _understood(model, replace(reading, unknown=[], notes=[]), asked)
+        known = _understood(model, replace(reading, unknown=[], notes=[], places=list(reading.places)), asked)
         named = [] if known and known[0].kind not in ("body", "model") else named
     if named:
         reading.unknown.clear()
-        return _grounding(description, asked, model.told_apart(named, reading), reading)
+        return _grounding(description, asked, model.as_named(model.told_apart(named, reading), reading), reading)
     found: list[Part] = []
     if reading.term is not None and not reading.head_unknown:
         found = _understood(model, reading, asked)
@@ -53,19 +56,28 @@ def ground(parts: Sequence[Part], description: str, sides: Sequence[Side] | None
         reading.doubt("the words are taken from the names of bodies", NAME_PART_CONFIDENCE)
         found = marked
     if found:
-        seen = turned_to(seen_from(found, asked), reading.toward)
-        if not seen and reading.toward:
-            seen = model.at_ends(found, reading.toward)
-            reading.doubt(
-                f"none is visible from the {reading.toward[0]}: those at that end were taken", AT_END_CONFIDENCE
-            )
-        if seen:
-            return _grounding(description, asked, model.told_apart(seen, reading), reading)
+        if seen := _there(model, found, reading, asked):
+            return _grounding(description, asked, model.told_apart(seen, reading, asked), reading)
         return _missing(parts, description, asked, reading, len(found))
     whole = is_whole(parts, reading.words) or _block(model, reading)
     if whole is not None:
         return _grounding(description, asked, [whole], reading)
     return _missing(parts, description, asked, reading, 0)
+
+
+def _there(model: Parts, found: list[Part], reading: Reading, sides: Sequence[Side] | None) -> list[Part]:
+    """Those on the sides asked for; else those at that end, or those that face there though their body is covered."""
+    seen = turned_to(seen_from(found, sides), reading.toward)
+    if not seen and sides and reading.one and reading.term is not None:
+        seen = model.presumed(found, reading, sides)
+    if not seen and reading.toward:
+        seen = at_ends(found, reading.toward, model.model)
+        reading.doubt(f"none is visible from the {reading.toward[0]}: those at that end were taken", AT_END_CONFIDENCE)
+    if not seen and sides and any(model.named(place.what, None) for place in reading.places):
+        seen = [part for part in found if part.normal and any(dot(part.normal, s.outward) > FACING for s in sides)]
+        if seen:  # 'on the underside of the carriage': the rail below it does not change that
+            reading.doubt(f"none is visible from the {sides[0]}: what faces there was taken", AT_END_CONFIDENCE)
+    return seen
 
 
 def _is_by_head_only(named: Sequence[Part], reading: Reading) -> bool:
@@ -92,7 +104,10 @@ def _understood(model: Parts, reading: Reading, sides: Sequence[Side] | None) ->
     if whole is not None:
         return [whole]
     reading.unknown = [word for word in reading.unknown if is_whole(model.all, [word]) is None]
+    _compound(model, reading, apart=True)
     found = model.choose(reading, sides)
+    if not found and _compound(model, reading, apart=False):
+        found = model.choose(reading, sides)
     if found and reading.unknown and all(part.kind == "body" for part in found):
         marked = bodies_marked(found, reading.unknown)
         if marked:
@@ -101,14 +116,47 @@ def _understood(model: Parts, reading: Reading, sides: Sequence[Side] | None) ->
     if found and not is_narrowed(reading, sides) and _is_one(model, reading, found):
         return [model.model] if model.model is not None else found
     reading.ignore_unknown()
-    return found
+    return _of_the_named(model, reading, found)
+
+
+def _compound(model: Parts, reading: Reading, apart: bool) -> bool:
+    """Reads 'the legs of the fork' as fork legs, where that is a term: one that is known to be said `apart`, or any.
+
+    'The bore of the cylinder' is the cylinder bore; other nouns are read so where the model has no other legs.
+    """
+    for place in reading.places:
+        compound = f"{place.what.phrase} {reading.phrase}"
+        term = model.words.terms.get(compound)
+        if apart and (term is None or not term.apart or model.named(place.what, None)):
+            continue
+        if place.relation in ("", "of", "in") and term is not None:
+            reading.places.remove(place)
+            reading.term, reading.phrase = term, compound
+            reading.count = reading.count or place.what.count
+            return True
+    return False
+
+
+def _of_the_named(model: Parts, reading: Reading, found: list[Part]) -> list[Part]:
+    """'Screw heads' are those of the bodies that are called screws: what stands out is part of what carries it.
+
+    A 'screw hole' lies elsewhere: it is for a screw.
+    """
+    first = reading.phrase.split()[:-1]
+    if not first or any(part.kind not in STANDING_OUT or part.kind == "body" for part in found):
+        return found
+    owners = bodies_named(model.all, first, None)
+    return [part for part in found if any(carries(owner, part) for owner in owners)] or found
 
 
 def _is_one(model: Parts, reading: Reading, found: Sequence[Part]) -> bool:
     """Does the noun mean the whole model? A file named after it holds one of them, whatever else it might name."""
     plain = not (reading.adjectives or reading.threads or reading.colors or reading.places)
     features = len(found) > 1 and all(part.kind != "body" for part in found)
-    return plain and features and model.alone and is_whole(model.all, reading.words) is not None
+    if not (plain and features and model.alone) or is_whole(model.all, reading.words) is None:
+        return False
+    called = name_words(model.model.name if model.model is not None else None)
+    return same_word(called[-1], reading.words[-1])  # the pipe of a 'pipe_elbow' is part of it
 
 
 def _block(model: Parts, reading: Reading) -> Part | None:
@@ -133,13 +181,14 @@ def _missing(
     words = lexicon()
     understood = reading.term is not None and not reading.head_unknown
     if not understood:
-        what = " ".join(reading.unknown) or description.strip()
+        what = " ".join(reading.unknown) or description.removeprefix("the ").strip()
         nearest, message = _nearest(what, parts, words), f"'{what}' is not a part that is known here"
     else:
-        nearest, message = _present(parts), f"the model has no '{description}'"
+        said = description.removeprefix("the ")
+        nearest, message = _present(parts), f"the model has no '{said}'"
         if elsewhere and sides:
             place = " or ".join(sides)
-            message = f"the model has {elsewhere} x '{description}', but none visible from {place}"
+            message = f"the model has {elsewhere} x '{said}', but none visible from {place}"
     return Grounding(
         description=description,
         sides=sides,

@@ -58,6 +58,8 @@ class Term:
     choices: tuple[Choice, ...]
     product: bool = False
     """It names a whole body or model, never a feature."""
+    apart: bool = False
+    """Said apart it means the same: 'the bore of the cylinder'."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,9 +91,11 @@ class Lexicon:
     with_nouns: dict[str, Adjective]
     threads: dict[str, tuple[float, ...]]
     """Name of a thread to (core diameter, clearance diameters …) in metres."""
+    cores: frozenset[float]
+    """Core diameters in metres of the threads that are usual: those whose pitch need not be said."""
     hues: dict[str, tuple[float, float]]
     words: frozenset[str]
-    """Every single word that occurs in some phrase."""
+    """Every single word that occurs in some phrase, and words of the trade that name no part."""
 
 
 def _choice(line: dict[str, Any]) -> Choice:
@@ -117,7 +121,7 @@ def lexicon() -> Lexicon:
     for entry in data["term"]:
         choices = tuple(_choice(line) for line in entry["choose"])
         for phrase in entry["words"]:
-            terms[phrase] = Term(entry["words"][0], choices, entry.get("product", False))
+            terms[phrase] = Term(entry["words"][0], choices, entry.get("product", False), entry.get("apart", False))
     adjectives: dict[str, Adjective] = {}
     with_nouns: dict[str, Adjective] = {}
     for entry in data["adjective"]:
@@ -137,12 +141,14 @@ def lexicon() -> Lexicon:
         with_nouns.update(dict.fromkeys(entry.get("nouns", ()), adjective))
     threads = {
         name.lower(): tuple(d * 1e-3 for d in diameters)
-        for table in ("metric", "unified")
+        for table in ("metric", "metric_pitch", "unified")
         for name, diameters in data[table].items()
     }
     hues = {name: (float(low), float(high)) for name, (low, high) in data["colour"].items()}
-    words = frozenset(word for phrase in (*terms, *adjectives, *with_nouns) for word in phrase.split())
-    return Lexicon(terms, adjectives, with_nouns, threads, hues, words)
+    known = (*terms, *adjectives, *with_nouns, *data["other"]["words"])
+    words = frozenset(word for phrase in known for word in phrase.split())
+    cores = frozenset(threads[name.lower()][0] for table in ("metric", "unified") for name in data[table])
+    return Lexicon(terms, adjectives, with_nouns, threads, cores, hues, words)
 
 
 def words_of(text: str) -> list[str]:

@@ -36,7 +36,7 @@ def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Si
     """
     bodies = [part for part in parts if part.kind == "body"]
     wanted = list(words)
-    while len(wanted) > 1 and wanted[-1] in GENERIC:
+    while len(wanted) > 1 and wanted[-1] in GENERIC and not any(_is_called(body.name, wanted) for body in bodies):
         wanted.pop()
     if len(bodies) < 2 or not wanted:
         return []
@@ -52,6 +52,12 @@ def bodies_named(parts: Sequence[Part], words: Sequence[str], sides: Sequence[Si
     if sides is None or (found and any(word in name_words(found[0].name) for word in asked)):
         return found
     return [body for body in found if set(sides) & set(body.sides)]
+
+
+def _is_called(name: str | None, wanted: Sequence[str]) -> bool:
+    """Does a name end with the noun and hold the words before it, as 'Pump body' does?"""
+    have = name_words(name)
+    return bool(have) and same_word(have[-1], wanted[-1]) and any(same_word(h, w) for h in have for w in wanted[:-1])
 
 
 def bodies_marked(bodies: Sequence[Part], words: Sequence[str]) -> list[Part]:

@@ -5,11 +5,15 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from querycad_contracts import Part
+from querycad_contracts import Part, Side
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
+FACING = 0.7
+"""Cosine of the angle within which a part points to a side: nearer to it than to any other."""
+MADE_OF = ("pattern", "gear")
+"""Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
 STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
 
 
@@ -21,9 +25,9 @@ def carries(place: Part, part: Part) -> bool:
 def is_inside(part: Part, place: Part) -> bool:
     """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?
 
-    In a pattern of such parts is what belongs to it.
+    In a pattern of such parts, and in a gear of teeth, is what belongs to it.
     """
-    if place.kind == "pattern" and any(child.startswith(f"{part.kind}-") for child in place.children):
+    if place.kind in MADE_OF and any(child.startswith(f"{part.kind}-") for child in place.children):
         return part.id in place.children
     points = [part.center] if part.opening is None else [part.center, part.opening]
     return (
@@ -46,7 +50,7 @@ def next_to(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
 
 def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
     """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
-    if carried := [p for p in found if any(carries(h, p) for h in holders)]:
+    if carried := [p for p in found if any(carries(h, p) and not (relation == "on" and _is_of(p, h)) for h in holders)]:
         return carried
     if relation == "on":
         standing = [p for p in found if p.kind in STANDING_OUT or p.kind == "cylinder"]
@@ -57,9 +61,22 @@ def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[
     return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders)
 
 
+def _is_of(part: Part, place: Part) -> bool:
+    """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
+    raised = part.kind in STANDING_OUT or part.kind == "cylinder"
+    return raised and place.kind in STANDING_OUT - {"body"} and set(part.faces) <= set(place.faces)
+
+
 def _members(part: Part) -> tuple[str, ...]:
     """'the bolt circle of the small holes': a pattern is of its members."""
     return part.children if part.kind == "pattern" else ()
+
+
+def lies_in_wall(part: Part, side: Side, model: Part) -> bool:
+    """Is it cut into the wall on this side: does it point through it, and lie nearer to it than to the one opposite?"""
+    along = part.normal or part.axis
+    outward = side.outward
+    return along is not None and abs(dot(along, outward)) > FACING and dot(sub(part.center, model.center), outward) > 0
 
 
 def touches(part: Part, place: Part) -> bool:

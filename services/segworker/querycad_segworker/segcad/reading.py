@@ -37,6 +37,7 @@ SIDE_WORDS = {
 SIDE_NOUNS = frozenset(("side", "face", "surface", "end", "hand", "view"))
 """What may follow: 'on the right hand side'."""
 _SIDES = {word: side for side, words in SIDE_WORDS.items() for word in words}
+IRREGULAR_PLURALS = frozenset(("feet", "teeth"))
 _GENERIC = frozenset(("object", "body"))
 """Terms that may follow another noun without adding anything: 'the pipe piece', 'the adapter plate body'."""
 
@@ -69,6 +70,8 @@ class Reading:
     """Sides said like an adjective: 'the left leg' is the leftmost one."""
     count: int | None = None
     """How many there are, as the description has it: 'the four holes'."""
+    one: bool = False
+    """One is meant, whichever stands out: 'the hole', but neither 'the holes' nor 'hole'."""
     unknown: list[str] = field(default_factory=list)
     """Words that nothing is known about."""
     head_unknown: bool = False
@@ -93,15 +96,29 @@ def read(description: str, words: Lexicon, names: frozenset[str] = frozenset()) 
     """Takes a description apart. `names` are words of product names, which are never taken for misspelt ones."""
     reading = Reading()
     known = words.words | FILLERS | PREPOSITIONS | frozenset((*words.threads, *words.hues, *NUMBERS, *GREYS))
-    tokens = [form for word in words_of(description) for form in _known_forms(word, known, names, reading)]
+    said = _with_threads(words_of(description), words)
+    tokens = [form for word in said for form in _known_forms(word, known, names, reading)]
     segments = _segments(tokens, words)
     _read_noun_phrase(segments[0][1], words, reading)
+    head = reading.words[-1] if reading.words else ""
+    reading.one = said[:1] == ["the"] and head in said and head not in IRREGULAR_PLURALS and not reading.count
     for marker, content in segments[1:]:
         if marker in ("with", "without"):
             _read_trait(content, marker == "without", words, reading)
         else:
             _read_place(marker, content, words, reading)
     return reading
+
+
+def _with_threads(said: Sequence[str], words: Lexicon) -> list[str]:
+    """Sizes of threads that came in two words are one: '1/4 20'."""
+    joined: list[str] = []
+    for word in said:
+        if joined and f"{joined[-1]}-{word}" in words.threads:
+            joined[-1] = f"{joined[-1]}-{word}"
+        else:
+            joined.append(word)
+    return joined
 
 
 def _segments(tokens: Sequence[str], words: Lexicon) -> list[tuple[str, list[str]]]:
@@ -119,11 +136,19 @@ def _segments(tokens: Sequence[str], words: Lexicon) -> list[tuple[str, list[str
         ends_here = at + 1 >= len(tokens) or tokens[at + 1] in PREPOSITIONS
         alone = ends_here if content else phrase in words.terms or phrase in words.adjectives
         if token not in PREPOSITIONS or end > at + 1 or (alone and phrase in (*words.terms, *words.adjectives)):
-            content.extend(tokens[at:end])
+            if not (token in PREPOSITIONS and _is_feature(content, words)):  # 'the conical seat inside'
+                content.extend(tokens[at:end])
         elif content or len(segments) > 1:
             segments.append((token, []))
         at = end
     return segments
+
+
+def _is_feature(tokens: Sequence[str], words: Lexicon) -> bool:
+    """Do the words end with the noun of a feature? The inside of a whole is a part of it, a 'seat inside' is a seat."""
+    starts = range(len(tokens))
+    phrase = next((" ".join(tokens[i:]) for i in starts if " ".join(tokens[i:]) in words.terms), "")
+    return bool(phrase) and not words.terms[phrase].product
 
 
 def _known_forms(word: str, known: frozenset[str], names: frozenset[str], reading: Reading) -> list[str]:
@@ -164,6 +189,7 @@ def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -
     tokens = [word for i, word in enumerate(tokens) if word != "shaped" or _is_shaped(tokens, i, words)]
     reading.words = [token for token in tokens if token not in NUMBERS]
     nouns: list[tuple[str, Term]] = []
+    shapes: list[tuple[str, Adjective]] = []
     position = 0
     while position < len(tokens):
         end, phrase = _longest_phrase(tokens, position, words)
@@ -171,6 +197,7 @@ def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -
         noun_follows = any(_longest_phrase(tokens, i, words)[1] in words.terms for i in range(end, len(tokens)))
         if adjective is not None and (phrase not in words.terms or noun_follows):
             _add_adjective(adjective, phrase, reading)
+            shapes.append((phrase, adjective))
         elif phrase in words.terms:
             nouns.append((phrase, words.terms[phrase]))
             reading.head_unknown = False
@@ -181,6 +208,10 @@ def _read_noun_phrase(tokens: Sequence[str], words: Lexicon, reading: Reading) -
         nouns.pop()
     if nouns:
         reading.phrase, reading.term = nouns[-1]
+    for shape, adjective in shapes:
+        if (together := words.terms.get(f"{shape} {reading.phrase}")) is not None and adjective in reading.adjectives:
+            reading.phrase, reading.term = f"{shape} {reading.phrase}", together  # 'the half round bar seat'
+            reading.adjectives.remove(adjective)
     for phrase, term in nouns[:-1]:
         if reading.term is not None and term.name != reading.term.name:
             reading.places.append(Place("", Reading(words=phrase.split(), term=term, phrase=phrase)))

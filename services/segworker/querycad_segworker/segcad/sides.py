@@ -91,7 +91,7 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
                 }
             sides |= into
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
-    return _with_bores(result)
+    return _with_members(_with_bores(result))
 
 
 def _walls_around(part: Part, brep: Brep) -> set[int]:
@@ -134,6 +134,18 @@ def _with_bores(parts: Sequence[Part]) -> list[Part]:
             bore, normal = holes.get(part.children[0]), part.normal
             into = {s for s in (bore.sides if bore else ()) if dot(s.outward, normal) > math.cos(OPENING_ANGLE_RAD)}
             part = part.model_copy(update={"sides": tuple(s for s in Side if s in into or s in part.sides)})
+        result.append(part)
+    return result
+
+
+def _with_members(parts: Sequence[Part]) -> list[Part]:
+    """Patterns, which have no openings of their own, seen where all of their members are."""
+    seen = {part.id: set(part.sides) for part in parts}
+    result = []
+    for part in parts:
+        if part.kind == "pattern" and part.children:
+            shared = set(Side).intersection(*(seen.get(child, set()) for child in part.children))
+            part = part.model_copy(update={"sides": tuple(s for s in Side if s in shared or s in part.sides)})
         result.append(part)
     return result
 
