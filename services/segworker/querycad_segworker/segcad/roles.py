@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING
 
 from querycad_contracts import Part
 from querycad_segworker.vectors import cross, line_distance, norm
 
 from .places import TOUCH_M, touches
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 _SQUARE = 1e-2
 """Cosine of what is still a right angle: half a degree."""
@@ -34,6 +36,8 @@ class Kinds:
     @cached_property
     def turned(self) -> tuple[NDArray[np.float64], ...]:
         """Bosses and holes: centres, axes and extents, (N, 3) float64 each, and radii, (N,) float64. Metres."""
+        import numpy as np  # a tenth of a second, for the one word that asks for this
+
         found = [part for part in self.get("boss", "hole") if part.axis and part.radius]
         rows = [[part.center, part.axis, part.extents] for part in found]
         center, axis, extents = np.array(rows, dtype=np.float64).reshape(-1, 3, 3).transpose(1, 0, 2)
@@ -56,6 +60,8 @@ def is_radial(hole: Part, kinds: Kinds) -> bool:
     """Does a hole run square to the axis of a wider round part or bore that it lies in, and through that axis?"""
     if hole.kind != "hole" or hole.axis is None or not hole.radius:
         return False
+    import numpy as np
+
     center, axis, extents, radius = kinds.turned
     apart, along = center - np.asarray(hole.center), np.asarray(hole.axis)
     wider = (radius > hole.radius) & (np.abs(axis @ along) <= _SQUARE)
