@@ -36,6 +36,7 @@ from .geometry import (
 )
 from .logs import LogFormat, current_request, start_logging, working_for
 from .processes import end_with_parent
+from .queries import Grounded, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
 from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
@@ -117,6 +118,7 @@ __all__ = [
     "FolderStore",
     "Frame",
     "Frozen",
+    "Grounded",
     "GroundedBy",
     "Grounding",
     "GuestAnswer",
@@ -132,6 +134,7 @@ __all__ = [
     "LengthUnit",
     "LlmOptions",
     "LogFormat",
+    "Measure",
     "ModelId",
     "ModelResource",
     "ModelStatus",
@@ -139,9 +142,11 @@ __all__ = [
     "ModelTask",
     "ModelsPage",
     "Part",
+    "PartQuery",
     "PartsPage",
     "PartsTask",
     "PictureTask",
+    "Place",
     "Printed",
     "Problem",
     "Program",
@@ -149,7 +154,9 @@ __all__ = [
     "QuestionTask",
     "QuestionsRequest",
     "Queue",
+    "Rank",
     "Refusal",
+    "Relation",
     "RunEnded",
     "RunEvent",
     "RunFailed",
@@ -164,6 +171,7 @@ __all__ = [
     "Settings",
     "Shape",
     "Side",
+    "SizeFilter",
     "Status",
     "StorageSettings",
     "SurfaceKind",

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Protocol
 from pydantic import Field
 
 from .geometry import Face, Frozen, Part, Shape, Side
+from .queries import Grounded, PartQuery
 
 RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
@@ -36,8 +37,12 @@ class SegCad(Protocol):
         """What is the whole model?"""
         ...
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
-        """Which parts does `description` mean, of those visible from any of `sides`?"""
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts does `description` mean, of those visible from any of `sides`? Free text is read as a query."""
+        ...
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        """In which ways can each query be grounded on the model, the best first?"""
         ...
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:

@@ -7,6 +7,7 @@ exception that it sees, the run is over.
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable, Sequence
 from typing import Any, Final, NoReturn, TypeVar
@@ -14,7 +15,7 @@ from uuid import UUID
 
 from pydantic_monty import ClassInstance, ClassType, MontyClassProxy
 
-from querycad_contracts import Body, Face, Grounding, Part, RunStatus, SegCad, Shape, Side, Vector
+from querycad_contracts import Body, Face, Grounding, Part, PartQuery, RunStatus, SegCad, Shape, Side, Vector
 
 from .control import RunControl, RunEndedError
 from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
@@ -89,7 +90,7 @@ class Guest:
         self._control = control
         self.views: dict[UUID, View] = {}
         """Every object that the program was given, by the id that the interpreter knows it by."""
-        self._found: dict[tuple[str, tuple[Side, ...] | None], list[PartView]] = {}
+        self._found: dict[tuple[str | PartQuery, tuple[Side, ...] | None], list[PartView]] = {}
         self._faces: dict[str, list[View]] = {}
         self.groundings: list[Grounding] = []
         self.ended: BaseException | None = None
@@ -115,7 +116,9 @@ class Guest:
         bodies = [View(self, body, body_measures(body)) for body in shape.bodies]
         return View(self, shape, {**shape_measures(shape), "bodies": bodies})
 
-    def find_parts(self, description: str, sides: Sequence[str] | str | None = None) -> list[PartView]:
+    def find_parts(
+        self, description: str | dict[str, Any], sides: Sequence[str] | str | None = None
+    ) -> list[PartView]:
         """The function `find_parts`. A call made before is answered from the first."""
         key = (_description(description), _sides(sides))
         if key not in self._found:
@@ -183,7 +186,7 @@ class Guest:
         lacking = (view for view in views if type_name == "Part" and attribute not in view.measures)
         return next((view.lacks(attribute) for view in lacking), "")
 
-    def _ground(self, description: str, sides: tuple[Side, ...] | None) -> Grounding:
+    def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         if len(self.groundings) >= DESCRIPTIONS:
             self._end(RunEndedError(RunStatus.REFUSED, f"the program asked for more than {DESCRIPTIONS} descriptions"))
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
@@ -191,7 +194,7 @@ class Guest:
         if not grounding.understood:
             nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
             reason = f": {grounding.message.rstrip('.')}" if grounding.message else ""
-            self._end(RunEndedError(RunStatus.RAISED, f"not grounded: {description!r}{reason}{nearest}"))
+            self._end(RunEndedError(RunStatus.RAISED, f"not grounded: {grounding.description!r}{reason}{nearest}"))
         return grounding
 
     def _ask(self, call: Callable[[], T]) -> T:
@@ -227,9 +230,14 @@ def _direction(part: Part) -> Vector:
     return direction
 
 
-def _description(description: object) -> str:
+def _description(description: object) -> str | PartQuery:
+    if isinstance(description, dict):
+        try:
+            return PartQuery.model_validate_json(json.dumps(description))
+        except (TypeError, ValueError) as problem:
+            raise ValueError(f"find_parts() takes no such query: {str(problem)[:200]}") from None
     if not isinstance(description, str):
-        raise TypeError("find_parts() takes a description as text, such as 'through hole'")
+        raise TypeError("find_parts() takes a description as text, such as 'through hole', or a query as a dict")
     if not description.strip() or len(description) > DESCRIPTION_CHARS:
         raise ValueError(f"a description has 1 to {DESCRIPTION_CHARS} characters")
     return description.strip()

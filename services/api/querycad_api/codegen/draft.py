@@ -41,6 +41,8 @@ class Draft:
     """What stays in the description behind the head: 'with ring'."""
     located: list[str] = field(default_factory=list)
     """Where the parts are, for SegCAD to look up: 'in flange'."""
+    elsewhere: list[list[str]] = field(default_factory=list)
+    """Where they are not: 'not in flange'."""
     sides: list[Side] = field(default_factory=list)
     filters: list[Filter] = field(default_factory=list)
     ranks: list[Rank] = field(default_factory=list)
@@ -55,7 +57,7 @@ class Draft:
     closed: bool = False
     """The head is complete: further words are said of it."""
     negated: bool = False
-    """The next modifier is denied."""
+    """The next modifier is denied. One that is left so at the end was not understood."""
     refused: bool = False
     """A word was left over that changes the meaning: the phrase is not understood."""
     sample: bool = False
@@ -121,7 +123,7 @@ def finished(text: Text, draft: Draft, like: Target | None) -> Target | None:
 
     `like` is what 'the one' and a phrase without noun ('on the front') stand for.
     """
-    if draft.refused:
+    if draft.refused or draft.negated:
         return None
     words = [LEXICON.singular(word) for word in draft.words]
     plural = (draft.plural or bool(words and words[-1] != draft.words[-1])) and not draft.singular
@@ -148,6 +150,7 @@ def finished(text: Text, draft: Draft, like: Target | None) -> Target | None:
 
 def _phrase(text: Text, draft: Draft, words: list[str], noun: NounClass, plural: bool) -> Phrase:
     adjectives, denied = draft.said(words[-1])
+    denied += tuple(Described(" ".join([*words, *place]), False) for place in draft.elsewhere)
     at_end = draft.ends and draft.ends == draft.sides and noun is NounClass.AXIAL and not plural
     placed = [
         one.reference for one in draft.filters if isinstance(one, Placed) and isinstance(one.reference, Selection)

@@ -138,10 +138,17 @@ def _goes_on_about(text: Text, at: int, rest: int, end: int, draft: Draft) -> bo
 
 def _step(text: Text, at: int, end: int, draft: Draft) -> int:
     """Read one modifier or word; where does it end?"""
+    negated, places, filters = draft.negated, len(draft.located), len(draft.filters)
     for rule in _RULES:
         after = rule(text, at, end, draft)
-        if after is not None and after > at:
-            return after
+        if after is None or after <= at:
+            continue
+        if negated and draft.negated and len(draft.located) > places:
+            draft.elsewhere.append(draft.located[places:])
+            del draft.located[places:]
+            draft.negated = False
+        draft.refused = draft.refused or (negated and draft.negated and len(draft.filters) > filters)
+        return after
     return at + 1
 
 

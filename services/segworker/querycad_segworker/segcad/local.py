@@ -7,12 +7,15 @@ from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Face, GroundedBy, Grounding, Part, Shape, Side
+from querycad_contracts import Face, Grounded, GroundedBy, Grounding, Part, PartQuery, Shape, Side
 from querycad_segworker.model import Artefacts, Model
 from querycad_segworker.vectors import cross, dot, line_distance, norm
 from querycad_segworker.vision.region import faces_of_id, region
 
-from .ground import ground
+from querycad_segworker.grounding.find import find
+from querycad_segworker.grounding.ground import ground
+from querycad_segworker.grounding.inventory import Inventory
+
 from .measuring import Kernel
 from .sight import Keep, Networks, Sight, keep_here, no_networks
 
@@ -63,9 +66,17 @@ class LocalSegCad:
         """What is the whole model?"""
         return self.model.shape
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+    @cached_property
+    def _inventory(self) -> Inventory:
+        return Inventory(self.model.parts)
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        """In which ways can each query be grounded on the model, the best first?"""
+        return tuple(tuple(ground(self._inventory, query)) for query in queries)
+
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""
-        by_words = ground(self.model.parts, description, sides)
+        by_words = find(self._inventory, description, sides)
         if self.grounding is GroundedBy.GEOMETRY:
             return by_words
         return self._sight.ground(by_words, self.grounding, self.model.parts, self._faces)

@@ -1,0 +1,99 @@
+"""The candidates of every question with their features and whether their value is right: what the weights are fitted on."""
+
+from __future__ import annotations
+
+import pickle
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from querycad_answering.candidates import candidates, with_value
+from querycad_contracts import Part, RunOutcome, RunStatus
+from querycad_sandbox import Sandbox
+from querycad_segworker.errors import FileProblem
+from querycad_segworker.grounding.names import vocabulary
+from querycad_segworker.ingest import ingest
+from querycad_segworker.model import ModelStore
+from querycad_segworker.segcad.local import LocalSegCad
+
+from .data import Question, is_right
+
+LIMIT = 10
+"""Candidates of a question that are run for fitting; more than are run for an answer, so that weights see what was wrong."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """One candidate of a question."""
+
+    features: dict[str, float]
+    value: Any
+    right: bool
+    code: str
+    said: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A question with its candidates."""
+
+    question: Question
+    tried: tuple[Tried, ...]
+
+
+def collect(asked: Sequence[Question], store: Path, jobs: int = 2) -> list[Row]:
+    """The candidates of all questions, model by model."""
+    ordered = sorted(asked, key=lambda one: str(one.file))
+    groups = [list(group) for _, group in groupby(ordered, key=lambda one: str(one.file))]
+    with ProcessPoolExecutor(jobs) as pool:
+        rows = [row for part in pool.map(_of_model, groups, [store] * len(groups)) for row in part]
+    return rows
+
+
+def _of_model(asked: Sequence[Question], store: Path) -> list[Row]:
+    try:
+        segcad = LocalSegCad(ingest(asked[0].file, ModelStore(store)))
+    except FileProblem as problem:
+        print(f"{asked[0].file}: {problem}", file=sys.stderr)
+        return [Row(one, ()) for one in asked]
+    whole = next(part for part in segcad.model.parts if part.kind == "model")
+    with Sandbox(workers=1) as sandbox:
+        return [Row(one, tuple(_tried(one, segcad, whole, sandbox))) for one in asked]
+
+
+def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) -> list[Tried]:
+    found = []
+    names = vocabulary(segcad.model.parts)
+    try:
+        ranked = candidates(one.question, segcad.ground, whole, names, LIMIT)
+    except Exception as error:  # noqa: BLE001 - a question that breaks the reader is a finding, not the end of the run
+        print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
+        return []
+    for candidate in ranked:
+        try:
+            outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
+        except FileProblem as problem:  # a measurement that the kernel could not make
+            outcome = RunOutcome(status=RunStatus.CRASHED, message=str(problem))
+        if outcome.status is not RunStatus.OK:
+            if outcome.status is RunStatus.RAISED and "has no" not in outcome.message and "not grounded" not in outcome.message and "empty" not in outcome.message:
+                print(f"{one.question!r}: {outcome.message[:200]}\n{candidate.written.code}", file=sys.stderr)
+            found.append(Tried({**candidate.features, "run_failed": 1.0}, None, False, candidate.written.code))
+            continue
+        done = with_value(candidate, outcome.value, whole.extents)
+        found.append(Tried(done.features, outcome.value, is_right(outcome.value, one), candidate.written.code))
+    return found
+
+
+def save(rows: Sequence[Row], path: Path) -> None:
+    """Keeps the candidates for fitting."""
+    path.write_bytes(pickle.dumps(list(rows)))
+
+
+def load(path: Path) -> list[Row]:
+    """The candidates that were kept."""
+    rows: list[Row] = pickle.loads(path.read_bytes())  # noqa: S301 - our own file
+    return rows

@@ -1,0 +1,148 @@
+"""The candidates for an answer: every reading of a question on every way to ground it, as a program with its features."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
+from querycad_language.forms import Count, Distance, Every, Exists, Form, Get, Reduce, queries
+from querycad_language.programs import Unwritable, Written, write
+from querycad_language.readings import Reading, read
+from querycad_language.weights import weights
+
+GROUNDINGS = 5
+"""Of each query so many ways are followed."""
+OPTIONS = 3
+"""So many meanings of a measure are followed."""
+RUNS = 6
+"""So many programs are run."""
+
+Features = dict[str, float]
+Ground = Callable[[Sequence[PartQuery]], Sequence[Sequence[Grounded]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """One program that may answer, and what speaks for it."""
+
+    reading: Reading
+    grounds: dict[PartQuery, Grounded]
+    written: Written
+    features: Features
+    value: Any = field(default=None, compare=False)
+
+    @property
+    def score(self) -> float:
+        """The fitted weights of the features, added up."""
+        table = weights()
+        return math.fsum(table.get(name, 0.0) * value for name, value in self.features.items())
+
+
+def candidates(question: str, ground: Ground, whole: Part, names: Iterable[str] = (), limit: int = RUNS) -> list[Candidate]:
+    """The candidates that are worth running, the best first. `whole`: the part that stands for the model."""
+    readings = read(question, names)
+    asked: list[PartQuery] = []
+    for reading in readings:
+        asked += [query for query in queries(reading.form) if query not in asked]
+    grounded = dict(zip(asked, ground(asked), strict=True)) if asked else {}
+    best: dict[str, Candidate] = {}
+    for reading in readings:
+        for candidate in _of_reading(reading, grounded, whole):
+            known = best.get(candidate.written.code)
+            if known is None or candidate.score > known.score:
+                best[candidate.written.code] = candidate
+    return sorted(best.values(), key=lambda one: one.score, reverse=True)[:limit]
+
+
+def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]], whole: Part) -> Iterable[Candidate]:
+    own = list(queries(reading.form))
+    each = GROUNDINGS if len(own) < 2 else 3
+    for ways in itertools.product(*(list(enumerate(grounded[query]))[:each] for query in own)):
+        grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
+        if isinstance(reading.form, Every) and any(name.endswith("_dropped") for name in grounds[reading.form.among].features):
+            continue  # what is to be shown cannot be left unchecked
+        senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
+        for option in range(OPTIONS):
+            try:
+                written = write(reading.form, senses, whole, option)
+            except Unwritable:
+                if option:
+                    break
+                continue
+            features = _features(reading, grounds, written, whole)
+            yield Candidate(reading, grounds, written, features)
+            if not written.grades:
+                break
+
+
+def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written, whole: Part) -> Features:
+    """Those of the words, of the groundings, and of the measures."""
+    features: Features = dict(reading.features)
+    for grounded in grounds.values():
+        for name, value in grounded.features.items():
+            features[name] = features.get(name, 0.0) + value
+    for grade in written.grades:
+        features[f"measure_{grade}"] = features.get(f"measure_{grade}", 0.0) + 1.0 / len(written.grades)
+    if written.option:
+        features["measure_option"] = float(written.option)
+    features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
+    form = reading.form
+    if isinstance(form, Get):
+        features.update(_of_get(form, grounds))
+    if isinstance(form, Count | Exists) and not grounds[form.target].parts:
+        features["counts_none"] = 1.0
+    return features
+
+
+_HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
+_ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
+
+
+def _of_get(form: Get, grounds: dict[PartQuery, Grounded]) -> Features:
+    """How the number of parts fits to the words, and whether the measure is one of the whole."""
+    features: Features = {}
+    measure = form.measures[0]
+    if form.target is None:
+        features["whole_round" if measure in _ROUND else "whole_hollow" if measure in _HOLLOW else "whole_natural"] = 1.0
+        return features
+    parts = grounds[form.target].parts
+    if not parts:
+        features["get_of_none"] = 1.0
+    if form.reduce is Reduce.EACH and len(parts) == 1:
+        features["each_of_one"] = 1.0
+    if parts and parts[0].kind == "model":
+        features["whole_as_part"] = 1.0
+    return features
+
+
+def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Candidate:
+    """The candidate after its run, with features of the value: how many, how large, whether there is one."""
+    features = dict(candidate.features)
+    form = candidate.reading.form
+    listed = value if isinstance(value, list) else [value]
+    flat = [round(v, 7) if isinstance(v, float) else repr(v) for v in listed]
+    distinct = len(set(flat))
+    if value is None or value == []:
+        features["value_none"] = 1.0
+    one = isinstance(form, Get | Distance) and form.reduce is Reduce.ONE
+    if one and distinct > 1 and candidate.written.expects not in (AnswerType.SIZE, AnswerType.POINT, AnswerType.DIRECTION):
+        features["values_several_for_one"] = 1.0
+    if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
+        features["values_differ_for_each"] = 1.0
+    if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):
+        sizes = [v for v in listed if isinstance(v, float | int) and not isinstance(v, bool)]
+        diagonal = math.dist((0.0, 0.0, 0.0), tuple(extents))
+        if sizes and max(sizes) > 1.001 * diagonal:
+            features["value_too_large"] = 1.0
+        if sizes and min(sizes) <= 1e-7:
+            features["value_zero"] = 1.0
+        if sizes and any(abs(max(sizes) - extent) < 1e-6 for extent in extents) and not (isinstance(form, Get) and form.target is None):
+            features["value_is_extent"] = 1.0
+    return replace(candidate, features=features, value=value)
+
+
+__all__ = ["Candidate", "Form", "candidates", "with_value"]

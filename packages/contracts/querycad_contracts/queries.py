@@ -1,0 +1,156 @@
+"""What a noun phrase asks for: a typed query for parts, as language writes it and grounding reads it.
+
+Lengths are metres, areas m2, volumes m3, angles radians. Nothing here knows words of a question or faces of a model.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from pydantic import Field
+
+from .geometry import Frozen, Part, Side
+
+
+class Measure(StrEnum):
+    """A property that can be asked of a part or of the whole model. docs/measures.md defines each."""
+
+    RADIUS = "radius"
+    DIAMETER = "diameter"
+    INNER_RADIUS = "inner_radius"
+    OUTER_RADIUS = "outer_radius"
+    INNER_DIAMETER = "inner_diameter"
+    OUTER_DIAMETER = "outer_diameter"
+    CIRCUMFERENCE = "circumference"
+    DEPTH = "depth"
+    HEIGHT = "height"
+    WIDTH = "width"
+    LENGTH = "length"
+    THICKNESS = "thickness"
+    WALL_THICKNESS = "wall_thickness"
+    MAGNITUDE = "magnitude"
+    """How big something is, where no dimension is named."""
+    SIZE = "size"
+    """Full extents along x, y, z."""
+    HALF_SIZE = "half_size"
+    X_EXTENT = "x_extent"
+    Y_EXTENT = "y_extent"
+    Z_EXTENT = "z_extent"
+    SHORT_SIDE = "short_side"
+    LONG_SIDE = "long_side"
+    DIAGONAL = "diagonal"
+    ACROSS_FLATS = "across_flats"
+    ACROSS_CORNERS = "across_corners"
+    CENTRE_LENGTH = "centre_length"
+    """Of a slot with round ends: from centre to centre of the ends."""
+    ANGLE = "angle"
+    AREA = "area"
+    VOLUME = "volume"
+    MASS = "mass"
+    POSITION = "position"
+    OPENING = "opening"
+    TIP = "tip"
+    TOP_END = "top_end"
+    BOTTOM_END = "bottom_end"
+    LEFT_END = "left_end"
+    RIGHT_END = "right_end"
+    FRONT_END = "front_end"
+    BACK_END = "back_end"
+    X = "x"
+    Y = "y"
+    Z = "z"
+    AXIS = "axis"
+    NORMAL = "normal"
+    DIRECTION = "direction"
+    EDGE_DISTANCE = "edge_distance"
+    PITCH = "pitch"
+    COUNT = "count"
+    """Of a pattern its members, of a gear its teeth."""
+    NAME = "name"
+    KIND = "kind"
+    COLOR = "color"
+    SIDES = "sides"
+    BOTTOM = "bottom"
+
+
+class Relation(StrEnum):
+    """How does a value compare with a stated one?"""
+
+    EQUAL = "equal"
+    UNEQUAL = "unequal"
+    ABOUT = "about"
+    LESS = "less"
+    AT_MOST = "at_most"
+    MORE = "more"
+    AT_LEAST = "at_least"
+    BETWEEN = "between"
+
+
+class SizeFilter(Frozen):
+    """A stated size that the part has: 'with a diameter of 5 mm', 'deeper than 11 mm', '5 mm hole'."""
+
+    measure: Measure | None = Field(None, description="Null: whatever size a part of that kind is named by.")
+    relation: Relation = Relation.EQUAL
+    low: float = Field(description="SI; what it is compared with, the lower end of a range.")
+    high: float | None = Field(None, description="The upper end of a range.")
+
+
+class Rank(Frozen):
+    """Which of several: the first `count` in an order, or the `nth`. Exactly one of the orders is set."""
+
+    measure: Measure | None = None
+    side: Side | None = Field(None, description="The part that lies farthest towards this side.")
+    near: PartQuery | None = Field(None, description="The part nearest to another one.")
+    edge: bool = Field(False, description="The part nearest to the model's edge.")
+    most: bool = True
+    nth: int = 1
+    count: int = 1
+
+
+class Place(Frozen):
+    """Where the part is, as seen from another one, from a side, or from the middle of the model."""
+
+    relation: str = Field(description="'in', 'on', 'of', 'through', 'near', 'around', 'between', 'above', 'with' …")
+    what: PartQuery | None = None
+    side: Side | None = None
+    negated: bool = False
+
+
+class PartQuery(Frozen):
+    """Which parts are asked for? A noun with all that restricts it. Every field restricts, or is said not to."""
+
+    noun: str = Field("", description="An entry of the lexicon, or the free words of an unknown noun; empty: any part.")
+    known: bool = Field(True, description="Is the noun an entry of the lexicon?")
+    words: tuple[str, ...] = Field((), description="All content words of the noun phrase, for names of bodies.")
+    adjectives: tuple[str, ...] = Field((), description="Entries of the lexicon, such as 'counterbored'.")
+    lacking: tuple[str, ...] = Field((), description="Attributes it must not have: 'without thread', 'unthreaded'.")
+    sizes: tuple[SizeFilter, ...] = ()
+    threads: tuple[str, ...] = Field((), description="'m6', '1/4-20' …")
+    colors: tuple[str, ...] = ()
+    count: int | None = Field(None, description="How many there are said to be.")
+    plural: bool = False
+    definite: bool = Field(False, description="'the …': one, or all of them, is known to the speaker.")
+    sample: bool = Field(False, description="Any one of them stands for all: 'one of the holes'.")
+    ranks: tuple[Rank, ...] = ()
+    places: tuple[Place, ...] = ()
+    sides: tuple[Side, ...] = Field((), description="Visible from any of these.")
+    unseen: tuple[Side, ...] = Field((), description="Visible from none of these.")
+    ends: tuple[Side, ...] = Field((), description="Said like an adjective: 'the left leg' is the leftmost one.")
+    excluded: tuple[PartQuery, ...] = Field((), description="'except the threaded ones'.")
+    also: tuple[PartQuery, ...] = Field((), description="Further kinds that count as well: 'holes and slots'.")
+    unknown: tuple[str, ...] = Field((), description="Words of the phrase that the lexicon does not have.")
+    ids: tuple[str, ...] = Field((), description="Ids of parts: 'hole-4' for 'hole 4'; nothing else counts then.")
+    sense: int = Field(0, description="Which of the groundings is taken, best first.")
+
+
+class Grounded(Frozen):
+    """One way to ground a query on a model: the parts, and what speaks for and against it."""
+
+    parts: tuple[Part, ...]
+    features: dict[str, float] = Field(description="Name to number; docs/understanding.md explains each.")
+    unchecked: tuple[str, ...] = Field((), description="What restricts but could not be checked: \"in the rim\".")
+    reason: str = Field("", description="In plain words: 'counterbored holes visible from the top'.")
+
+
+Rank.model_rebuild()
+Place.model_rebuild()

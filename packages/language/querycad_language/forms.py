@@ -1,0 +1,170 @@
+"""What a question means, apart from the words that asked it and the Python that will answer it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, is_dataclass
+from enum import StrEnum
+from typing import Literal, TypeAlias
+
+from querycad_contracts import Measure, PartQuery, Relation, Side
+
+
+class Reduce(StrEnum):
+    """What becomes of one value per part?"""
+
+    EACH = "each"
+    ONE = "one"
+    """The value that like parts share; all that differ where they do not."""
+    DIFFERENT = "different"
+    TOTAL = "total"
+    MEAN = "mean"
+    LARGEST = "largest"
+    SMALLEST = "smallest"
+
+
+Target: TypeAlias = PartQuery | None
+"""Parts, or the whole model where None."""
+
+
+@dataclass(frozen=True, slots=True)
+class Boundary:
+    """The outermost plane of the whole model on one side; the nearest edge of the part's face where None."""
+
+    side: Side | None
+
+
+@dataclass(frozen=True, slots=True)
+class Plane:
+    """The outermost plane of a part on one side: the underside of a foot, the front face of a flange."""
+
+    side: Side
+    of: PartQuery
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """The origin of the file's frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class Get:
+    """Which values do the measures of a target have?"""
+
+    measures: tuple[Measure, ...]
+    target: Target
+    reduce: Reduce = Reduce.ONE
+    density: float | None = None
+    """kg/m3, of a mass."""
+
+
+@dataclass(frozen=True, slots=True)
+class Count:
+    """How many parts, or how many different values of `measure` among them?"""
+
+    target: PartQuery
+    measure: Measure | None = None
+
+
+Anchor: TypeAlias = PartQuery | Boundary | Plane | Origin | None
+
+
+@dataclass(frozen=True, slots=True)
+class Distance:
+    """How far apart are two anchors, or every two parts of the first where `second` is missing?"""
+
+    first: Anchor
+    second: Anchor | Literal["each other"]
+    mode: Literal["centers", "surfaces", "usual"] = "usual"
+    axis: int | None = None
+    """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
+    reduce: Reduce = Reduce.ONE
+
+
+LONGEST, SHORTER = 3, 4
+"""Along the longest side of the model, along the other one of its two longer sides."""
+
+
+@dataclass(frozen=True, slots=True)
+class Angle:
+    """Which angle do two parts enclose, or every two of the first?"""
+
+    first: PartQuery
+    second: PartQuery | None
+
+
+@dataclass(frozen=True, slots=True)
+class Combine:
+    """What do two measures give together?"""
+
+    operation: Literal["minus", "ratio", "plus", "apart"]
+    left: Get
+    right: Get
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """Does the value compare so with a stated one, or with another value?"""
+
+    left: Get | Count
+    relation: Relation
+    low: float | Get
+    high: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Exists:
+    """Is there such a part?"""
+
+    target: PartQuery
+
+
+@dataclass(frozen=True, slots=True)
+class Every:
+    """Are all parts of `target` among those of `among`?"""
+
+    target: PartQuery
+    among: PartQuery
+
+
+@dataclass(frozen=True, slots=True)
+class Uniform:
+    """Do all the parts have the same value?"""
+
+    get: Get
+
+
+@dataclass(frozen=True, slots=True)
+class Parallel:
+    """Are the parts' axes (or normals) parallel, or square to each other?"""
+
+    first: PartQuery
+    second: PartQuery | None
+    square: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """Which parts are they?"""
+
+    target: PartQuery
+
+
+Form: TypeAlias = Get | Count | Distance | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts
+
+
+def queries(form: object) -> Iterator[PartQuery]:
+    """The part queries of a form, each once, in the order in which they are written."""
+    seen: list[PartQuery] = []
+    for query in _queries(form):
+        if query not in seen:
+            seen.append(query)
+            yield query
+
+
+def _queries(form: object) -> Iterator[PartQuery]:
+    if isinstance(form, PartQuery):
+        yield form
+    elif is_dataclass(form):
+        for field in fields(form):
+            yield from _queries(getattr(form, field.name))

@@ -1,0 +1,246 @@
+"""The lexicon: which words mean which parts, measures, places and relations. The words are data, in `data/*.toml`."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from importlib.resources import files
+from typing import Any, Literal
+
+from querycad_contracts import Measure, Relation, Side
+
+Order = Literal["size", "length", "width", "depth", "height", "thickness", "distance", "corner"]
+Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elongated"]
+
+
+@dataclass(frozen=True, slots=True)
+class Sense:
+    """One thing that a noun can mean: the demands on a part, and how far it is from the word (0 to 1)."""
+
+    kind: tuple[str, ...]
+    tags: tuple[str, ...] = ()
+    any: tuple[str, ...] = ()
+    without: tuple[str, ...] = ()
+    name: tuple[str, ...] = ()
+    alone: bool = False
+    several: bool = False
+    step: Literal["widest", "narrowest"] | None = None
+    pick: Pick | None = None
+    stretch: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Noun:
+    """A noun for parts: its canonical name and its senses, the narrowest first."""
+
+    name: str
+    senses: tuple[Sense, ...]
+    product: bool = False
+    """It may name the whole model."""
+    apart: bool = False
+    """Said apart it means the same: 'the bore of the cylinder'."""
+
+
+@dataclass(frozen=True, slots=True)
+class Adjective:
+    """What is demanded of parts: one of `tags`, else one of `fallback`, else a place in an order; none: nothing."""
+
+    name: str
+    tags: tuple[str, ...] = ()
+    fallback: tuple[str, ...] = ()
+    lacks: tuple[str, ...] = ()
+    order: Order | None = None
+    most: bool = True
+    whole: bool = False
+    loose: bool = False
+    unchecked: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """An adjective of a measure: 'deep', 'deeper', 'deepest', 'shallower'."""
+
+    measure: Measure
+    degree: Literal["positive", "more", "less", "most", "least"]
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A stretch of tokens that the lexicon has a meaning for. `end` is exclusive."""
+
+    start: int
+    end: int
+    category: str
+    value: Any
+
+
+@dataclass
+class Lexicon:
+    """All phrases of the language by their words, folded and in the singular."""
+
+    nouns: dict[str, Noun] = field(default_factory=dict)
+    adjectives: dict[str, Adjective] = field(default_factory=dict)
+    traits: dict[str, Adjective] = field(default_factory=dict)
+    """Nouns that behind 'with' are an attribute: 'with a thread'."""
+    threads: dict[str, tuple[float, ...]] = field(default_factory=dict)
+    """Name of a thread to tap drill and clearance diameters in metres."""
+    hues: dict[str, tuple[float, float]] = field(default_factory=dict)
+    units: dict[str, tuple[float, int]] = field(default_factory=dict)
+    spelling: dict[str, str] = field(default_factory=dict)
+    irregular: dict[str, str] = field(default_factory=dict)
+    uninflected: frozenset[str] = frozenset()
+    phrases: dict[str, list[tuple[str, Any]]] = field(default_factory=dict)
+    """Phrase to its meanings: (category, value)."""
+    longest: int = 1
+
+    def add(self, category: str, phrase: str, value: Any) -> None:
+        """Enters a phrase of a category; words are folded as tokens are."""
+        key = " ".join(self.fold(word) for word in phrase.split())
+        meanings = self.phrases.setdefault(key, [])
+        if not any(known == category for known, _ in meanings):
+            meanings.append((category, value))
+        self.longest = max(self.longest, len(key.split()))
+
+    def fold(self, word: str) -> str:
+        """Lower case, one spelling, singular."""
+        word = word.lower()
+        word = self.spelling.get(word, word)
+        return self.singular(word) if " " not in word else word
+
+    def singular(self, word: str) -> str:
+        """Which singular does the word stand for, by the rules of English nouns?"""
+        if word in self.irregular:
+            return self.irregular[word]
+        if word in self.uninflected or len(word) < 4 or not word.endswith("s") or word.endswith(("ss", "us", "is")):
+            return word
+        if word.endswith("ies"):
+            return word[:-3] + "y"
+        if word.endswith(("ches", "shes", "sses", "xes", "zes")):
+            return word[:-2]
+        return word[:-1]
+
+    def spans(self, words: Sequence[str]) -> list[list[Span]]:
+        """Every phrase that begins at each word, the longest first."""
+        found: list[list[Span]] = []
+        for start in range(len(words)):
+            here: list[Span] = []
+            for end in range(min(len(words), start + self.longest), start, -1):
+                for category, value in self.phrases.get(" ".join(words[start:end]), ()):
+                    here.append(Span(start, end, category, value))
+            found.append(here)
+        return found
+
+    @cached_property
+    def vocabulary(self) -> frozenset[str]:
+        """Every single word that occurs in some phrase."""
+        return frozenset(word for phrase in self.phrases for word in phrase.split())
+
+    def words(self, category: str) -> Iterator[str]:
+        """All phrases of a category."""
+        return (phrase for phrase, meanings in self.phrases.items() if any(c == category for c, _ in meanings))
+
+
+def _load(name: str) -> dict[str, Any]:
+    return tomllib.loads(files(__package__).joinpath("data").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
+
+
+def _sense(line: dict[str, Any]) -> Sense:
+    return Sense(**{key: tuple(value) if isinstance(value, list) else value for key, value in line.items()})
+
+
+def _product(word: str) -> Noun:
+    """'bracket': the whole model, or a body that is called so."""
+    senses = (Sense(("model",), alone=True), Sense(("body",), name=(word,)), Sense(("model",), stretch=0.5))
+    return Noun(word, senses, product=True)
+
+
+def _plain(lexicon: Lexicon, category: str, words: Iterable[str], value: Any = None) -> None:
+    for word in words:
+        lexicon.add(category, word, value)
+
+
+@cache
+def lexicon() -> Lexicon:
+    """The product's lexicon, read once a process."""
+    words = _load("words")
+    lex = Lexicon(
+        spelling=words.pop("spelling"), irregular=words.pop("irregular"),
+        uninflected=frozenset(words.pop("singular")["words"]),
+    )  # fmt: skip
+    _add_parts(lex, _load("parts"))
+    _add_adjectives(lex, _load("adjectives")["adjective"])
+    _add_measures(lex, _load("measures"))
+    factors = words.pop("factor")
+    for unit, names in words.pop("unit").items():
+        lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
+    for category in ("number", "ordinal"):
+        for word, value in words.pop(category)["words"].items():
+            lex.add(category, word, value)
+    for category in ("side", "view", "place_extreme"):
+        for side, names in words.pop(category).items():
+            _plain(lex, category, names, Side(side))
+    for side, names in words.pop("ground").items():
+        _plain(lex, "ground", names, Side(side))
+    for category in ("relation", "behind"):
+        for relation, names in words.pop(category).items():
+            _plain(lex, category, names, Relation(relation))
+    for index, names in enumerate(words.pop("axis").values()):
+        _plain(lex, "axis", names, index)
+    for category in ("place", "cannot_know"):
+        for value, names in words.pop(category).items():
+            _plain(lex, category, names, value)
+    for category, entry in words.items():
+        _plain(lex, category, entry["words"], category)
+    _add_standards(lex, _load("standards"))
+    return lex
+
+
+def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
+    for entry in data["part"]:
+        senses = tuple(_sense(line) for line in entry["senses"])
+        noun = Noun(entry["words"][0], senses, entry.get("product", False), entry.get("apart", False))
+        for phrase in entry["words"]:
+            lex.nouns[phrase] = noun
+            lex.add("noun", phrase, noun)
+    for word in data["products"]["words"]:
+        if word not in lex.nouns:
+            lex.nouns[word] = _product(word)
+            lex.add("noun", word, lex.nouns[word])
+
+
+def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
+    for entry in entries:
+        fields = {k: tuple(v) if isinstance(v, list) else v for k, v in entry.items() if k not in ("words", "nouns")}
+        adjective = Adjective(entry["words"][0], **fields)
+        for phrase in entry["words"]:
+            lex.adjectives[phrase] = adjective
+            lex.add("adjective", phrase, adjective)
+        for phrase in entry.get("nouns", ()):
+            lex.traits[phrase] = adjective
+            lex.add("trait", phrase, adjective)
+        lex.adjectives.setdefault(adjective.name, adjective)
+
+
+def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
+    for name, phrases in data["nouns"].items():
+        _plain(lex, "measure", phrases, Measure(name))
+    for name, degrees in data["scale"].items():
+        for degree, phrases in zip(("positive", "more", "less", "most", "least"), degrees, strict=True):
+            _plain(lex, "scale", phrases, Scale(Measure(name), degree))
+    for category in ("reach", "verbs"):
+        for name, phrases in data[category].items():
+            _plain(lex, category, phrases, Measure(name))
+
+
+def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:
+    for table in ("metric", "metric_pitch", "unified"):
+        for name, diameters in data[table].items():
+            lex.threads[name.lower()] = tuple(d * 1e-3 for d in diameters)
+    for name, (low, high) in data["colour"].items():
+        lex.hues[name] = (float(low), float(high))
+        lex.add("color", name, name)
+    _plain(lex, "color", ("gray", "silver", "black", "white"), "gray")
+    for name in ("silver", "black", "white"):
+        lex.phrases[name] = [("color", name)]

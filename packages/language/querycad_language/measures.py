@@ -1,0 +1,224 @@
+"""What a measure means of a part of a kind, as an expression of the guest API. docs/measures.md tells the same in words."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Literal
+
+from querycad_contracts import AnswerType, Measure, Part, Side
+
+Grade = Literal["own", "derived", "foreign", "missing"]
+"""Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
+
+ROUND = frozenset(("hole", "boss", "cylinder", "cone", "sphere", "pipe", "ring", "torus", "counterbore", "countersink", "spotface", "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern"))
+STANDING = frozenset(("boss", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump"))
+CUT = frozenset(("hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink", "spotface", "dimple", "cavity", "recess"))
+WHOLE = frozenset(("model", "body"))
+BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))
+
+_ENDS = {
+    Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
+    Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
+}  # fmt: skip
+_LENGTHS = frozenset(Measure) - {
+    Measure.SIZE, Measure.HALF_SIZE, Measure.ANGLE, Measure.AREA, Measure.VOLUME, Measure.MASS, Measure.POSITION, Measure.OPENING, Measure.TIP,
+    *_ENDS, Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM, Measure.COUNT,
+}  # fmt: skip
+_TYPES = {
+    Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.ANGLE: AnswerType.ANGLE, Measure.AREA: AnswerType.AREA,
+    Measure.VOLUME: AnswerType.VOLUME, Measure.MASS: AnswerType.NUMBER, Measure.POSITION: AnswerType.POINT, Measure.OPENING: AnswerType.POINT,
+    Measure.TIP: AnswerType.POINT, **dict.fromkeys(_ENDS, AnswerType.POINT), Measure.AXIS: AnswerType.DIRECTION, Measure.NORMAL: AnswerType.DIRECTION,
+    Measure.DIRECTION: AnswerType.DIRECTION, Measure.NAME: AnswerType.TEXT, Measure.KIND: AnswerType.TEXT, Measure.COLOR: AnswerType.TEXT,
+    Measure.SIDES: AnswerType.TEXTS, Measure.BOTTOM: AnswerType.TEXT, Measure.COUNT: AnswerType.COUNT,
+}  # fmt: skip
+_MANY = {
+    AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES, AnswerType.POINT: AnswerType.POINTS,
+    AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS, AnswerType.LENGTH: AnswerType.LENGTHS, AnswerType.ANGLE: AnswerType.ANGLES,
+    AnswerType.COUNT: AnswerType.NUMBERS, AnswerType.NUMBER: AnswerType.NUMBERS,
+}  # fmt: skip
+
+
+def answer_type(measure: Measure, several: bool = False) -> AnswerType:
+    """Which type have values of a measure?"""
+    kind = _TYPES.get(measure, AnswerType.LENGTH)
+    return _MANY.get(kind, kind) if several else kind
+
+
+def is_length(measure: Measure) -> bool:
+    """Is it a single length?"""
+    return measure in _LENGTHS
+
+
+def options(measure: Measure, part: Part) -> list[tuple[str, Grade]]:
+    """The expressions, '{0}' for the part, that a measure can mean of a part like this one, the usual one first."""
+    found = [(expression, grade) for expression, grade in _options(measure, part) if _has(part, expression)]
+    unique: list[tuple[str, Grade]] = []
+    for expression, grade in found:
+        if all(expression != known for known, _ in unique):
+            unique.append((expression, grade))
+    return unique[:3] or [("{0}." + measure.value, "missing")]
+
+
+_STEPS = "({0}.radii if {0}.radii else [{0}.radius])"
+
+
+def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # noqa: C901, PLR0911, PLR0912 - one case a measure
+    kind = part.kind
+    round_part = kind in ROUND or part.diameter is not None
+    stepped = len(part.radii) > 1
+    match measure:
+        case Measure.RADIUS:
+            return [("{0}.radius", "own"), ("max({0}.radii)", "derived")] if stepped else [("{0}.radius", "own"), ("{0}.width / 2", "foreign")]
+        case Measure.DIAMETER:
+            base: list[tuple[str, Grade]] = [("{0}.diameter", "own")]
+            if stepped:
+                base += [("2 * max({0}.radii)", "derived"), ("2 * min({0}.radii)", "derived")]
+            return [*base, *_round_extent(part), ("{0}.width", "foreign")]
+        case Measure.INNER_RADIUS | Measure.INNER_DIAMETER:
+            scale = "" if measure is Measure.INNER_RADIUS else "2 * "
+            own: Grade = "own" if stepped or kind in CUT else "foreign"
+            return [(f"{scale}min({{0}}.radii)", own), (f"{scale}{{0}}.radius", own)]
+        case Measure.OUTER_RADIUS | Measure.OUTER_DIAMETER:
+            scale = "" if measure is Measure.OUTER_RADIUS else "2 * "
+            half = " / 2" if measure is Measure.OUTER_RADIUS else ""
+            outside: list[tuple[str, Grade]] = [(expression + half, grade) for expression, grade in _round_extent(part)]
+            return [*([(f"{scale}max({{0}}.radii)", "own")] if part.radii else []), (f"{scale}{{0}}.radius", "own"), *outside]
+        case Measure.CIRCUMFERENCE:
+            return [("3.141592653589793 * {0}.diameter", "derived")]
+        case Measure.DEPTH:
+            if kind in WHOLE:
+                return [("{0}.extents[1]", "own")]
+            return [("{0}.depth", "own" if kind in CUT else "foreign"), ("{0}.height", "derived"), ("{0}.extents[1]", "foreign")]
+        case Measure.HEIGHT:
+            if kind in WHOLE:
+                return [("{0}.extents[2]", "own"), ("{0}.height", "own")]
+            return [("{0}.height", "own" if kind in STANDING else "derived"), ("{0}.depth", "derived"), ("{0}.extents[2]", "derived")]
+        case Measure.WIDTH:
+            if kind in WHOLE:
+                return [("{0}.extents[0]", "own"), ("sorted({0}.extents)[1]", "derived")]
+            if kind == "hole" and part.radii:
+                return [("2 * max({0}.radii)", "own")]
+            if kind == "chamfer":
+                return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
+            return [("{0}.width", "own"), ("{0}.diameter", "derived"), ("{0}.height", "derived"), ("{0}.extents[0]", "foreign")]
+        case Measure.LENGTH:
+            if kind in WHOLE:
+                return [("max({0}.extents)", "own"), ("{0}.length", "own"), ("{0}.extents[0]", "derived")]
+            if kind in ("hole", "counterbore", "spotface"):
+                return [("{0}.depth", "own"), ("{0}.length", "own")]
+            if round_part and kind in STANDING:
+                return [("{0}.height", "own"), ("{0}.length", "own")]
+            return [("{0}.length", "own"), ("{0}.height", "derived"), ("max({0}.extents)", "derived")]
+        case Measure.THICKNESS:
+            return _thickness(part, stepped)
+        case Measure.WALL_THICKNESS:
+            if stepped:
+                return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.thickness", "own")]
+            return [("{0}.thickness", "own")]
+        case Measure.MAGNITUDE:
+            return _magnitude(part, round_part)
+        case Measure.SIZE:
+            if kind == "hole":
+                return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
+            if kind in ("fillet", "round", "bend"):
+                return [("{0}.radius", "own")]
+            if kind == "chamfer":
+                return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
+            return [("{0}.extents", "own")]
+        case Measure.SHORT_SIDE:
+            return [("min({0}.local_size[:2])", "own"), ("min({0}.length, {0}.width)", "own"), ("min({0}.extents)", "derived")]
+        case Measure.LONG_SIDE:
+            return [("max({0}.local_size[:2])", "own"), ("max({0}.length, {0}.width)", "own"), ("max({0}.extents)", "derived")]
+        case Measure.ACROSS_FLATS:
+            return [("{0}.across_flats", "own"), ("{0}.width", "derived"), ("min({0}.extents)", "foreign")]
+        case Measure.ACROSS_CORNERS:
+            return [("{0}.across_corners", "own"), ("{0}.diameter", "derived"), ("max({0}.extents)", "foreign")]
+        case Measure.CENTRE_LENGTH:
+            return [("{0}.centre_length", "own"), ("{0}.length - {0}.width", "derived")]
+        case Measure.DIAGONAL:
+            return [("distance((0.0, 0.0, 0.0), {0}.extents)", "derived")]
+        case Measure.HALF_SIZE:
+            return [("{0}.half_extents", "own")]
+        case Measure.X_EXTENT | Measure.Y_EXTENT | Measure.Z_EXTENT:
+            return [(f"{{0}}.extents[{'xyz'.index(measure.value[0])}]", "own")]
+        case Measure.X | Measure.Y | Measure.Z:
+            return [(f"{{0}}.center[{'xyz'.index(measure.value)}]", "own")]
+        case Measure.POSITION:
+            return [("{0}.center", "own")]
+        case Measure.OPENING:
+            return [("{0}.opening", "own"), ("{0}.center", "derived")]
+        case Measure.TIP:
+            return [("{0}.tip", "own"), ("{0}.center", "foreign")]
+        case Measure.DIRECTION:
+            return [("{0}.normal", "own"), ("{0}.axis", "own")] if kind in CUT else [("{0}.axis", "own"), ("{0}.normal", "own")]
+        case Measure.EDGE_DISTANCE:
+            return [("{0}.edge_distance()", "own")]
+        case Measure.KIND:
+            return [("{0}.label", "own")]
+        case Measure.NAME:
+            return [("{0}.name", "own"), ("{0}.label", "foreign")]
+        case Measure.COLOR:
+            return [("{0}.color", "own")]
+        case Measure.MASS:
+            return [("{0}.volume", "own")]
+        case _ if measure in _ENDS:
+            return [(_end(_ENDS[measure]), "own")]
+        case _:
+            return [("{0}." + measure.value, "own")]
+
+
+def _round_extent(part: Part) -> list[tuple[str, Grade]]:
+    """The diameter of what is round as a whole: the extent that two of its directions share."""
+    if part.kind not in WHOLE:
+        return []
+    x, y, z = part.extents
+    for i, j in ((0, 1), (0, 2), (1, 2)):
+        if abs(part.extents[i] - part.extents[j]) < 1e-4 * max(x, y, z):
+            return [(f"{{0}}.extents[{i}]", "derived")]
+    return []
+
+
+def _thickness(part: Part, stepped: bool) -> list[tuple[str, Grade]]:
+    kind = part.kind
+    if kind in WHOLE:
+        return [("{0}.thickness", "own"), ("min({0}.extents)", "derived"), ("{0}.extents[2]", "foreign")]
+    if kind in ("boss", "pipe") and stepped and "flat" not in part.tags:
+        return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.height", "derived"), ("2 * max({0}.radii)", "derived")]
+    if kind == "boss":
+        flat = "flat" in part.tags
+        return [("{0}.height", "own" if flat else "derived"), ("{0}.thickness", "own"), ("{0}.diameter", "foreign" if flat else "derived")]
+    return [("{0}.thickness", "own"), ("{0}.width", "derived"), ("min({0}.extents)", "derived"), ("{0}.height", "derived")]
+
+
+def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
+    if part.kind in WHOLE:
+        return [("{0}.extents", "own"), ("max({0}.extents)", "derived")]
+    if part.kind in ("fillet", "round", "bend"):
+        return [("{0}.radius", "own")]
+    if part.kind == "chamfer":
+        return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
+    if part.diameter is not None and (round_part or part.kind in CUT):
+        return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
+    return [("{0}.extents", "own"), ("max({0}.extents)", "derived")]
+
+
+def _end(side: Side) -> str:
+    axes = [f"{{0}}.center[{i}]" + (f" {'+' if o > 0 else '-'} {{0}}.half_extents[{i}]" if o else "") for i, o in enumerate(side.outward)]
+    return f"({', '.join(axes)})"
+
+
+_ALWAYS = ("center", "extents", "half_extents", "label", "kind", "tags", "sides", "id", "edge_distance")
+
+
+def _has(part: Part, expression: str) -> bool:
+    """Does the part have everything that the expression reads?"""
+    pieces = expression.split("{0}.")[1:]
+    for piece in pieces:
+        name = piece
+        for stop in "[]()+-*/ ,:":
+            name = name.split(stop)[0]
+        if name in _ALWAYS:
+            continue
+        if getattr(part, name, None) in (None, (), ""):
+            return False
+    return True

@@ -1,0 +1,83 @@
+"""A tokenised question with every phrase that the lexicon knows in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from .lexicon import Lexicon, Span, lexicon
+from .tokens import Kind, Token, tokenize
+
+CLOSED = frozenset(
+    "function chatter courtesy be do have ask imperative count exists place side_preposition relation behind except negation pronoun where distance "
+    "gap between same article each quantifier seeing center_to_center surface_to_surface minus axis_preposition most least mean total different "
+    "view number ordinal whole_adjective edge origin near far parallel perpendicular density verbs neighbor remaining".split()
+)
+"""Categories whose words are no names of parts."""
+BREAKS = frozenset((".", "?", "!", ";", ":"))
+"""Symbols that end a clause for good."""
+
+
+class Text:
+    """The tokens of a question, and what the lexicon says of each stretch."""
+
+    def __init__(self, question: str, names: frozenset[str] = frozenset()) -> None:
+        self.question = question
+        self.names = names
+        self.tokens: tuple[Token, ...] = tokenize(question, names)
+        self.words = [token.word for token in self.tokens]
+        self.lexicon: Lexicon = lexicon()
+        self.spans: list[list[Span]] = self.lexicon.spans(self.words)
+
+    def __len__(self) -> int:
+        return len(self.tokens)
+
+    def find(self, at: int, *categories: str) -> Span | None:
+        """The longest phrase of one of the categories that begins here."""
+        if not 0 <= at < len(self.tokens):
+            return None
+        return next((span for span in self.spans[at] if span.category in categories), None)
+
+    def all(self, *categories: str) -> Iterator[Span]:
+        """The phrases of the categories, from left to right, none inside another."""
+        at = 0
+        while at < len(self.tokens):
+            span = self.find(at, *categories)
+            if span is not None:
+                yield span
+            at = span.end if span is not None else at + 1
+
+    def is_word(self, at: int, *words: str) -> bool:
+        """Is the token here one of these words or symbols?"""
+        return 0 <= at < len(self.tokens) and self.words[at] in words
+
+    def skip(self, at: int, *categories: str) -> int:
+        """Where the words of these categories that begin here end."""
+        while (span := self.find(at, *categories)) is not None:
+            at = span.end
+        return at
+
+    def is_break(self, at: int) -> bool:
+        """Does a clause end here?"""
+        return self.tokens[at].kind is Kind.SYMBOL and self.words[at] in BREAKS
+
+    def is_content(self, at: int) -> bool:
+        """Is it a word that no closed class has: the name of something?"""
+        token = self.tokens[at]
+        if token.kind is not Kind.WORD:
+            return False
+        return not any(span.category in CLOSED for span in self.spans[at] if span.end == at + 1)
+
+    @cached_property
+    def sentences(self) -> list[tuple[int, int]]:
+        """(start, end) of each sentence; a colon, a semicolon and a dash part sentences too."""
+        found: list[tuple[int, int]] = []
+        start = 0
+        for at in range(len(self.tokens)):
+            if self.is_break(at) or (self.words[at] == "-" and self.tokens[at].kind is Kind.SYMBOL):
+                if at > start:
+                    found.append((start, at))
+                start = at + 1
+        if start < len(self.tokens):
+            found.append((start, len(self.tokens)))
+        return found

@@ -1,0 +1,234 @@
+"""From text to tokens: words folded and corrected, numbers with their units in SI."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import lru_cache
+
+from rapidfuzz.distance import OSA
+
+from querycad_contracts import Measure
+
+from .lexicon import lexicon
+
+MAX_CHARS = 2000
+"""Longer texts are no question; the rest is not read."""
+MAX_TOKENS = 120
+TYPO_MIN_LETTERS = 5
+"""Shorter words have too many neighbours: 'nut' and 'cut' differ by one letter."""
+
+_NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d{0,9}[.,]\d{1,9}|\d{1,9}"
+_TOKEN = re.compile(
+    rf"(?P<thread>\bM\d{{1,2}}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{{1,2}})?)?(?![\w.]\w)|\b\d{{1,2}}/\d{{1,2}}-\d{{2}}\b|(?<![\w#])#?\d{{1,2}}-(?:24|32|40)\b)"
+    r"|(?P<times>\b\d{1,4}\s?[x×](?![\w.]))"
+    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>kg\s?/\s?(?:m\^?3|m³)|g\s?/\s?(?:cm\^?3|cm³|cc|ccm)|kg\s?/\s?(?:dm\^?3|dm³|l)))"
+    rf"|(?P<number>(?<![\w.])(?:{_NUMBER}))"
+    r"|(?P<word>[^\W\d_][\w]*(?:['’](?!s\b)\w+)?)"
+    r"|(?P<possessive>['’]s?(?!\w))"
+    r"|(?P<symbol><=|>=|!=|\+/-|[<>=≤≥≠≈~\"”″°,;:?!.&+()±⌀ℛ×/–—-])",
+    re.IGNORECASE,
+)
+_UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
+_POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
+_CONTRACTIONS = (
+    (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
+    (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
+    (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
+    (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
+    (re.compile(r"\bw/o\b", re.I), "without"),
+    (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
+    (re.compile(r"\bc['’]bore", re.I), "counterbore"),
+    (re.compile(r"\bc['’]sink", re.I), "countersink"),
+    (re.compile(r"\ba/f\b", re.I), "across flats"),
+    (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
+    (re.compile(r"\bl\s?[x×]\s?w\s?[x×]\s?h\b|\bw\s?[x×]\s?d\s?[x×]\s?h\b|\bl\s?[x×]\s?b\s?[x×]\s?h\b", re.I), "overall dimensions"),
+    (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
+    (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
+)
+
+
+_SYMBOLS = {"Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " center of ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ", "□": " square ", "∠": " angle "}
+"""ISO 129-1 and ASME Y14.5: diameter, centre line, depth, counterbore, countersink, square."""
+_MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
+DENSITY = -3
+"""The power of lengths in kilograms per cubic metre."""
+
+
+class Kind(StrEnum):
+    """What a token is."""
+
+    WORD = "word"
+    QUANTITY = "quantity"
+    """A number with a unit, or behind a symbol such as 'Ø' that says of what it is."""
+    NUMBER = "number"
+    TIMES = "times"
+    """How many: '4x'."""
+    THREAD = "thread"
+    SYMBOL = "symbol"
+    POSSESSIVE = "possessive"
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """One word, number or symbol.
+
+    `word` is folded: lower case, American, singular, corrected. `raw` is as typed. Quantities carry `value` in SI;
+    `power` is 1 for lengths, 2 for areas, 3 for volumes, 0 for angles. `measure` is what a symbol says the number is.
+    """
+
+    word: str
+    raw: str
+    kind: Kind = Kind.WORD
+    value: float = 0.0
+    power: int | None = None
+    measure: Measure | None = None
+    plural: bool = False
+    corrected: int = 0
+    """Edits between what was typed and the word that it is taken for."""
+
+
+def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...]:
+    """What are the tokens of a question? `names`: words of product names, which are never taken for misspelt ones."""
+    text = unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split()))[:MAX_CHARS]
+    for symbol, words in _SYMBOLS.items():
+        text = text.replace(symbol, words)
+    text = re.sub(r"\bR\s?(?=\d)", " ℛ ", text)
+    for pattern, plain in _CONTRACTIONS:
+        text = pattern.sub(plain, text)
+    tokens: list[Token] = []
+    position = 0
+    while len(tokens) < MAX_TOKENS and (match := _TOKEN.search(text, position)):
+        position = match.end()
+        if match["thread"]:
+            name = re.sub(r"\s", "", match["thread"].lower()).replace("×", "x").lstrip("#")
+            tokens.append(Token(name, match["thread"], Kind.THREAD))
+        elif match["times"]:
+            tokens.append(Token("x", match["times"], Kind.TIMES, float(re.match(r"\d+", match["times"])[0])))  # type: ignore[index]
+        elif match["density"]:
+            value = _value(re.match(_NUMBER, match["density"])[0])  # type: ignore[index]
+            tokens.append(Token("density", match["density"], Kind.QUANTITY, value * (1.0 if match["per"][:2] == "kg" and "dm" not in match["per"] and "l" not in match["per"] else 1e3), DENSITY))
+        elif match["number"]:
+            token, position = _number(match["number"], text, position)
+            tokens.append(token)
+        elif match["word"]:
+            tokens += _words(match["word"], names)
+        elif match["possessive"]:
+            tokens.append(Token("'s", match["possessive"], Kind.POSSESSIVE))
+        elif match["symbol"] == "-" and 0 < match.start() and text[match.start() - 1].isalnum() and text[position : position + 1].isalnum():
+            continue  # a hyphen parts words
+        else:
+            tokens.append(_symbol(match["symbol"]))
+    return _joined(tokens)
+
+
+def _symbol(raw: str) -> Token:
+    if raw in _MARKS:
+        return Token(_MARKS[raw].value, raw)
+    return Token({"–": "-", "—": "-", "×": "x"}.get(raw, raw), raw, Kind.SYMBOL)
+
+
+def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
+    """A number with the unit that follows it, and where it ends."""
+    units = lexicon().units
+    value = _value(text)
+    unit = _POWER_UNIT.match(rest, position) or _UNIT.match(rest, position)
+    name = unit[1].lower() if unit else ""
+    if unit and name in units and not (name == "in" and not _is_inch(rest[unit.end() :])) and not re.fullmatch(r"M[23]", unit[1]):
+        factor, power = units[name]
+        return Token(rest[position - len(text) : unit.end()], text + unit[0], Kind.QUANTITY, float(f"{value * factor:.12g}"), power), unit.end()
+    if ordinal := re.match(r"(?:st|nd|rd|th)\b", rest[position:]):
+        return Token(text + ordinal[0], text + ordinal[0]), position + ordinal.end()
+    if (word := re.match(r"[a-zA-Z]\w*", rest[position:])) and text.isdecimal():  # '3d'
+        return Token((text + word[0]).lower(), text + word[0]), position + word.end()
+    return Token(text, text, Kind.NUMBER, value), position
+
+
+def _is_inch(after: str) -> bool:
+    """Is 'in' behind a number the unit? Not where it opens a phrase: '5 in the plate', '5.5 in diameter'."""
+    word = re.match(r"\W*([a-z]+)", after.lower())
+    return word is None or word[1] not in ("the", "this", "a", "total", "it", "all", "diameter", "width", "length", "depth", "height")
+
+
+def _value(text: str) -> float:
+    if "/" in text:
+        *whole, fraction = re.split(r"[ -]", text)
+        upper, lower = fraction.split("/")
+        return sum(map(float, whole)) + (float(upper) / float(lower) if float(lower) else 0.0)
+    if re.fullmatch(r"[1-9]\d{0,2}(?:,\d{3})+(?:\.\d+)?", text):
+        return float(text.replace(",", ""))
+    return float(text.replace(",", ".", 1))
+
+
+def _words(raw: str, names: frozenset[str]) -> list[Token]:
+    lex = lexicon()
+    lower = raw.lower()
+    spelt = lex.spelling.get(lower, lower)
+    if " " in spelt:
+        return [Token(lex.fold(word), raw) for word in spelt.split()]
+    folded = lex.singular(spelt)
+    known = lex.vocabulary
+    if folded not in known and spelt in known:
+        folded = spelt
+    if folded in known or folded in names or lower in names or len(folded) < TYPO_MIN_LETTERS or not folded.isalpha():
+        return [Token(folded, raw, plural=folded != spelt)]
+    if pieces := _compound(folded):
+        return [Token(piece, raw, plural=folded != spelt) for piece in pieces]
+    corrected, edits = _correct(folded)
+    return [Token(corrected, raw, plural=folded != spelt, corrected=edits)]
+
+
+@lru_cache(maxsize=4096)
+def _compound(word: str) -> tuple[str, str] | None:
+    """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
+    lex = lexicon()
+    nouns = (*lex.nouns, *lex.adjectives)
+    known = {phrase for phrase in nouns if " " not in phrase}
+    for cut in range(3, len(word) - 2):
+        second = lex.singular(word[cut:])
+        if word[:cut] in known and second in known:
+            return word[:cut], second
+    return None
+
+
+@lru_cache(maxsize=4096)
+def _correct(word: str) -> tuple[str, int]:
+    """The known word that a typing error was made in: one edit, two from nine letters; else the word itself."""
+    allowed = 1 if len(word) < 9 else 2
+    best = (allowed + 1, word)
+    for known in lexicon().vocabulary:
+        if len(known) >= TYPO_MIN_LETTERS and abs(len(known) - len(word)) <= allowed and known.isalpha():
+            if known[0] != word[0] and known[:2] != word[1::-1]:
+                continue
+            if word.startswith(known) and word[len(known) :] in ("ed", "d", "er", "r", "ly", "y", "al"):
+                continue  # another form of the word is no slip
+            distance = OSA.distance(word, known, score_cutoff=allowed)
+            if distance <= allowed:
+                substituted = len(word) == len(known) and sorted(word) != sorted(known)
+                if not (substituted and len(word) < 6):
+                    best = min(best, (int(distance), known))
+    return (best[1], best[0]) if best[0] <= allowed else (word, 0)
+
+
+def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
+    """Symbols and the numbers that they explain become one; ranges and tolerances share their unit."""
+    joined: list[Token] = []
+    for token in tokens:
+        before = joined[-1] if joined else None
+        if before is not None and before.raw in _MARKS and token.kind in (Kind.NUMBER, Kind.QUANTITY):
+            measure = _MARKS[before.raw]
+            joined[-1] = replace(token, kind=Kind.QUANTITY, measure=measure, raw=f"{before.raw}{token.raw}")
+            if token.kind is Kind.NUMBER:
+                joined[-1] = replace(joined[-1], value=token.value * 1e-3, power=1)
+            continue
+        joined.append(token)
+    for i in range(len(joined) - 2):
+        first, between, second = joined[i : i + 3]
+        ranged = between.word in ("to", "and", "-", "or", "±", "x")
+        if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:
+            scale = second.value / (_value(re.match(_NUMBER, second.raw)[0]) or 1.0) if re.match(_NUMBER, second.raw) else 1e-3  # type: ignore[index]
+            joined[i] = replace(first, kind=Kind.QUANTITY, value=float(f"{first.value * scale:.12g}"), power=second.power)
+    return tuple(joined)

@@ -1,0 +1,60 @@
+"""`find_parts`: the best grounding of a query or of free text, with a message where there is none."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from querycad_contracts import Grounding, Part, PartQuery, Side
+from querycad_language.phrases import noun_phrase
+
+from .ground import ground
+from .inventory import Inventory
+
+UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
+"""Features of a grounding whose noun nothing is known of."""
+
+
+def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
+    """Which parts are meant? Free text is read as a noun phrase; what could not be checked is among the warnings.
+
+    Of several ways to ground a query the best is taken, or the one that its `sense` says.
+    """
+    query = asked if isinstance(asked, PartQuery) else noun_phrase(asked, inventory.names)
+    if isinstance(asked, str) and not query.plural and not query.definite:
+        query = query.model_copy(update={"plural": True})  # 'hole' means all of them, 'the hole' one
+    if sides is not None:
+        query = query.model_copy(update={"sides": tuple(Side(side) for side in sides)})
+    said = asked if isinstance(asked, str) else " ".join(query.words) or query.noun or "part"
+    ways = ground(inventory, query)
+    way = ways[min(query.sense, len(ways) - 1)]
+    unknown = [name for name in UNDERSTOOD_NOT if name in way.features]
+    message = way.reason
+    if unknown and not message:
+        message = f"'{query.noun or said}' is not a part that is known here"
+    elif not way.parts and not message:
+        message = f"the model has no '{said.removeprefix('the ')}'"
+        elsewhere = ground(inventory, query.model_copy(update={"sides": ()}))[0].parts if query.sides else ()
+        if elsewhere:
+            message = f"the model has {len(elsewhere)} x '{said.removeprefix('the ')}', but none visible from {' or '.join(query.sides)}"
+    warnings = tuple(f"not checked: {what}" for what in dict.fromkeys(way.unchecked)) if way.parts else ()
+    return Grounding(
+        description=said,
+        sides=query.sides or None,
+        parts=tuple(sorted(way.parts, key=lambda part: _order(part))),
+        understood=not unknown,
+        nearest=() if way.parts else present(inventory),
+        message="" if way.parts else message,
+        warnings=warnings,
+    )
+
+
+def _order(part: Part) -> tuple[str, int]:
+    kind, _, number = part.id.rpartition("-")
+    return kind, int(number) if number.isdecimal() else 0
+
+
+def present(inventory: Inventory) -> tuple[str, ...]:
+    """The kinds of part that the model has, most frequent first; bodies last, as every model has one."""
+    counts = Counter(part.kind for part in inventory.parts if part.kind not in ("model", "body"))
+    return (*[kind for kind, _ in counts.most_common(6)], *(("body",) if inventory.bodies else ()))

@@ -1,0 +1,304 @@
+"""The parts of one model, with what they are to one another: what grounding looks at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import cached_property
+
+from querycad_contracts import Measure, Part, Side
+from querycad_language.lexicon import Adjective, Noun, Sense, lexicon
+from querycad_segworker.vectors import dot, line_distance, norm, sub
+
+from .names import all_words, holds, vocabulary
+from .places import FACING, STANDING_OUT
+from .roles import ROLES, Kinds
+
+CORNER_SHARE = 0.5
+"""In a corner is what lies at least half-way out to two edges."""
+SAME_SIZE = 1.02
+"""Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+THREAD_TOLERANCE_M = 0.06e-3
+"""A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
+WIDE = 0.7
+"""A flange or plate is at least this wide, compared with the widest."""
+_IMPLIED = {
+    "chamfer": ("beveled", "chamfered"),
+    "round": ("rounded",),
+    "fillet": ("rounded",),
+    "hole": ("circular", "cylindrical", "hollow"),
+    "gear": ("toothed",),
+}
+"""Attributes that all parts of a kind have."""
+_TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
+_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
+
+
+class Inventory:
+    """The parts of one model by kind, name and attribute."""
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        self.parts = tuple(parts)
+        self.kinds = Kinds(parts)
+        self.bodies = self.kinds.get("body")
+        self.alone = len(self.bodies) <= 1
+        self.model = next((part for part in parts if part.kind == "model"), None)
+        self.by_id = {part.id: part for part in parts}
+        self.names = vocabulary(parts)
+        self._roles: dict[tuple[str, str], bool] = {}
+        self._found: dict[Sense, list[Part]] = {}
+
+    @cached_property
+    def largest(self) -> float:
+        """The longest extent of the model, metres."""
+        return max(self.model.extents) if self.model is not None else 1.0
+
+    @cached_property
+    def cores(self) -> list[float]:
+        """Core diameters of the usual threads, metres."""
+        threads = lexicon().threads
+        return sorted({diameters[0] for name, diameters in threads.items() if "x" not in name})
+
+    def tags(self, part: Part, asked: Iterable[str] = ()) -> set[str]:
+        """The attributes of a part; those that only other parts can give where they are asked for."""
+        tags = {part.kind, *part.tags, *_IMPLIED.get(part.kind, ())}
+        if "plate" in part.tags:
+            tags = {_TURNED.get(tag, tag) for tag in tags}
+        if part.kind == "hole" and part.diameter is not None:
+            if any(abs(part.diameter - core) <= THREAD_TOLERANCE_M for core in self.cores):
+                tags.add("core_diameter")
+        return tags | {role for role in asked if role in ROLES and role not in tags and self._plays(part, role)}
+
+    def has(self, part: Part, tags: Sequence[str]) -> bool:
+        """Does it have one of the tags?"""
+        return not self.tags(part, tags).isdisjoint(tags)
+
+    def _plays(self, part: Part, role: str) -> bool:
+        if (part.id, role) not in self._roles:
+            self._roles[part.id, role] = ROLES[role](part, self.kinds)
+        return self._roles[part.id, role]
+
+    # What a noun means
+
+    def of_sense(self, sense: Sense) -> list[Part]:
+        """The parts that a sense of a noun demands."""
+        if sense not in self._found:
+            self._found[sense] = self._of_sense(sense)
+        return self._found[sense]
+
+    def _of_sense(self, sense: Sense) -> list[Part]:
+        if (sense.alone and not self.alone) or (sense.several and self.alone):
+            return []
+        if sense.name and self.alone and sense.kind == ("body",):
+            return []  # the name of the only body says what the whole is
+        found = [part for part in self.kinds.get(*sense.kind) if self._fits(part, sense)]
+        if sense.step is not None:
+            found = self._steps(found, sense.step)
+        return without_twins(self._picked(found, sense.pick) if sense.pick else found)
+
+    def _fits(self, part: Part, sense: Sense) -> bool:
+        tags = self.tags(part, (*sense.tags, *sense.any, *sense.without))
+        return (
+            tags.issuperset(sense.tags)
+            and (not sense.any or not tags.isdisjoint(sense.any))
+            and tags.isdisjoint(sense.without)
+            and (not sense.name or holds(part.name, sense.name))
+        )
+
+    def _picked(self, found: list[Part], pick: str) -> list[Part]:
+        if not found:
+            return found
+        if pick == "lowest":
+            lowest = min(part.center[2] - part.extents[2] / 2 for part in found)
+            near = 0.02 * max(part.extents[2] for part in found) + 1e-9
+            return [part for part in found if part.center[2] - part.extents[2] / 2 <= lowest + near]
+        if pick == "elongated":
+            return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+        if pick == "standing":
+            return [part for part in found if self._stands(part)]
+        if pick == "most":
+            groups = by_size(found)
+            return max(groups, key=len) if max(map(len, groups)) > 2 else []
+        sizes = [measured(part, "size") for part in found]
+        if pick == "wide":
+            return [part for part, size in zip(found, sizes, strict=True) if size >= WIDE * max(sizes)]
+        limit = max(sizes) if pick == "largest" else min(sizes)
+        return [part for part, size in zip(found, sizes, strict=True) if abs(size - limit) <= 1e-3 * limit]
+
+    def _stands(self, part: Part) -> bool:
+        """Does it stand out of its body, instead of being the body's own outline?"""
+        body = next((b for b in self.bodies if set(part.faces) <= set(b.faces)), None)
+        if body is None or body.diameter is None or part.diameter is None:
+            return True
+        return part.diameter < body.diameter / SAME_SIZE
+
+    def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
+        """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
+        walls = []
+        inner = [p for p in self.kinds.get("cylinder") if "inner" in p.tags and p.radius]
+        for hole in holes:
+            own = [p for p in inner if set(p.faces) <= set(hole.faces)]
+            pick = max if step == "widest" else min
+            wall = pick(own, key=lambda part: part.radius or 0.0, default=None)
+            if wall is not None and len({round(p.radius or 0.0, 7) for p in own}) > 1:
+                opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
+                walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
+        return walls
+
+    # Names
+
+    def body_named(self, words: Sequence[str]) -> list[tuple[Part, float]]:
+        """Bodies of an assembly whose names hold the head noun of a phrase, with the share of its words they hold."""
+        if self.alone or not words:
+            return []
+        from .names import share
+
+        scored = [(body, share(body.name, words)) for body in self.bodies]
+        return [(body, score) for body, score in scored if score > 0]
+
+    def file_named(self, words: Sequence[str]) -> bool:
+        """Do these words name the whole model, by the name of its file or assembly?"""
+        have = all_words(self.model.name) if self.model is not None else []
+        return bool(words) and all(word in have for word in words)
+
+    # Orders
+
+    def at_end(self, found: Sequence[Part], sides: Sequence[Side]) -> list[Part]:
+        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
+        kept = list(found)
+        for side in sides:
+            if len(kept) > 1:
+                reach = [dot(part.center, side.outward) for part in kept]
+                near = 0.02 * self.largest
+                kept = [part for part, at in zip(kept, reach, strict=True) if at >= max(reach) - near]
+        return kept
+
+    def facing(self, found: Sequence[Part], sides: Sequence[Side]) -> list[Part]:
+        """Those that point towards one of the sides."""
+        return [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
+
+    def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
+        """Those that an adjective such as 'large' or 'outer' chooses among parts that differ in a measure or place."""
+        if adjective.order is None or len(found) < 2 or self.model is None:
+            return list(found)
+        if adjective.order == "corner":
+            return [part for part in found if self._out(part) >= CORNER_SHARE - 1e-6] or list(found)
+        order = adjective.order
+        values = [self._off_center(p) if order == "distance" else measured(p, order) for p in found]
+        return end_of(found, values, adjective.most, count)
+
+    def _off_center(self, part: Part) -> float:
+        assert self.model is not None
+        if part.axis is not None:
+            return line_distance(part.center, self.model.center, part.axis)
+        return norm(sub(part.center, self.model.center))
+
+    def _out(self, part: Part) -> float:
+        """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
+        assert self.model is not None
+        axis = part.axis
+        offsets = [abs(c - m) / (e / 2) if e > 0 else 0.0 for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)]
+        along = 2 if axis is None else max(range(3), key=lambda i: abs(axis[i]))
+        return min(value for i, value in enumerate(offsets) if i != along)
+
+
+def measured(part: Part, order: str) -> float:
+    """What a word such as 'long' compares; a part without that measure goes by its extents."""
+    across = part.diameter or ((part.length * part.width) ** 0.5 if part.length and part.width else None)
+    value = {
+        "size": across,
+        "length": part.depth if part.kind == "hole" else part.length or part.height,
+        "width": part.width or part.diameter,
+        "depth": part.depth,
+        "height": part.height or part.extents[2],
+        "thickness": part.thickness or part.diameter or part.width,
+    }.get(order)
+    return value if value is not None else max(part.extents)
+
+
+def values_of(part: Part, measure: Measure | None) -> list[float]:
+    """Which values may a stated size be: those of the measure, or, without one, all that a part is named by?"""
+    steps = [2 * radius for radius in part.radii]
+    own = {
+        Measure.DIAMETER: [part.diameter, *steps],
+        Measure.RADIUS: [part.radius, *part.radii],
+        Measure.INNER_DIAMETER: [part.diameter, *steps[:1]],
+        Measure.OUTER_DIAMETER: [part.diameter, *steps],
+        Measure.DEPTH: [part.depth],
+        Measure.HEIGHT: [part.height],
+        Measure.WIDTH: [part.width, *(steps if part.kind == "hole" else ())],
+        Measure.LENGTH: [part.length, part.depth if part.kind == "hole" else part.height],
+        Measure.THICKNESS: [part.thickness, part.height],
+        Measure.ANGLE: [part.angle],
+        Measure.AREA: [part.area],
+        Measure.VOLUME: [part.volume],
+    }
+    if measure in own:
+        found = own[measure]
+    elif part.kind in ("fillet", "round", "bend"):
+        found = [part.radius]
+    elif part.diameter is not None:
+        found = [part.diameter, *steps]
+    else:
+        found = [part.width, part.length, part.thickness, part.height, part.depth]
+    return [value for value in found if value is not None]
+
+
+def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: int | None) -> list[Part]:
+    """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
+    ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)
+    sizes = [value for _, value in ranked]
+    floor = 0.01 * max(sizes) + 1e-9
+    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in zip(sizes, sizes[1:], strict=False)]
+    if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
+        return [part for part, _ in ranked[:count]]
+    widest = max(steps)
+    if widest <= SAME_SIZE:
+        return list(found)
+    first = next((i for i, step in enumerate(steps) if step >= 1.5), steps.index(widest))
+    return [part for part, _ in ranked[: first + 1]]
+
+
+def extreme(found: Sequence[Part], values: Sequence[float], most: bool, nth: int = 1, count: int = 1) -> list[Part]:
+    """The first `count`, or the `nth`, of an order, with those that are alike."""
+    ranked: list[float] = []
+    for value in sorted(values, reverse=most):
+        if not ranked or abs(value - ranked[-1]) > 1e-6 + 1e-4 * abs(value):
+            ranked.append(value)
+    if count > 1:
+        order = sorted(zip(values, range(len(found)), strict=True), reverse=most)[:count]
+        return [found[i] for _, i in order]
+    if nth > len(ranked):
+        return []
+    limit = ranked[nth - 1]
+    return [part for part, value in zip(found, values, strict=True) if abs(value - limit) <= 1e-6 + 1e-4 * abs(limit)]
+
+
+def by_size(found: Sequence[Part]) -> list[list[Part]]:
+    """Groups of parts of one kind and size."""
+    groups: list[list[Part]] = []
+    for part in found:
+        size = measured(part, "size")
+        for group in groups:
+            other = measured(group[0], "size")
+            if part.kind == group[0].kind and max(size, other) <= SAME_SIZE * min(size, other) + 1e-9:
+                group.append(part)
+                break
+        else:
+            groups.append([part])
+    return groups
+
+
+def without_twins(found: list[Part]) -> list[Part]:
+    """Without those that are another one over again, as a protrusion is a block: most of their faces are the same."""
+    if len({part.kind for part in found} & _SOLIDS) < 2:
+        return found
+    kept: list[Part] = []
+    for part in found:
+        faces = set(part.faces)
+        twins = (p for p in kept if p.kind != part.kind and {p.kind, part.kind} <= _SOLIDS)
+        if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
+            kept.append(part)
+    return kept
+
+
+__all__ = ["STANDING_OUT", "Inventory", "Noun", "by_size", "end_of", "extreme", "measured", "values_of", "without_twins"]

@@ -1,0 +1,142 @@
+"""Which attributes does a part have by what it is to others: a radial hole, the flange of a tube?"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from querycad_contracts import Part
+from querycad_segworker.vectors import cross, line_distance, norm
+
+from .places import TOUCH_M, touches
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+_SQUARE = 1e-2
+"""Cosine of what is still a right angle: half a degree."""
+_NEAR = 0.05
+"""Axes meet, and lie on one line, that pass nearer than this share of the smaller radius or extent."""
+
+
+class Kinds:
+    """All parts of a model by their kind."""
+
+    def __init__(self, parts: Sequence[Part]) -> None:
+        self._by_kind: dict[str, list[Part]] = {}
+        for part in parts:
+            self._by_kind.setdefault(part.kind, []).append(part)
+
+    def get(self, *kinds: str) -> list[Part]:
+        """The parts of these kinds."""
+        return [part for kind in kinds for part in self._by_kind.get(kind, ())]
+
+    @cached_property
+    def turned(self) -> tuple[NDArray[np.float64], ...]:
+        """Bosses and holes: centres, axes and extents, (N, 3) float64 each, and radii, (N,) float64. Metres."""
+        import numpy as np  # a tenth of a second, for the one word that asks for this
+
+        found = [part for part in self.get("boss", "hole") if part.axis and part.radius]
+        rows = [[part.center, part.axis, part.extents] for part in found]
+        center, axis, extents = np.array(rows, dtype=np.float64).reshape(-1, 3, 3).transpose(1, 0, 2)
+        return center, axis, extents, np.array([part.radius for part in found], dtype=np.float64)
+
+
+_CUT = ("slot", "pocket", "cutout", "notch", "channel")
+
+_LONG = 1.5
+"""A model has a length of its own where it is that many times as long as it is wide."""
+_DOWELS_M = tuple(1e-3 * size for size in (1, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10, 12, 16, 20, 25, 30))
+"""Diameters of dowel pins: ISO 8734 and ISO 2338."""
+_REAMED_M = 0.03e-3
+"""Widest fit that a dowel hole is drawn with: more than H8 up to 30 mm."""
+_SCREWS_APART = 3.0
+"""Diameters from one screw hole to the next, at least: EN 1993-1-8, table 3.3, asks for 2.2, and 3 is usual."""
+
+
+def is_radial(hole: Part, kinds: Kinds) -> bool:
+    """Does a hole run square to the axis of a wider round part or bore that it lies in, and through that axis?"""
+    if hole.kind != "hole" or hole.axis is None or not hole.radius:
+        return False
+    import numpy as np
+
+    center, axis, extents, radius = kinds.turned
+    apart, along = center - np.asarray(hole.center), np.asarray(hole.axis)
+    wider = (radius > hole.radius) & (np.abs(axis @ along) <= _SQUARE)
+    touching = (np.abs(apart) <= (extents + np.asarray(hole.extents)) / 2 + TOUCH_M).all(axis=1)
+    meeting = np.abs((apart * np.cross(along, axis)).sum(axis=1)) <= _NEAR * hole.radius
+    return bool((wider & touching & meeting).any())
+
+
+def is_across(hole: Part, kinds: Kinds) -> bool:
+    """Does a hole run square to the length of a model that is clearly longer than it is wide, as a cross hole does?"""
+    whole = next(iter(kinds.get("model")), None)
+    if whole is None or hole.axis is None:
+        return False
+    *_, second, longest = sorted(whole.extents)
+    along = whole.extents.index(longest)
+    return longest >= _LONG * second and abs(hole.axis[along]) <= _SQUARE
+
+
+def is_dowel_size(hole: Part, _: Kinds) -> bool:
+    """Does a dowel pin fit a hole exactly? Clearance and tap drill holes are rarely of a pin's size."""
+    return hole.diameter is not None and any(abs(hole.diameter - pin) <= _REAMED_M for pin in _DOWELS_M)
+
+
+def is_flange(plate: Part, kinds: Kinds) -> bool:
+    """Is a plate, of any outline, bolted on around a round part that stands on it, as a tube's flange is?"""
+    flat = plate.kind == "prism" and "plate" in plate.tags
+    return flat and any(_bolts_on(plate, pattern, kinds) for pattern in kinds.get("pattern"))
+
+
+def is_holed(part: Part, kinds: Kinds) -> bool:
+    """Does it carry a hole, as an ear or lug does?"""
+    carried = set(part.children)
+    return bool(carried) and any(hole.id in carried for hole in kinds.get("hole"))
+
+
+def is_tight(hole: Part, kinds: Kinds) -> bool:
+    """Is a hole one of a row or grid that leaves no room for heads of screws: for the pins of a header, or air?"""
+    return any(
+        hole.id in pattern.children
+        and pattern.pitch is not None
+        and hole.diameter is not None
+        and pattern.pitch < _SCREWS_APART * hole.diameter
+        for pattern in kinds.get("pattern")
+    )
+
+
+def is_lone(arc: Part, kinds: Kinds) -> bool:
+    """Is an arc none of the round ends of a slot or pocket?"""
+    faces = set(arc.faces)
+    return arc.kind == "arc" and not any(faces < set(part.faces) for part in kinds.get(*_CUT))
+
+
+def _bolts_on(plate: Part, pattern: Part, kinds: Kinds) -> bool:
+    """Does the plate carry this pattern of holes, on one axis with a round part that stands on it?"""
+    if "hole" not in pattern.tags or not set(pattern.children) <= set(plate.children):
+        return False
+    outside = [part for part in kinds.get("cylinder") if "outer" in part.tags]  # a bent pipe's end is no boss
+    return any(
+        part.axis is not None
+        and plate.normal is not None
+        and norm(cross(part.axis, plate.normal)) <= _SQUARE
+        and line_distance(pattern.center, part.center, part.axis) <= _NEAR * min(part.extents)
+        and touches(part, plate)
+        for part in (*kinds.get("boss"), *outside)
+    )
+
+
+ROLES: Mapping[str, Callable[[Part, Kinds], bool]] = {
+    "radial": is_radial,
+    "across": is_across,
+    "dowel_size": is_dowel_size,
+    "flange": is_flange,
+    "holed": is_holed,
+    "lone": is_lone,
+    "tight": is_tight,
+}
+"""Tags that only the other parts can give, and what decides on them. Looked at where a word asks for them: it takes a
+look at many parts for each part."""
