@@ -20,6 +20,8 @@ from redis import Redis
 from redis.backoff import ExponentialBackoff
 from redis.retry import Retry
 
+from querycad_answering.answering import answer_question
+from querycad_answering.llm import LlmWriter
 from querycad_contracts import (
     AnswerRecord,
     Failure,
@@ -41,9 +43,7 @@ from querycad_contracts import (
 )
 
 from .answered import cancelled, failed
-from .answering import answer_question
 from .ledger import Begun, Ledger
-from .llm import LlmWriter
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .settings import ApiSettings
 

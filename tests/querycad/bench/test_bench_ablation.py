@@ -12,7 +12,7 @@ from querycad.bench.ablation import ABLATIONS, Ablations, ablations, table
 from querycad.bench.results import Results
 from querycad.bench.systems import SystemOptions, UnknownSystem
 from querycad.cli import main
-from querycad_api.llm import PromptExamples
+from querycad_answering.llm import PromptExamples
 from querycad_contracts import GroundedBy
 
 BASE = SystemOptions()

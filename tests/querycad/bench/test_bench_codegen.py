@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.api.llm.conftest import Script, program, said, scripted
+from tests.answering.llm.conftest import Script, program, said, scripted
 
 from querycad.bench.embedded import EmbeddedSystem
 from querycad.bench.systems import SystemOptions, UnknownSystem

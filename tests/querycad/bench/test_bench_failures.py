@@ -8,7 +8,7 @@ import pytest
 from querycad.bench.failures import FailureClass, failure_class, read_overrides
 from querycad.bench.items import BadBenchmark, Item
 from querycad.bench.systems import Reply
-from querycad_api.judging import judge
+from querycad_answering.judging import judge
 from querycad_contracts import AnswerType, Evidence, Grounding, Part, Program, RunOutcome, RunStatus
 
 SEARCHES = 'parts = find_parts("hole")\nsolution = parts[0].radius'

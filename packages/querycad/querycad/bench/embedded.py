@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from querycad.runtime import EmbeddedRuntime
 from querycad.settings import weights_folder
-from querycad_api.llm import LlmSettings
+from querycad_answering.llm import LlmSettings
 from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, LlmOptions, Status
 from querycad_segworker.errors import FileProblem
 

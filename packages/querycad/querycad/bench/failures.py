@@ -26,7 +26,7 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
-from querycad_api.judging import TOLD_LACKING
+from querycad_answering.judging import TOLD_LACKING
 from querycad_contracts import AnswerType, Part
 
 from .items import BadBenchmark, Item

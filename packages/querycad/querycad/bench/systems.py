@@ -14,7 +14,7 @@ from typing import Annotated, Any, Literal, Protocol, cast
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
-from querycad_api.llm import PromptExamples
+from querycad_answering.llm import PromptExamples
 from querycad_contracts import AnswerRecord, AnswerType, GroundedBy, Part
 
 EMBEDDED = "querycad.bench.embedded:EmbeddedSystem"
