@@ -128,7 +128,7 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _add_keys(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from querycad_api.keys import add_arguments
+    from querycad_api.accounts.commands import add_arguments
 
     keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
     add_arguments(keys)
@@ -136,7 +136,7 @@ def _add_keys(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
 
 
 def _keys(options: argparse.Namespace) -> int:
-    from querycad_api.keys import run
+    from querycad_api.accounts.commands import run
 
     return run(options)
 

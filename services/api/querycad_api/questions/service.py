@@ -4,32 +4,19 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
-from typing import Annotated
 from uuid import uuid4
 
-from fastapi import Header
 from redis.exceptions import RedisError
 
 from querycad_api.dependencies import Services, no_model
-from querycad_api.keyspace import now
 from querycad_api.problems import KeyReused, TooManyRequests
-from querycad_api.state import Once
+from querycad_api.store.keyspace import now
+from querycad_api.store.state import Once
 from querycad_contracts import Job, JobStatus, QuestionRequest, QuestionTask
 
 LOST_S = 5.0
 """A job that is queued for longer may have been kept by a process that died before it put it on the queue. Should it be
 on the queue all the same, it is answered once: the second to take it finds the record."""
-
-IdempotencyKeyDep = Annotated[
-    str | None,
-    Header(
-        alias="Idempotency-Key",
-        min_length=1,
-        max_length=255,
-        description="Any text of the client's. A request that comes again with it, within a day, is not done again: "
-        "the answer is that of the first.",
-    ),
-]
 
 
 async def accept(services: Services, model: str, asked: Sequence[QuestionRequest], key: str | None) -> tuple[Job, ...]:

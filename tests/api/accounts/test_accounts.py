@@ -14,8 +14,10 @@ import pytest
 from redis import Redis
 from tests.api.fakes import MODEL, STEP
 
+from querycad_api.accounts.commands import main
+from querycad_api.accounts.keys import KeyRing
+from querycad_api.accounts.schemas import Scope
 from querycad_api.app import make_app
-from querycad_api.keys import KeyRing, Scope, main
 from querycad_api.settings import ApiSettings
 from querycad_contracts import upload_name
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from querycad_api.keyspace import DAY_S
-from querycad_api.leftovers import remove_leftovers
+from querycad_api.store.file_expiry import remove_expired
+from querycad_api.store.keyspace import DAY_S
 
 NOW_S = 1e9
 
@@ -33,11 +33,11 @@ def test_old_pictures_and_what_broke_off_go_and_nothing_else(tmp_path: Path) -> 
     gone = [file(tmp_path / "pictures/old.png", 31), file(tmp_path / "upload-old", 1.1)]
     file(tmp_path / "draw-old/top.png", 1.1)
     gone.append(aged(tmp_path / "draw-old", 1.1))
-    assert remove_leftovers(tmp_path, 30, NOW_S) == len(gone)
+    assert remove_expired(tmp_path, 30, NOW_S) == len(gone)
     assert all(path.exists() for path in kept)
     assert not any(path.exists() for path in gone)
-    assert remove_leftovers(tmp_path, 30, NOW_S) == 0
+    assert remove_expired(tmp_path, 30, NOW_S) == 0
 
 
 def test_a_folder_that_is_not_there_yet_holds_nothing(tmp_path: Path) -> None:
-    assert remove_leftovers(tmp_path / "none", 30, NOW_S) == 0
+    assert remove_expired(tmp_path / "none", 30, NOW_S) == 0

@@ -16,9 +16,9 @@ from starlette.exceptions import HTTPException
 from tests.api.fakes import MODEL, FakeSandbox
 
 from querycad_api.app import make_app
-from querycad_api.keyspace import job_key
+from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.worker import Questions
+from querycad_api.store.keyspace import job_key
 from querycad_contracts import IngestTask, LogFormat, QuestionTask, current_request, start_logging, working_for
 
 

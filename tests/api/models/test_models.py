@@ -16,11 +16,11 @@ import pytest
 from fastapi import FastAPI, Response
 from redis import Redis
 
-from querycad_api.ledger import Ledger
-from querycad_api.models.files import shown_name
-from querycad_api.models.geometry import whole
+from querycad_api.models.drawings import whole
+from querycad_api.models.uploads import shown_name
 from querycad_api.settings import ApiSettings
-from querycad_api.state import READ_S
+from querycad_api.store.ledger import Ledger
+from querycad_api.store.state import READ_S
 from querycad_contracts import (
     NO_ACCOUNTS,
     ModelSummary,
@@ -257,7 +257,7 @@ def test_a_store_that_says_nothing_is_away(
     from querycad_api import app
 
     monkeypatch.setattr(app, "SILENCE_S", 0.2 - READ_S)
-    monkeypatch.setattr("querycad_api.health.STORE_S", 0.2)
+    monkeypatch.setattr("querycad_api.ops.health.STORE_S", 0.2)
     with socket.create_server(("127.0.0.1", 0)) as silent:  # connections are taken, and nothing is said
         hung = settings.model_copy(update={"redis_url": f"redis://127.0.0.1:{silent.getsockname()[1]}/0"})
         with serving(app.make_app(hung)) as client:

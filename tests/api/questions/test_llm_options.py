@@ -10,10 +10,10 @@ from redis import Redis
 from tests.answering.llm.conftest import Script, program, said, scripted
 from tests.api.fakes import FakeSandbox
 
-from querycad_api.keyspace import job_key
-from querycad_api.ledger import Ledger
+from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.worker import Questions
+from querycad_api.store.keyspace import job_key
+from querycad_api.store.ledger import Ledger
 from querycad_contracts import AnswerRecord, AnswerType, Codegen, QuestionTask
 
 __all__ = ["scripted"]  # the fixture

@@ -1,4 +1,4 @@
-"""API keys: who may ask, and as which tenant. `python -m querycad_api.keys create | list | revoke`
+"""The file of API keys: who may ask, and as which tenant.
 
 A key is `qc_<id>_<secret>`. The file holds the SHA-256 of the secret alone: 256 random bits cannot be guessed, so that
 a slow hash, which passwords need, would add nothing. The file is read again whenever it has changed, so that keys can
@@ -7,50 +7,27 @@ be made and revoked while the service runs, and before it is first started.
 
 from __future__ import annotations
 
-import argparse
 import fcntl
 import hashlib
 import hmac
 import os
 import re
 import secrets
-import sys
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
-from enum import StrEnum
 from pathlib import Path
 
 from pydantic import TypeAdapter, ValidationError
 
 from querycad_contracts import Frozen, Tenant
 
-from .settings import ApiSettings
+from .schemas import ApiKey, Scope
 
 SECRET_BYTES = 32
 _KEY = re.compile(r"qc_([0-9a-f]{12})_([A-Za-z0-9_-]{43})")
 _TENANT: TypeAdapter[str] = TypeAdapter(Tenant)
-
-EXIT_DONE, EXIT_BAD_INPUT = 0, 2
-
-
-class Scope(StrEnum):
-    """What a key is for: asking about its tenant's models, or reading the whole service's metrics."""
-
-    ASK = "ask"
-    METRICS = "metrics"
-
-
-class ApiKey(Frozen):
-    """What is kept of a key."""
-
-    id: str
-    tenant: Tenant
-    scope: Scope = Scope.ASK
-    name: str = ""
-    secret_sha256: str
-    created: datetime
 
 
 class _KeyFile(Frozen):
@@ -132,55 +109,3 @@ class KeyRing:
 
 def _sha256(secret: str) -> str:
     return hashlib.sha256(secret.encode()).hexdigest()
-
-
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Adds what the command understands."""
-    commands = parser.add_subparsers(dest="keys", required=True, metavar="COMMAND")
-    create = commands.add_parser("create", help="make a key and print it, this once")
-    create.add_argument("--tenant", required=True, help="whose models it opens: lower-case letters, digits, hyphens")
-    create.add_argument("--name", default="", help="what it is for, to tell it from others")
-    create.add_argument(
-        "--scope", choices=[each.value for each in Scope], default=Scope.ASK.value, help="default: %(default)s"
-    )
-    commands.add_parser("list", help="print all keys, without their secrets")
-    revoke = commands.add_parser("revoke", help="make a key worthless at once")
-    revoke.add_argument("id", help="the 12 characters after qc_, as `list` prints them")
-
-
-def run(options: argparse.Namespace, settings: ApiSettings | None = None) -> int:
-    """Does what the command line says; returns the exit code."""
-    ring = KeyRing((settings or ApiSettings.read()).keys)
-    try:
-        return _run(options, ring)
-    except ValidationError:
-        return _complain(f"{options.tenant!r} is no name of a tenant: lower-case letters, digits and hyphens, up to 40")
-    except (OSError, ValueError) as error:
-        return _complain(str(error))
-
-
-def _run(options: argparse.Namespace, ring: KeyRing) -> int:
-    if options.keys == "create":
-        print(ring.create(options.tenant, options.name, Scope(options.scope)))  # noqa: T201 - the command's output
-    elif options.keys == "list":
-        for key in ring.all():
-            print(key.id, key.tenant, key.scope.value, f"{key.created:%Y-%m-%d}", key.name)  # noqa: T201 - as above
-    elif not ring.revoke(options.id):
-        return _complain(f"there is no key {options.id}")
-    return EXIT_DONE
-
-
-def _complain(message: str) -> int:
-    print(f"querycad: {message}", file=sys.stderr)  # noqa: T201 - the command's output
-    return EXIT_BAD_INPUT
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    """The command line."""
-    parser = argparse.ArgumentParser(prog="python -m querycad_api.keys", description="Make and revoke API keys.")
-    add_arguments(parser)
-    return run(parser.parse_args(arguments))
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -31,9 +31,7 @@ from querycad_contracts import (
 )
 
 from .keyspace import (
-    ADD_JOBS,
     DAY_S,
-    FINISH_JOB,
     PENDING,
     READING,
     TOTALS,
@@ -54,6 +52,7 @@ from .keyspace import (
     owners_key,
     task_of,
 )
+from .scripts import ADD_JOBS, FINISH_JOB
 
 READ_S = 5.0
 """A wait on a stream is cut into pieces, so that it ends soon after its client has gone."""

@@ -13,22 +13,22 @@ from redis import Redis
 from redis.asyncio import Redis as AsyncRedis
 from tests.api.fakes import MODEL, STEP, FakeSandbox
 
-from querycad_api.broker import Broker
 from querycad_api.dependencies import Application
-from querycad_api.keyspace import PENDING, READING, job_key
-from querycad_api.recovery import sweep_once
+from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.state import AGAIN_S, LOST_S, State
-from querycad_api.worker import Questions
+from querycad_api.store.broker import Broker
+from querycad_api.store.keyspace import PENDING, READING, job_key
+from querycad_api.store.redelivery import redeliver_once
+from querycad_api.store.state import AGAIN_S, LOST_S, State
 from querycad_contracts import FolderStore, QuestionTask
 
 
-def swept(settings: ApiSettings) -> None:
+def redelivered(settings: ApiSettings) -> None:
     async def once() -> None:
         async with AsyncRedis.from_url(settings.redis_url, decode_responses=True) as redis:
             broker = Broker(settings.redis_url, redis)
             state = State(redis, settings.answers_days)
-            await sweep_once(Application(settings, state, broker, FolderStore(Path(settings.home))))
+            await redeliver_once(Application(settings, state, broker, FolderStore(Path(settings.home))))
             broker.close()
 
     asyncio.run(once())
@@ -58,11 +58,11 @@ def job(client: httpx.Client, model: str, redis: Redis) -> str:
 def test_a_lost_question_is_sent_again_and_answered_once(
     settings: ApiSettings, redis: Redis, job: str, worker: Questions, sandbox: FakeSandbox
 ) -> None:
-    swept(settings)
+    redelivered(settings)
     assert queued(redis, "questions") == []  # it may still come
     earlier(redis, job, LOST_S + 1)
-    swept(settings)
-    swept(settings)
+    redelivered(settings)
+    redelivered(settings)
     assert queued(redis, "questions") == [job]
     task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
     worker.answer(task)
@@ -76,30 +76,30 @@ def test_a_question_that_may_be_in_the_queue_is_given_time(
 ) -> None:
     other = client.post(f"/v1/models/{MODEL}/questions", json={"question": "How many slots are there?"}).json()["id"]
     earlier(redis, job, LOST_S + 1)
-    swept(settings)
+    redelivered(settings)
     assert queued(redis, "questions") == [other]
     earlier(redis, job, AGAIN_S + LOST_S)
-    swept(settings)
+    redelivered(settings)
     assert sorted(queued(redis, "questions")) == sorted([other, job])
 
 
 def test_a_question_that_somebody_works_on_is_left_to_them(settings: ApiSettings, redis: Redis, job: str) -> None:
     redis.hset(job_key(job), "started", "2026-01-01T00:00:00+00:00")
     earlier(redis, job, settings.question_s)
-    swept(settings)
+    redelivered(settings)
     assert queued(redis, "questions") == []
     earlier(redis, job, 2.0 * settings.question_s)
-    swept(settings)
+    redelivered(settings)
     assert queued(redis, "questions") == [job]
 
 
 def test_a_file_that_nobody_reads_is_sent_again(client: httpx.Client, settings: ApiSettings, redis: Redis) -> None:
     client.post("/v1/models", files={"file": ("box.step", STEP)})
     redis.delete("ingest")
-    swept(settings)
+    redelivered(settings)
     assert queued(redis, "ingest") == []
     redis.zadd(READING, {f"local:{MODEL}": 1.0})
-    swept(settings)
+    redelivered(settings)
     assert len(queued(redis, "ingest")) == 1
 
 

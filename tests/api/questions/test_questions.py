@@ -10,11 +10,12 @@ import pytest
 from redis import Redis
 from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
-from querycad_api.keyspace import job_key
-from querycad_api.ledger import Ledger
-from querycad_api.sandbox import RunRefused, SandboxUnavailable
+from querycad_api.questions.sandbox import RunRefused, SandboxUnavailable
+from querycad_api.questions.tasks import ATTEMPTS, RETRIES, Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.worker import ATTEMPTS, RETRIES, Questions, make_app
+from querycad_api.store.keyspace import job_key
+from querycad_api.store.ledger import Ledger
+from querycad_api.worker import make_app
 from querycad_contracts import (
     NO_ACCOUNTS,
     AnswerRecord,

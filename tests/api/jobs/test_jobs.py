@@ -13,10 +13,10 @@ import pytest
 from redis import Redis
 from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
-from querycad_api.keyspace import job_key, owners_key
-from querycad_api.ledger import Ledger
+from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.worker import Questions
+from querycad_api.store.keyspace import job_key, owners_key
+from querycad_api.store.ledger import Ledger
 from querycad_contracts import (
     NO_ACCOUNTS,
     AnswerRecord,

@@ -14,12 +14,11 @@ from prometheus_client import CONTENT_TYPE_LATEST, CollectorRegistry, generate_l
 from prometheus_client.core import CounterMetricFamily, GaugeMetricFamily, HistogramMetricFamily, Metric
 from prometheus_client.registry import Collector
 
+from querycad_api.accounts.dependencies import OperatorDep
+from querycad_api.dependencies import Application
+from querycad_api.problems import ServiceUnavailable, responses
+from querycad_api.store.ledger import BUCKETS_S
 from querycad_contracts import Queue
-
-from .access import OperatorDep
-from .dependencies import Application
-from .ledger import BUCKETS_S
-from .problems import ServiceUnavailable, responses
 
 router = APIRouter(tags=["health"])
 

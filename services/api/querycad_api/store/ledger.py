@@ -19,12 +19,8 @@ from querycad_contracts import (
 )
 
 from .keyspace import (
-    BEGIN_JOB,
     DAY_S,
-    FINISH_JOB,
-    FINISH_MODEL,
     READING,
-    WAIT_JOB,
     entry,
     finished,
     job_events_key,
@@ -34,6 +30,7 @@ from .keyspace import (
     model_of,
     now,
 )
+from .scripts import BEGIN_JOB, FINISH_JOB, FINISH_MODEL, WAIT_JOB
 
 BUCKETS_S = (0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
 """Bounds of the histogram of how long questions take, from being accepted to being answered."""

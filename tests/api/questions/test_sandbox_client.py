@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from querycad_api.sandbox import RunRefused, SandboxClient, SandboxUnavailable
+from querycad_api.questions.sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from querycad_contracts import Problem, Program, RunOutcome, RunStatus
 
 MODEL = "0123456789abcdef" * 4

@@ -12,12 +12,11 @@ import logging
 
 from redis.exceptions import RedisError
 
+from querycad_api.dependencies import Application
+from querycad_api.problems import ServiceUnavailable
 from querycad_contracts import Queue, working_for
 
-from .dependencies import Application
-from .problems import ServiceUnavailable
-
-SWEEP_S = 5.0
+LOOK_S = 5.0
 """Between two looks, by whichever api process comes first."""
 QUESTION_MARGIN_S = 60.0
 """A question ends this long after its time limit at the latest, its worker's death and replacement included."""
@@ -25,20 +24,20 @@ QUESTION_MARGIN_S = 60.0
 log = logging.getLogger(__name__)
 
 
-async def sweep(application: Application) -> None:
+async def redeliver(application: Application) -> None:
     """Looks again and again, until it is cancelled."""
     while True:
-        await asyncio.sleep(SWEEP_S)
+        await asyncio.sleep(LOOK_S)
         try:
-            if await application.state.turn("sweep", SWEEP_S):
-                await sweep_once(application)
+            if await application.state.turn("sweep", LOOK_S):
+                await redeliver_once(application)
         except (RedisError, ServiceUnavailable) as error:
-            log.warning("not swept: %s", error)
+            log.warning("not looked for lost tasks: %s", error)
         except Exception:
-            log.exception("not swept")
+            log.exception("not looked for lost tasks")
 
 
-async def sweep_once(application: Application) -> None:
+async def redeliver_once(application: Application) -> None:
     """Sends again what nobody seems to have. Raises RedisError and ServiceUnavailable."""
     state, broker = application.state, application.broker
     _, waiting = await state.totals(Queue.QUESTIONS.value, Queue.INGEST.value)

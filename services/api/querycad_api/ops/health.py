@@ -8,9 +8,8 @@ import httpx
 from fastapi import APIRouter, Request, Response
 from redis.exceptions import RedisError
 
+from querycad_api.dependencies import Application
 from querycad_contracts import Health, Queue, alive_key
-
-from .dependencies import Application
 
 SANDBOX_S = 2.0
 STORE_S = 2.0

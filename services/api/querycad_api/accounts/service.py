@@ -7,36 +7,21 @@ browser on this machine may show, are no such body: their requests are refused.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Annotated, cast
 from urllib.parse import SplitResult, urlsplit
 
-from fastapi import Depends, Request
-from fastapi.security import HTTPAuthorizationCredentials, HTTPBearer
 from limits import RateLimitItem, parse
 from limits.aio.storage import RedisStorage
 from limits.aio.strategies import SlidingWindowCounterRateLimiter
 from redis.asyncio import Redis
 
+from querycad_api.problems import NotAllowed, NotAuthenticated, TooManyRequests
+from querycad_api.settings import ApiSettings
 from querycad_contracts import NO_ACCOUNTS
 
-from .keys import KeyRing, Scope
-from .problems import NotAllowed, NotAuthenticated, TooManyRequests
-from .settings import ApiSettings
+from .keys import KeyRing
+from .schemas import Caller, Scope
 
 LOOPBACK_NAMES = ("127.0.0.1", "localhost", "::1")
-
-_bearer = HTTPBearer(
-    auto_error=False, scheme_name="ApiKey", description="An API key. Not asked for where the service is on loopback."
-)
-
-
-@dataclass(frozen=True, slots=True)
-class Caller:
-    """Whose models are meant, and by which key; its id is empty where there are none."""
-
-    tenant: str
-    key: str = ""
 
 
 class Access:
@@ -87,26 +72,3 @@ def _address(text: str) -> SplitResult:
         return urlsplit(text)
     except ValueError:
         return urlsplit("")
-
-
-Credentials = Annotated[HTTPAuthorizationCredentials | None, Depends(_bearer)]
-
-
-async def caller(request: Request, credentials: Credentials) -> Caller:
-    """Who asks about models?"""
-    return await _admit(request, credentials, Scope.ASK)
-
-
-async def operator(request: Request, credentials: Credentials) -> Caller:
-    """Who reads the metrics?"""
-    return await _admit(request, credentials, Scope.METRICS)
-
-
-async def _admit(request: Request, credentials: HTTPAuthorizationCredentials | None, scope: Scope) -> Caller:
-    access = cast("Access", request.app.state.access)
-    presented = credentials.credentials if credentials is not None else None
-    return await access.caller(presented, request.headers, scope)
-
-
-CallerDep = Annotated[Caller, Depends(caller)]
-OperatorDep = Annotated[Caller, Depends(operator)]

@@ -11,8 +11,9 @@ import shutil
 import time
 from pathlib import Path
 
+from querycad_api.settings import ApiSettings
+
 from .keyspace import DAY_S
-from .settings import ApiSettings
 
 UNFINISHED = ("upload-*", "draw-*", "fetch-*")
 """Uploads, drawings and downloads that go under their own name once they are whole; a killed process leaves them."""
@@ -20,18 +21,18 @@ UNFINISHED = ("upload-*", "draw-*", "fetch-*")
 log = logging.getLogger(__name__)
 
 
-async def tidy(settings: ApiSettings) -> None:
+async def expire_files(settings: ApiSettings) -> None:
     """Looks once a day, until it is cancelled."""
     while True:
         try:
-            removed = await asyncio.to_thread(remove_leftovers, settings.home, settings.answers_days, time.time())
+            removed = await asyncio.to_thread(remove_expired, settings.home, settings.answers_days, time.time())
             log.info("tidied", extra={"removed": removed})
         except OSError as error:
             log.warning("not tidied: %s", error)
         await asyncio.sleep(DAY_S)
 
 
-def remove_leftovers(home: Path, answers_days: int, now_s: float) -> int:
+def remove_expired(home: Path, answers_days: int, now_s: float) -> int:
     """How many files and folders in `home` were too old at that time, and are gone now? Raises OSError."""
     aged = [(path, answers_days * DAY_S) for path in home.glob("pictures/*.png")]
     aged += [(path, DAY_S) for pattern in UNFINISHED for path in home.glob(pattern)]

@@ -11,9 +11,8 @@ from prometheus_client import CollectorRegistry, Counter, Histogram
 from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from querycad_api.problems import problem_response
 from querycad_contracts import Problem, working_for
-
-from .problems import problem_response
 
 REQUEST_ID = "X-Request-ID"
 _GIVEN = re.compile(rb"[A-Za-z0-9._-]{1,64}")

@@ -13,6 +13,7 @@ from pydantic import TypeAdapter
 from redis.asyncio import Redis as AsyncRedis
 from redis.exceptions import RedisError
 
+from querycad_api.problems import ModelUnreadable, ServiceUnavailable
 from querycad_contracts import (
     IngestTask,
     ModelResource,
@@ -28,7 +29,6 @@ from querycad_contracts import (
 )
 
 from .keyspace import uploaded
-from .problems import ModelUnreadable, ServiceUnavailable
 from .state import READ_S
 
 CONNECT_S = 2
