@@ -26,7 +26,6 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
-from querycad_answering.judging import TOLD_LACKING
 from querycad_contracts import AnswerType, Part
 
 from .items import BadBenchmark, Item
@@ -71,9 +70,9 @@ _VECTORS = ("center", "extents", "opening", "tip", "local_size")
 def failure_class(item: Item, reply: Reply) -> FailureClass:
     """Which class does the record of a wrong answer fall into?"""
     if reply.failure is not None:
-        return (
-            FailureClass.INTERFACE if _lacks_measure(reply) else _BY_CATEGORY.get(reply.failure, FailureClass.INTERFACE)
-        )
+        if reply.missing_attribute is not None:
+            return FailureClass.INTERFACE
+        return _BY_CATEGORY.get(reply.failure, FailureClass.INTERFACE)
     if reply.value is None:
         return FailureClass.REASONING
     if expression(item.label) is not None:
@@ -86,13 +85,6 @@ def failure_class(item: Item, reply: Reply) -> FailureClass:
     if _form(label) != _form(reply.value) or _is_other_measure(label, reply.parts, item):
         return FailureClass.REASONING
     return _by_search(reply)
-
-
-def _lacks_measure(reply: Reply) -> bool:
-    """Was a part found, and asked for a measure that it does not have?"""
-    if reply.failure == "not_grounded":
-        return TOLD_LACKING.match(reply.message) is not None
-    return reply.failure == "program" and reply.message.startswith("AttributeError")
 
 
 def _by_search(reply: Reply) -> FailureClass:

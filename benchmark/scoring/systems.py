@@ -15,7 +15,7 @@ from typing import Annotated, Any, Literal, Protocol, cast
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
 
 from querycad_answering.llm import PromptExamples
-from querycad_contracts import AnswerRecord, AnswerType, GroundedBy, Part
+from querycad_contracts import AnswerRecord, AnswerType, GroundedBy, MissingAttribute, Part
 
 EMBEDDED = "benchmark.scoring.embedded:EmbeddedSystem"
 
@@ -69,6 +69,8 @@ class Reply:
     seconds: float | None = None
     failure: str | None = None
     message: str = ""
+    missing_attribute: MissingAttribute | None = None
+    """What a found part lacks, where that is why there is no answer."""
     picture_png: bytes | None = None
 
 
@@ -117,6 +119,7 @@ def reply_of(record: AnswerRecord, seconds: float | None = None, picture_png: by
         parts=record.parts,
         seconds=seconds,
         failure=failure.category if failure else None,
+        missing_attribute=failure.missing_attribute if failure else None,
         message=failure.message if failure else "; ".join(record.warnings),
         picture_png=picture_png,
     )

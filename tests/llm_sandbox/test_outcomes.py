@@ -13,7 +13,7 @@ from time import sleep
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import AnswerType, Grounding, RunLimits, RunStatus, Side
+from querycad_contracts import AnswerType, Grounding, MissingAttribute, RunLimits, RunStatus, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.guest import DESCRIPTIONS
 
@@ -119,6 +119,48 @@ def test_nothing_reaches_the_output_of_the_host(
 ) -> None:
     sandbox.run('import sys\nprint("a")\nprint("b", file=sys.stderr)\nsolution = 1', segcad)
     assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize(
+    ("code", "part", "attribute"),
+    [
+        ('solution = find_parts("slot")[0].radius', "slot-1", "radius"),
+        ('solution = max(find_parts("slot"), key=lambda p: p.radius)', "slot-1", "radius"),
+        ('ps = find_parts("slot")\nps.sort(key=lambda p: p.radius)\nsolution = ps', "slot-1", "radius"),
+        ('s = find_parts("plate")[0]\nsolution = s.angle_to(find_parts("hole")[0])', "body-1", "axis"),
+        ("solution = shape.thickness", "", "thickness"),
+        ('solution = find_parts("hole")[0].faces[0].normal', "", "normal"),
+    ],
+)
+def test_a_measure_that_is_not_there_is_told_as_data(
+    sandbox: Sandbox, segcad: FakeSegCad, code: str, part: str, attribute: str
+) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert outcome.missing_attribute == MissingAttribute(part=part, attribute=attribute)
+    assert not outcome.empty_selection
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "solution = min([])",
+        'solution = max(p.radius for p in find_parts("hole") if p.radius > 1)',
+        'solution = max([p for p in find_parts("hole") if p.radius > 1], key=lambda p: p.radius)',
+        'solution = find_parts("boss")[1]',
+        'solution = sorted(find_parts("boss"), key=lambda p: p.radius)[-2]',
+    ],
+)
+def test_a_choice_among_too_few_is_told_as_data(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, True, None)
+
+
+@pytest.mark.parametrize(
+    "code", ["solution = 1 / 0", "solution = [].radius", 'raise ValueError("it is empty")', 'solution = {}["a"]']
+)
+def test_another_error_is_neither(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad, check=False)
+    assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, False, None)
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass
 
 from querycad_contracts import (
@@ -23,12 +22,6 @@ from .quantities import measures
 from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answer
 
 NO_EXPECTATION = Expectation()
-_LACKS = re.compile(r"AttributeError: part '([\w.-]+)' has no (\w+); it has")
-"""How the sandbox says that a part lacks a measure."""
-TOLD_LACKING = re.compile(r"no [\w ]+ is known of ")
-"""How a failure says it in turn; the benchmark tells such parts from those that were not found."""
-_TOO_FEW = re.compile(r"ValueError: (?:min|max)\(\) iterable argument is empty|IndexError: list index out of range")
-"""What comes of a distance between parts where there is one, and of the second largest where all are alike."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +55,12 @@ def judge(
     if missing is not None:
         failure = Failure(category="not_grounded", message=missing.message, nearest=missing.nearest)
         return Verdict(failure=failure, warnings=warnings, missing=missing)
-    if lacking := _lacking(program, outcome):
-        return Verdict(failure=Failure(category="not_grounded", message=lacking), warnings=warnings)
+    if (lacking := _lacking(program, outcome)) is not None:
+        return Verdict(failure=lacking, warnings=warnings)
     if outcome.status is not RunStatus.OK:
         category = "program" if outcome.status in (RunStatus.RAISED, RunStatus.REFUSED) else "limit"
-        failure = Failure(category=category, message=outcome.message or f"the program {outcome.status.value}")
+        message = outcome.message or f"the program {outcome.status.value}"
+        failure = Failure(category=category, message=message, missing_attribute=outcome.missing_attribute)
         return Verdict(failure=failure, warnings=warnings)
     try:
         answer = as_expected(_typed(program, outcome, unit, expect), expect, unit)
@@ -77,23 +71,23 @@ def judge(
     return Verdict(answer=answer, parts=_parts(outcome), warnings=warnings)
 
 
-def _lacking(program: Program, outcome: RunOutcome) -> str:
-    """What to say where the measure that the question asks for is none of the part's; empty where it is not so.
+def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:
+    """What is wrong where the measure that the question asks for is none of the part's, or parts are too few for it?
 
     Programs of language models may ask for what nobody asked: their errors are sent back to them.
     """
     if program.codegen != "parser":
-        return ""
-    if _TOO_FEW.search(outcome.message):
-        number = len({part.id for grounding in outcome.groundings for part in grounding.parts})
-        return f"the model has {number} such part{'' if number == 1 else 's'}: too few for what is asked"
-    found = _LACKS.match(outcome.message)
-    if found is None:
-        return ""
+        return None
     known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
-    part = known.get(found[1])
-    label = part.label if part is not None else found[1]
-    return f"no {found[2].replace('_', ' ')} is known of {label} ({found[1]})"
+    if outcome.empty_selection:
+        message = f"the model has {len(known)} such part{'' if len(known) == 1 else 's'}: too few for what is asked"
+        return Failure(category="not_grounded", message=message)
+    missing = outcome.missing_attribute
+    if missing is None or not missing.part:
+        return None
+    label = known[missing.part].label if missing.part in known else missing.part
+    message = f"no {missing.attribute.replace('_', ' ')} is known of {label} ({missing.part})"
+    return Failure(category="not_grounded", message=message, missing_attribute=missing)
 
 
 def _typed(program: Program, outcome: RunOutcome, unit: LengthUnit, expect: Expectation) -> Answer:

@@ -31,6 +31,7 @@ from .check import SCRIPT
 from .control import RunControl, RunEndedError
 from .guest import Guest, PartView, View
 from .interpreters import GRACE_S, Interpreters, Lease
+from .outcomes import Ending
 from .values import MAX_ITEMS, UnfitError, plain
 
 MESSAGE_CHARS: Final = 2000
@@ -50,6 +51,8 @@ _SAME_FOR_ALL: Final[OSPolicy] = {
 _LOOPS_OVER_PART: Final = re.compile(r"\bfor\s+\(?(?:\w+\s*,\s*)*part\b")
 """`for part in` and `for i, part in`; in time linear in the program's length, which is hostile."""
 
+OK: Final = Ending(RunStatus.OK, "")
+
 HostCall = Callable[[], Any]
 Asking = FunctionSnapshot | NameLookupSnapshot
 
@@ -63,8 +66,7 @@ class Run:
     control: RunControl
     begun: bool = False
     """Whether the program itself has been started."""
-    status: RunStatus = RunStatus.OK
-    message: str = ""
+    ending: Ending = OK
     value: Any = None
     used_parts: tuple[str, ...] = ()
     _printed: list[str] = field(default_factory=list)
@@ -102,11 +104,13 @@ class Run:
 
     def outcome(self, duration_ms: float) -> RunOutcome:
         """The run as the contract has it."""
-        ok = self.status is RunStatus.OK
+        ok = self.ending.status is RunStatus.OK
         return RunOutcome(
-            status=self.status,
+            status=self.ending.status,
             value=self.value if ok else None,
-            message=self.message[:MESSAGE_CHARS],
+            message=self.ending.message[:MESSAGE_CHARS],
+            missing_attribute=self.ending.missing_attribute,
+            empty_selection=self.ending.empty_selection,
             printed="".join(self._printed),
             groundings=tuple(self.guest.groundings),
             used_parts=self.used_parts if ok else (),

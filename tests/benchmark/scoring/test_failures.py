@@ -9,7 +9,7 @@ from benchmark.scoring.items import BadBenchmark, Item
 from benchmark.scoring.systems import Reply
 
 from querycad_answering.judging import judge
-from querycad_contracts import AnswerType, Evidence, Grounding, Part, Program, RunOutcome, RunStatus
+from querycad_contracts import AnswerType, Evidence, Grounding, MissingAttribute, Part, Program, RunOutcome, RunStatus
 
 SEARCHES = 'parts = find_parts("hole")\nsolution = parts[0].radius'
 
@@ -49,21 +49,21 @@ def test_a_failure_is_classed_by_its_category(category: str, expected: FailureCl
 
 
 def test_a_measure_that_parts_do_not_have_is_a_missing_capability() -> None:
-    reply = Reply(failure="program", message="AttributeError: a body has no pitch")
+    reply = Reply(failure="program", missing_attribute=MissingAttribute(part="", attribute="pitch"))
     assert failure_class(item("0.001"), reply) is FailureClass.INTERFACE
 
 
 def test_a_measure_that_a_found_part_lacks_is_a_missing_capability_as_the_product_says_it() -> None:
     outcome = RunOutcome(
         status=RunStatus.RAISED,
-        message="AttributeError: part 'hole-1' has no edge_distance; it has radius",
+        missing_attribute=MissingAttribute(part="hole-1", attribute="edge_distance"),
         groundings=(Grounding(description="hole", sides=None, parts=(hole(),), understood=True),),
     )
     program = Program(code=SEARCHES, codegen="parser", expects=AnswerType.LENGTH)
     failure = judge(program, outcome).failure
     assert failure is not None
     assert failure.category == "not_grounded"
-    reply = Reply(failure=failure.category, message=failure.message, code=SEARCHES)
+    reply = Reply(failure=failure.category, missing_attribute=failure.missing_attribute, code=SEARCHES)
     assert failure_class(item("0.001"), reply) is FailureClass.INTERFACE
 
 
