@@ -1,8 +1,14 @@
-"""What does the benchmark share with the examples? Their helper for STEP files, which is made importable here."""
+"""Is QueryCAD right, and is it fast? Models with true answers, and what measures with them; see docs/benchmark.md.
+
+It lies in the checkout and is part of no package. The examples' helper for STEP files is made importable here.
+"""
 
 from __future__ import annotations
 
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).parents[1] / "examples"))
+ROOT = Path(__file__).resolve().parents[1]
+"""Of the checkout; processes of the benchmark are started there, so that they find it."""
+
+sys.path.append(str(ROOT / "examples"))

@@ -15,6 +15,7 @@ done
 # shellcheck disable=SC2086  # upgrade holds several words
 "${UV:-.venv/bin/uv}" pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest \
     --generate-hashes --no-emit-index-url --no-emit-find-links --no-header --no-annotate --no-config \
-    --no-emit-package querycad-contracts --no-emit-package querycad-api \
+    --no-emit-package querycad-contracts --no-emit-package querycad-language \
+    --no-emit-package querycad-answering --no-emit-package querycad-api \
     --no-emit-package querycad-segworker --no-emit-package querycad-sandbox \
     $upgrade --output-file requirements.lock --group dev packages/querycad/pyproject.toml

@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-PACKAGES="packages/contracts packages/querycad services/api services/segworker services/llm_sandbox"
+PACKAGES="packages/contracts packages/language packages/answering packages/querycad services/api services/segworker services/llm_sandbox"
 STAMP=.venv/setup-stamp
 
 say() { printf 'setup: %s\n' "$*" >&2; }

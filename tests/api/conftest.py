@@ -12,9 +12,9 @@ from redis import Redis
 from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
 from querycad_api.app import make_app
-from querycad_api.ledger import Ledger
+from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.worker import Questions
+from querycad_api.store.ledger import Ledger
 from querycad_contracts import NO_ACCOUNTS, ModelSummary, TaskOutcome
 
 

@@ -139,7 +139,7 @@ def wait_until_ready(layout: Layout) -> None:
 def key(layout: Layout) -> str:
     """A key, made as docs/service.md tells: by a command in the api's container."""
     environment = os.environ | layout.environment(SERVICES["api"])
-    command = [sys.executable, "-m", "querycad_api.keys", "create", "--tenant", "acme"]
+    command = [sys.executable, "-m", "querycad_api.accounts", "create", "--tenant", "acme"]
     return subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout.strip()
 
 

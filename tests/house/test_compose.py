@@ -6,6 +6,7 @@ import importlib.util
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ import pytest
 import yaml
 
 from querycad.serve import Ports, commands
-from querycad_api.llm.settings import LlmSettings
+from querycad_answering.llm.settings import LlmSettings
 from querycad_api.settings import ApiSettings
 from querycad_contracts import Settings
 from querycad_sandbox.settings import SandboxSettings
@@ -61,6 +62,19 @@ def settings(service: dict[str, Any]) -> type[Settings]:
 def dockerfile(service: dict[str, Any]) -> Path:
     build: dict[str, str] = service["build"]
     return ROOT / build["context"] / build["dockerfile"]
+
+
+def packages_of(folder: Path) -> dict[str, str]:
+    """The packages of ours that a service is made of: their names, and the folders that they lie in."""
+    found: dict[str, str] = {}
+    waiting = [folder]
+    while waiting:
+        said = tomllib.loads((waiting[0] / "pyproject.toml").read_text(encoding="utf-8"))
+        (name,) = said["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"]
+        found[name] = str(waiting.pop(0).relative_to(ROOT))
+        ours = [each for each in said["project"]["dependencies"] if each.startswith("querycad-")]
+        waiting += [ROOT / "packages" / each.removeprefix("querycad-") for each in ours]
+    return found
 
 
 def has_health_check(name: str) -> bool:
@@ -228,11 +242,16 @@ def test_an_image_copies_what_exists_and_is_let_through(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", DOCKERFILES, ids=lambda path: path.parent.name)
-def test_an_image_has_the_service_and_the_contracts_with_sources_after_all_that_is_installed(path: Path) -> None:
+def test_an_image_has_the_service_and_what_it_needs_of_ours_after_all_that_is_installed(
+    path: Path,
+) -> None:
     stage = runtime(path)
     sources = [number for number, (name, rest) in enumerate(stage) if name == "COPY" and "/app/" in rest]
-    (project,) = (folder for folder in path.parent.iterdir() if folder.name in SETTINGS)
-    assert {stage[number][1].split()[-1] for number in sources} == {"/app/querycad_contracts", f"/app/{project.name}"}
+    own = packages_of(path.parent)
+    assert {stage[number][1].split()[-1] for number in sources} == {f"/app/{name}" for name in own}
+    (said,) = (rest for name, rest in instructions(path) if name == "RUN" and "> direct.in" in rest)
+    projects = {f"{folder}/pyproject.toml" for folder in own.values()}
+    assert set(re.findall(r"[a-z_/]+/pyproject\.toml", said)) == projects
     assert all(name != "RUN" for name, _ in stage[min(sources) :])
 
 

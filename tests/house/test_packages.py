@@ -43,11 +43,13 @@ def imported(module: Path) -> set[str]:
     return names - sys.stdlib_module_names - {module.name}
 
 
-def test_there_are_five_packages() -> None:
+def test_there_are_seven_packages() -> None:
     assert {module_of(project).name for project in PROJECTS} == {
         "querycad",
+        "querycad_answering",
         "querycad_api",
         "querycad_contracts",
+        "querycad_language",
         "querycad_sandbox",
         "querycad_segworker",
     }

@@ -12,7 +12,15 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 TOOLS = ["sh", "dirname", "pwd", "cat", "sha256sum", "id", "awk", "rm", "ls"]
-PACKAGES = ["packages/contracts", "packages/querycad", "services/api", "services/segworker", "services/llm_sandbox"]
+PACKAGES = [
+    "packages/contracts",
+    "packages/language",
+    "packages/answering",
+    "packages/querycad",
+    "services/api",
+    "services/segworker",
+    "services/llm_sandbox",
+]
 INPUTS = ["requirements.lock", "VERSION", "scripts/setup.sh", *(f"{package}/pyproject.toml" for package in PACKAGES)]
 
 

@@ -13,7 +13,7 @@ from time import sleep
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import AnswerType, Grounding, RunLimits, RunStatus, Side
+from querycad_contracts import AnswerType, Grounding, MissingAttribute, RunLimits, RunStatus, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.guest import DESCRIPTIONS
 
@@ -122,6 +122,48 @@ def test_nothing_reaches_the_output_of_the_host(
 
 
 @pytest.mark.parametrize(
+    ("code", "part", "attribute"),
+    [
+        ('solution = find_parts("slot")[0].radius', "slot-1", "radius"),
+        ('solution = max(find_parts("slot"), key=lambda p: p.radius)', "slot-1", "radius"),
+        ('ps = find_parts("slot")\nps.sort(key=lambda p: p.radius)\nsolution = ps', "slot-1", "radius"),
+        ('s = find_parts("plate")[0]\nsolution = s.angle_to(find_parts("hole")[0])', "body-1", "axis"),
+        ("solution = shape.thickness", "", "thickness"),
+        ('solution = find_parts("hole")[0].faces[0].normal', "", "normal"),
+    ],
+)
+def test_a_measure_that_is_not_there_is_told_as_data(
+    sandbox: Sandbox, segcad: FakeSegCad, code: str, part: str, attribute: str
+) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert outcome.missing_attribute == MissingAttribute(part=part, attribute=attribute)
+    assert not outcome.empty_selection
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "solution = min([])",
+        'solution = max(p.radius for p in find_parts("hole") if p.radius > 1)',
+        'solution = max([p for p in find_parts("hole") if p.radius > 1], key=lambda p: p.radius)',
+        'solution = find_parts("boss")[1]',
+        'solution = sorted(find_parts("boss"), key=lambda p: p.radius)[-2]',
+    ],
+)
+def test_a_choice_among_too_few_is_told_as_data(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, True, None)
+
+
+@pytest.mark.parametrize(
+    "code", ["solution = 1 / 0", "solution = [].radius", 'raise ValueError("it is empty")', 'solution = {}["a"]']
+)
+def test_another_error_is_neither(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(code, segcad, check=False)
+    assert (outcome.status, outcome.empty_selection, outcome.missing_attribute) == (RunStatus.RAISED, False, None)
+
+
+@pytest.mark.parametrize(
     ("code", "used"),
     [
         ('solution = find_parts("hole")[1:]', ["hole-2", "hole-3"]),
@@ -131,7 +173,18 @@ def test_nothing_reaches_the_output_of_the_host(
         ('parts = find_parts("hole")\npart = max(parts, key=lambda p: p.radius)\nsolution = part.depth', ["hole-3"]),
         ('parts = find_parts("hole")\nt = 0.0\nfor part in parts:\n    t += part.radius\nsolution = t', HOLES),
         ('t = 0.0\nfor i, part in enumerate(find_parts("hole")):\n    t += part.radius\nsolution = t', HOLES),
-        ('parts = {"a": find_parts("hole")[:1], "b": find_parts("boss")}\nsolution = 1', ["hole-1", "boss-1"]),
+        ('holes = find_parts("hole")\nwide = max(holes, key=lambda p: p.radius)\nsolution = wide.depth', ["hole-3"]),
+        ('a = {"x": find_parts("hole")[:1], "y": find_parts("boss")}\nsolution = len(a)', ["hole-1", "boss-1"]),
+        ('a = find_parts("hole")[1:]\nb = [p.radius for p in a]\nsolution = max(b)', ["hole-2", "hole-3"]),
+        ('a = find_parts("hole")[1:]\nb = find_parts("boss")\nsolution = len(a) > len(b)', [*HOLES[1:], "boss-1"]),
+        ('a = find_parts("hole")[1:]\nfind_parts("boss")\nif a:\n    solution = 1', ["hole-2", "hole-3"]),
+        ('a = []\nfor p in find_parts("hole"):\n    if p.depth < 1:\n        a.append(p)\nsolution = len(a)', HOLES),
+        ('a = []\nfor p in find_parts("hole")[1:]:\n    a.append(p)\nsolution = len(a)', ["hole-2", "hole-3"]),
+        ('a = find_parts("hole")[1:]\nisinstance = 3\nsolution = len(a)', HOLES),
+        ('a = find_parts("hole")[1:]\nx = [i * 1.5 for i in range(10**5)]\nsolution = len(x) + len(a)', HOLES[1:]),
+        ('def f(ps):\n    return len(ps)\na = find_parts("hole")[2:]\nsolution = f(a)', ["hole-3"]),
+        ('parts = find_parts("hole")[:1]\nb = find_parts("boss")\nsolution = b[0].height', ["boss-1"]),
+        ('parts = find_parts("hole")[:1]\nsolution = 1', ["hole-1", "hole-2", "hole-3"]),
         ('solution = len(find_parts("boss")) + len(find_parts("slot"))', ["boss-1", "slot-1"]),
         ('parts = 3\nsolution = len(find_parts("boss"))', ["boss-1"]),
         ('parts = ["hole-1"]\nsolution = len(find_parts("boss"))', ["boss-1"]),

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from tests.api.llm.conftest import Answer, Script, program, said, scripted, status, stream
+from tests.answering.llm.conftest import Answer, Script, program, said, scripted, status, stream
 
 from querycad.cli import main
 

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from querycad.serve import reached_at
-from querycad_api.keys import KeyRing
+from querycad_api.accounts.keys import KeyRing
 
 ROOT = Path(__file__).parents[2]
 TOLD = re.findall(r"^querycad (keys .*)$", (ROOT / "docs/service.md").read_text(encoding="utf-8"), re.MULTILINE)

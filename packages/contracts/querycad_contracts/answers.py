@@ -139,6 +139,13 @@ class Status(StrEnum):
     FAILED = "failed"
 
 
+class MissingAttribute(Frozen):
+    """A measure that a program read of something that does not have it."""
+
+    part: str = Field(description="Id of the part; empty for what is no part: a face, a body, the model.")
+    attribute: str
+
+
 class Failure(Frozen):
     """Why there is no answer."""
 
@@ -149,6 +156,9 @@ class Failure(Frozen):
     message: str = Field(description="One sentence for the user.")
     nearest: tuple[str, ...] = Field((), description="The nearest terms that would be understood.")
     retryable: bool = False
+    missing_attribute: MissingAttribute | None = Field(
+        None, description="What was found, and lacks the measure that was asked for."
+    )
 
 
 class TokenUse(Frozen):

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Protocol
 
 from pydantic import Field
 
+from .answers import MissingAttribute
 from .geometry import Face, Frozen, Part, Shape, Side
 from .queries import Grounded, PartQuery
 
@@ -94,6 +95,12 @@ class RunOutcome(Frozen):
         description="`solution` as plain data: None, bool, int, float, str, nested lists; a part is {'part': id}.",
     )
     message: str = Field("", description="Why it did not end well, for the user and for a repair prompt.")
+    missing_attribute: MissingAttribute | None = Field(
+        None, description="The measure that was not there, where the program ended for want of one."
+    )
+    empty_selection: bool = Field(
+        False, description="Whether it ended since it chose among too few: min() or max() of none, an index too high."
+    )
     printed: str = ""
     groundings: tuple[Grounding, ...] = Field((), description="Every find_parts call, in order.")
     used_parts: tuple[str, ...] = Field(

@@ -50,8 +50,8 @@ def ask(options: argparse.Namespace) -> int:
 
 def prompt(options: argparse.Namespace) -> int:
     """Prints what a language model would be sent for a question; returns the exit code."""
-    from querycad_api.llm import LlmSettings
-    from querycad_api.llm.prompt import as_text, conversation
+    from querycad_answering.llm import LlmSettings
+    from querycad_answering.llm.prompt import as_text, conversation
 
     with EmbeddedRuntime() as runtime:
         try:

@@ -6,6 +6,8 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from .bench import add_bench
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line and returns its exit code: 0 done, 1 failed, 2 bad input."""
@@ -21,7 +23,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _add_serve(commands)
     _add_keys(commands)
     _add_models(commands)
-    _add_bench(commands)
+    add_bench(commands)
     options = parser.parse_args(arguments)
     try:
         return int(options.run(options))
@@ -128,7 +130,7 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _add_keys(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from querycad_api.keys import add_arguments
+    from querycad_api.accounts.commands import add_arguments
 
     keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
     add_arguments(keys)
@@ -136,7 +138,7 @@ def _add_keys(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
 
 
 def _keys(options: argparse.Namespace) -> int:
-    from querycad_api.keys import run
+    from querycad_api.accounts.commands import run
 
     return run(options)
 
@@ -159,12 +161,6 @@ def _add_models(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
     from .models_arguments import add_models
 
     add_models(commands)
-
-
-def _add_bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    from .bench.arguments import add_bench
-
-    add_bench(commands)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from querycad_contracts import AnswerOptions, AnswerType, Codegen, Expectation, Frame, GroundedBy, LlmOptions, Unit
 
 if TYPE_CHECKING:
-    from querycad_api.llm import LlmSettings
+    from querycad_answering.llm import LlmSettings
 
 _UNITS = {unit.value or "none": unit for unit in Unit}
 
@@ -86,7 +86,7 @@ def not_of_a_service(options: argparse.Namespace) -> str | None:
 
 def llm_settings(options: argparse.Namespace) -> LlmSettings:
     """The language model's settings: those given, else the environment's. Raises pydantic.ValidationError."""
-    from querycad_api.llm import LlmSettings
+    from querycad_answering.llm import LlmSettings
 
     given = {
         "llm_base_url": options.llm_base_url,

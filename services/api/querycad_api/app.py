@@ -21,21 +21,22 @@ from starlette.middleware.cors import CORSMiddleware
 
 from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
 
-from . import health, metrics, web
-from .access import Access
-from .broker import Broker
+from .accounts.service import Access
 from .dependencies import Application
 from .jobs import endpoints as jobs
-from .leftovers import tidy
 from .models import endpoints as models
 from .models import geometry
-from .models.limit import BodyLimit
-from .observe import REQUEST_ID, HttpMetrics, Observe
+from .models.body_limit import BodyLimit
+from .ops import health, metrics
+from .ops.observability import REQUEST_ID, HttpMetrics, Observe
 from .problems import PROBLEM_SCHEMA, NotAllowed, NotAuthenticated, TooManyRequests, add_handlers, responses
 from .questions import endpoints as questions
-from .recovery import sweep
 from .settings import ApiSettings
-from .state import READ_S, State
+from .store.broker import Broker
+from .store.file_expiry import expire_files
+from .store.redelivery import redeliver
+from .store.state import READ_S, State
+from .web import endpoints as web
 
 INTERFACE_VERSION = "1.0"
 """Of the interface, not of the program: the first number is the one in `/v1`."""
@@ -67,7 +68,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
         state = State(redis, settings.answers_days)
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
-        beside = [asyncio.create_task(each) for each in (sweep(app.state.application), tidy(settings))]
+        beside = [asyncio.create_task(each) for each in (redeliver(app.state.application), expire_files(settings))]
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield
         for task in beside:

@@ -13,11 +13,12 @@ from fastapi import Depends, Header, Query, Request
 
 from querycad_contracts import FileStore, Job, ModelResource, ModelStatus
 
-from .access import Caller, CallerDep
-from .broker import Broker
+from .accounts.dependencies import CallerDep
+from .accounts.schemas import Caller
 from .problems import JobNotFound, ModelNotFound, ModelNotReady, ModelUnreadable
 from .settings import ApiSettings
-from .state import State
+from .store.broker import Broker
+from .store.state import State
 
 _WAIT = re.compile(r"(?:^|[,;\s])wait\s*=\s*(\d{1,6})\b")
 

@@ -7,9 +7,8 @@ from pathlib import Path
 
 from pydantic import Field
 
+from querycad_answering.llm import LlmSettings
 from querycad_contracts import StorageSettings, WorkerSettings
-
-from .llm import LlmSettings
 
 
 class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):

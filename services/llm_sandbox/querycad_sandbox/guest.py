@@ -10,12 +10,25 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any, Final, NoReturn, TypeVar
 from uuid import UUID
 
 from pydantic_monty import ClassInstance, ClassType, MontyClassProxy
 
-from querycad_contracts import Body, Face, Grounding, Part, PartQuery, RunStatus, SegCad, Shape, Side, Vector
+from querycad_contracts import (
+    Body,
+    Face,
+    Grounding,
+    MissingAttribute,
+    Part,
+    PartQuery,
+    RunStatus,
+    SegCad,
+    Shape,
+    Side,
+    Vector,
+)
 
 from .control import RunControl, RunEndedError
 from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
@@ -27,6 +40,8 @@ BOX_SLACK_M: Final = 1e-6
 """A centre on the border of a box counts as in it: above kernel noise, below drawing accuracy."""
 DESCRIPTION_CHARS: Final = 300
 """Longest description of a part; a phrase of a question has a few dozen characters."""
+ATTRIBUTE_CHARS: Final = 100
+"""Of the name of a measure that is not there, which is the program's to choose."""
 DESCRIPTIONS: Final = 100
 """Most different find_parts calls of a run; each may render and segment, and its time is not the program's."""
 
@@ -35,6 +50,14 @@ _PARALLEL: Final = 1e-3
 _SIDES: Final = {side.value: side for side in Side}
 _CLASSES: Final = {kind: ClassType(kind) for kind in (Part, Face, Body, Shape)}
 """How a program sees the classes of the guest API: it can ask isinstance(), and make no objects of them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Absence:
+    """A measure that an object of the model does not have, and what the program is told of that."""
+
+    text: str
+    missing: MissingAttribute
 
 
 class View(ClassInstance):
@@ -53,11 +76,12 @@ class View(ClassInstance):
     def lookup_lazy_attrs(self, name: str) -> Any:
         """A name that is no measure of the object: the interpreter asks the host before it gives up."""
         self.guest.absence = self.lacks(name)
-        raise AttributeError(self.guest.absence)
+        raise AttributeError(self.guest.absence.text)
 
-    def lacks(self, name: str) -> str:
+    def lacks(self, name: str) -> Absence:
         """What to say of a measure that the object does not have?"""
-        return f"{_noun(self.value)} has no {name}; it has {', '.join(sorted(self.measures))}"
+        text = f"{_noun(self.value)} has no {name}; it has {', '.join(sorted(self.measures))}"
+        return _absence(self.value, name, text)
 
 
 class PartView(View):
@@ -94,8 +118,8 @@ class Guest:
         self._faces: dict[str, list[View]] = {}
         self.groundings: list[Grounding] = []
         self.ended: BaseException | None = None
-        self.absence = ""
-        """What was said of the last measure asked for in vain."""
+        self.absence: Absence | None = None
+        """The last measure that was asked for in vain."""
 
     def names(self) -> dict[str, Any]:
         """What a program's undefined names stand for, but for `shape`, which is asked for when it is read."""
@@ -158,7 +182,7 @@ class Guest:
 
         From the cross and the dot product, which loses no digits near 0 and pi/2 as acos and asin do.
         """
-        (ax, ay, az), (bx, by, bz) = _direction(part), _direction(other)
+        (ax, ay, az), (bx, by, bz) = self._direction(part), self._direction(other)
         cross = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
         return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
 
@@ -175,16 +199,23 @@ class Guest:
             for point in points
         )
 
-    def explain(self, type_name: str, attribute: str) -> str:
-        """What to say when an object of the guest API had no such attribute; empty when none is known to lack it.
+    def explain(self, type_name: str, attribute: str) -> Absence | None:
+        """What is it that had no such attribute? None when no object of the guest API is known to lack it.
 
         Inside some callbacks the interpreter does not ask the host for an attribute; the parts found tell then.
         """
-        if f" has no {attribute};" in self.absence:
+        if self.absence is not None and self.absence.missing.attribute == attribute[:ATTRIBUTE_CHARS]:
             return self.absence
         views = (view for found in self._found.values() for view in found)
         lacking = (view for view in views if type_name == "Part" and attribute not in view.measures)
-        return next((view.lacks(attribute) for view in lacking), "")
+        return next((view.lacks(attribute) for view in lacking), None)
+
+    def _direction(self, part: Part) -> Vector:
+        direction = part.axis or part.normal
+        if direction is None:
+            self.absence = _absence(part, "axis", f"{_noun(part)} has neither axis nor normal")
+            raise AttributeError(self.absence.text)
+        return direction
 
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         if len(self.groundings) >= DESCRIPTIONS:
@@ -223,11 +254,9 @@ def _noun(value: Part | Face | Body | Shape) -> str:
             return "the model"
 
 
-def _direction(part: Part) -> Vector:
-    direction = part.axis or part.normal
-    if direction is None:
-        raise AttributeError(f"{_noun(part)} has neither axis nor normal")
-    return direction
+def _absence(value: Part | Face | Body | Shape, attribute: str, text: str) -> Absence:
+    part = value.id if isinstance(value, Part) else ""
+    return Absence(text, MissingAttribute(part=part, attribute=attribute[:ATTRIBUTE_CHARS]))
 
 
 def _description(description: object) -> str | PartQuery:

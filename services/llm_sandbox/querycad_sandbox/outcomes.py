@@ -1,15 +1,16 @@
-"""How did a program end, and what is there to say about it? The interpreter's errors as a status and one message."""
+"""How did a program end, and what is there to say about it? The interpreter's errors, which are texts, as data."""
 
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from typing import Final
 
 from pydantic_monty import MontyCrashedError, MontyError, MontyRuntimeError, MontySyntaxError
 
-from querycad_contracts import RunStatus
+from querycad_contracts import MissingAttribute, RunStatus
 
-from .guest import Guest
+from .guest import Absence, Guest
 
 TEXT_CHARS: Final = 1500
 """Of an exception's text, which is the program's to choose; the line follows it."""
@@ -17,28 +18,53 @@ PROGRAM_FILE: Final = "<python-input-1>"
 """The interpreter's name for the second text fed to a session: the program, after the prelude."""
 
 _NO_ATTRIBUTE: Final = re.compile(r"'(\w+)' object has no attribute '(\w+)'")
+_EMPTY: Final[dict[type[BaseException], tuple[str, ...]]] = {
+    ValueError: ("min() iterable argument is empty", "max() iterable argument is empty"),
+    IndexError: ("list index out of range",),
+}
+"""What the interpreter says where a program chooses among too few: the largest of none, the second of one."""
 _NO_CALLBACK: Final = re.compile(r"(?:method|function) call .* cannot suspend in this synchronous context")
 
 
-def outcome_of(error: MontyError, guest: Guest) -> tuple[RunStatus, str]:
-    """Which status does the interpreter's `error` mean, with which message for the user and for a repair?"""
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """How a program ended, with what there is to say to the user and to a repair; see `RunOutcome`."""
+
+    status: RunStatus
+    message: str
+    missing_attribute: MissingAttribute | None = None
+    empty_selection: bool = False
+
+
+def ending_of(error: MontyError, guest: Guest) -> Ending:
+    """How did the program end that the interpreter's `error` comes from?"""
     if isinstance(error, MontyCrashedError):
         if error.timed_out:
-            return RunStatus.TIMED_OUT, "the program ran out of time"
-        return RunStatus.CRASHED, "the interpreter crashed"
+            return Ending(RunStatus.TIMED_OUT, "the program ran out of time")
+        return Ending(RunStatus.CRASHED, "the interpreter crashed")
     if isinstance(error, MontySyntaxError):
-        return RunStatus.REFUSED, f"invalid syntax: {error}"
+        return Ending(RunStatus.REFUSED, f"invalid syntax: {error}")
     cause, text = error.exception(), str(error.exception())
     if isinstance(cause, TimeoutError) and "time limit exceeded" in text:
-        return RunStatus.TIMED_OUT, "the program ran out of time"
+        return Ending(RunStatus.TIMED_OUT, "the program ran out of time")
     if isinstance(cause, MemoryError):
-        return RunStatus.OUT_OF_MEMORY, "the program ran out of memory"
-    return RunStatus.RAISED, _explained(cause, text, guest) + _where(error)
+        return Ending(RunStatus.OUT_OF_MEMORY, "the program ran out of memory")
+    absence = _absence(cause, text, guest)
+    said = _explained(cause, absence.text if absence is not None else text) + _where(error)
+    missing = absence.missing if absence is not None else None
+    return Ending(RunStatus.RAISED, said, missing, text in _EMPTY.get(type(cause), ()))
 
 
-def _explained(cause: BaseException, text: str, guest: Guest) -> str:
-    if isinstance(cause, AttributeError) and (match := _NO_ATTRIBUTE.fullmatch(text)):
-        text = guest.explain(*match.groups()) or text
+def _absence(cause: BaseException, text: str, guest: Guest) -> Absence | None:
+    """The measure for want of which the program ended; None where it ended for another reason."""
+    if not isinstance(cause, AttributeError):
+        return None
+    if match := _NO_ATTRIBUTE.fullmatch(text):  # as the interpreter says it, whatever the host has said
+        return guest.explain(*match.groups())
+    return guest.absence if guest.absence is not None and guest.absence.text == text else None
+
+
+def _explained(cause: BaseException, text: str) -> str:
     if isinstance(cause, NotImplementedError) and _NO_CALLBACK.fullmatch(text):
         text = f"{text}: measure first, in a list, then sort"
     return f"{type(cause).__name__}: {text[:TEXT_CHARS]}"

@@ -6,6 +6,7 @@
 the host anything: with these, `min(parts, key=lambda p: p.edge_distance())` works as in any Python.
 `next` takes the first value of a generator expression, which the interpreter makes a list.
 The helpers of the guest API that need no host are here too: a program may call them thousands of times.
+`_parts_in` is for the host: the parts in the first layer of variables that has any, so that nothing else leaves.
 """
 
 from math import dist as _dist
@@ -54,6 +55,24 @@ def next(iterator, /, *default):
     if default:
         return default[0]
     raise StopIteration
+
+
+def _parts_in(layers, kind, most=1000):
+    for layer in layers:
+        found = []
+        for variable in layer:
+            room, waiting = most, [(0, variable)]
+            while waiting and room > 0:
+                depth, value = waiting.pop()
+                room -= 1
+                if isinstance(value, kind):
+                    found.append(value)
+                elif depth < 3 and isinstance(value, (list, tuple, dict)):
+                    inside = list(value.values()) if isinstance(value, dict) else value[:room]
+                    waiting += [(depth + 1, item) for item in reversed(inside)]
+        if found:
+            return found
+    return []
 
 
 def distance(a, b):

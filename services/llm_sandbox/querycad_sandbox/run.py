@@ -5,8 +5,7 @@ While SegCAD works on a call for long, the program is kept as a snapshot and its
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from datetime import datetime
@@ -20,6 +19,7 @@ from pydantic_monty import (
     FutureSnapshot,
     MontyComplete,
     MontyCrashedError,
+    MontyError,
     NameLookupSnapshot,
     OSPolicy,
     SyncSnapshot,
@@ -31,11 +31,12 @@ from .check import SCRIPT
 from .control import RunControl, RunEndedError
 from .guest import Guest, PartView, View
 from .interpreters import GRACE_S, Interpreters, Lease
+from .outcomes import Ending
+from .sources import MOST, RESULT, sources
 from .values import MAX_ITEMS, UnfitError, plain
 
 MESSAGE_CHARS: Final = 2000
 """Of what there is to say, part of which is the program's to choose."""
-RESULT_VARIABLES: Final = ("solution", "part", "parts")
 SNAPSHOT_BYTES: Final = 4 * 2**20
 """A program that holds more keeps its interpreter while it waits, so that waiting programs cannot fill the memory."""
 TOLD_PARTS, TOLD_CHARS = 50, 100
@@ -47,8 +48,7 @@ _SAME_FOR_ALL: Final[OSPolicy] = {
     "random_start": {"seed": 0},
 }
 """A program gives the same answer whenever it is run, and cannot wait."""
-_LOOPS_OVER_PART: Final = re.compile(r"\bfor\s+\(?(?:\w+\s*,\s*)*part\b")
-"""`for part in` and `for i, part in`; in time linear in the program's length, which is hostile."""
+OK: Final = Ending(RunStatus.OK, "")
 
 HostCall = Callable[[], Any]
 Asking = FunctionSnapshot | NameLookupSnapshot
@@ -63,8 +63,7 @@ class Run:
     control: RunControl
     begun: bool = False
     """Whether the program itself has been started."""
-    status: RunStatus = RunStatus.OK
-    message: str = ""
+    ending: Ending = OK
     value: Any = None
     used_parts: tuple[str, ...] = ()
     _printed: list[str] = field(default_factory=list)
@@ -81,7 +80,7 @@ class Run:
                 "max_feed_duration_secs": self.limits.duration_s,
                 "max_memory": self.limits.memory_bytes,
                 "max_recursion_depth": self.limits.recursion,
-                "max_suspensions": self.limits.host_calls + len(RESULT_VARIABLES) + 1,
+                "max_suspensions": self.limits.host_calls + MOST + 2,
             },
             _SAME_FOR_ALL,
             self.control,
@@ -90,23 +89,26 @@ class Run:
             lease.session.feed_run(prelude, print_callback=self._print)
             self.begun = True
             self._drive(lease, code)
-            found = self._harvest(lease, code)
+            found = self._result(lease)
+            if found:
+                self.used_parts = self._rests_on(lease, found[0], sources(code))
         wanted = f" (a value of type {expects.value!r} is expected)" if expects else ""
-        if "solution" not in found:
-            raise RunEndedError(RunStatus.RAISED, f"the program assigned nothing to `solution`{wanted}")
-        self.used_parts = self._rests_on(found, code)
+        if not found:
+            raise RunEndedError(RunStatus.RAISED, f"the program assigned nothing to `{RESULT}`{wanted}")
         try:
-            self.value = plain(found["solution"], self.guest.original)
+            self.value = plain(found[0], self.guest.original)
         except UnfitError as unfit:
-            raise RunEndedError(RunStatus.REFUSED, f"the result in `solution` {unfit}{wanted}") from None
+            raise RunEndedError(RunStatus.REFUSED, f"the result in `{RESULT}` {unfit}{wanted}") from None
 
     def outcome(self, duration_ms: float) -> RunOutcome:
         """The run as the contract has it."""
-        ok = self.status is RunStatus.OK
+        ok = self.ending.status is RunStatus.OK
         return RunOutcome(
-            status=self.status,
+            status=self.ending.status,
             value=self.value if ok else None,
-            message=self.message[:MESSAGE_CHARS],
+            message=self.ending.message[:MESSAGE_CHARS],
+            missing_attribute=self.ending.missing_attribute,
+            empty_selection=self.ending.empty_selection,
             printed="".join(self._printed),
             groundings=tuple(self.guest.groundings),
             used_parts=self.used_parts if ok else (),
@@ -226,32 +228,45 @@ class Run:
         assert isinstance(restored, FunctionSnapshot | NameLookupSnapshot)
         return restored
 
-    def _harvest(self, lease: Lease, code: str) -> dict[str, object]:
-        """Which of the variables that tell of the result did the program leave, with which values?
-
-        A name that it lacks costs a way to the interpreter and back: one that it does not mention is not asked for.
-        """
-        names = [name for name in RESULT_VARIABLES if re.search(rf"\b{name}\b", code)]
-        snapshot: SyncSnapshot = lease.session.feed_start(f"[{', '.join(names)}]", print_callback=self._print)
-        missing = set()
+    def _result(self, lease: Lease) -> list[object]:
+        """What the program left in `solution`, as the only item of a list; an empty list where it left nothing."""
+        snapshot: SyncSnapshot = lease.session.feed_start(RESULT, print_callback=self._print)
+        is_there = True
         while isinstance(snapshot, NameLookupSnapshot):
-            missing.add(snapshot.variable_name)
+            is_there = False
             snapshot = snapshot.resume(value=None)
         assert isinstance(snapshot, MontyComplete)
-        values = zip(names, snapshot.output, strict=True)
-        return {name: value for name, value in values if name not in missing}
+        return [snapshot.output] if is_there else []
 
-    def _rests_on(self, found: dict[str, object], code: str) -> tuple[str, ...]:
-        """Ids of the parts that the result rests on: those in it, else the program's selection, else all it found.
+    def _rests_on(self, lease: Lease, result: object, layers: Sequence[Sequence[str]]) -> tuple[str, ...]:
+        """Ids of the parts that the result rests on: those in it, else in what it is made of, the nearest first.
 
-        Reading a measure leaves no trace, so the program's own selection is what it left in `part` (unless that is
-        only a loop's variable) or in `parts`.
+        Reading a measure leaves no trace, so the selection that a measure was read of is found through the program's
+        own assignments. Where that finds none, it is all parts that the program found.
         """
-        part = None if _LOOPS_OVER_PART.search(code) else found.get("part")
-        for selection in (found["solution"], part, found.get("parts")):
-            if ids := self._part_ids(selection):
-                return ids
-        return tuple(dict.fromkeys(part.id for grounding in self.guest.groundings for part in grounding.parts))
+        found = [part.id for grounding in self.guest.groundings for part in grounding.parts]
+        if not found:
+            return ()
+        return self._part_ids(result) or self._part_ids(self._selected(lease, layers)) or tuple(dict.fromkeys(found))
+
+    def _selected(self, lease: Lease, layers: Sequence[Sequence[str]]) -> object:
+        """Parts in the first of these layers of variables that has any; they are picked out by the interpreter.
+
+        None where the program has made that impossible: it has its answer all the same.
+        """
+        if not layers:
+            return None
+        told = ", ".join(f"[{', '.join(layer)}]" for layer in layers)
+        try:
+            snapshot: SyncSnapshot = lease.session.feed_start(
+                f"_parts_in([{told}], Part)", external_lookup=self.guest.names(), print_callback=self._print
+            )
+            while isinstance(snapshot, NameLookupSnapshot):
+                is_kind = snapshot.variable_name == "Part"
+                snapshot = snapshot.resume_auto() if is_kind else snapshot.resume(value=None)
+        except MontyError:
+            return None
+        return snapshot.output if isinstance(snapshot, MontyComplete) else None
 
     def _part_ids(self, value: object) -> tuple[str, ...]:
         """Ids of the parts among the first values of `value`, in order, each once."""

@@ -17,7 +17,7 @@ from .confinement import Confinement
 from .control import CANCELLED, RunControl, RunEndedError
 from .guest import Guest
 from .interpreters import Interpreters
-from .outcomes import outcome_of
+from .outcomes import Ending, ending_of
 from .run import Run
 
 DEFAULT_LIMITS: Final = RunLimits()
@@ -100,11 +100,11 @@ class Sandbox:
                     raise
                 run.execute(interpreters, self._prelude, code, expects)  # the worker had died while it was idle
         except RunEndedError as end:
-            run.status, run.message = end.status, end.message
+            run.ending = Ending(end.status, end.message)
         except MontyError as error:
-            run.status, run.message = outcome_of(error, run.guest)
+            run.ending = ending_of(error, run.guest)
             if control.cancelled:
-                run.status, run.message = RunStatus.CANCELLED, CANCELLED
+                run.ending = Ending(RunStatus.CANCELLED, CANCELLED)
         return run.outcome((perf_counter() - started) * 1e3)
 
     def _start(self) -> tuple[Interpreters, TypeChecker]:

@@ -11,7 +11,6 @@ from PIL import Image
 from tests.segworker.shapes import Found, cut, cylinder, find, plate, write_step
 
 from querycad_contracts import AnswerRecord, GroundedBy, Side, Status
-from querycad_segworker.brep.step import read_step
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
@@ -25,10 +24,8 @@ from querycad_segworker.vision.known import KnownParts
 from querycad_segworker.vision.pictures import contact_sheet, draw_view
 from querycad_segworker.vision.ports import Detection, Masks, VisionModels, VisionOptions
 from querycad_segworker.vision.prune import FaceGraph
-from querycad_segworker.vision.recovery import recovery
 
 ROOT = Path(__file__).resolve().parents[3]
-SHARED = ROOT.parent / "shared" / "cad-qa-dev"
 SMALL = VisionOptions(width=960, height=540)
 
 
@@ -47,26 +44,6 @@ def drilled() -> Found:
             cylinder(5, 3, (18, 0, -20)),
         )
     )
-
-
-def mean_iou(file: Path, options: VisionOptions = SMALL) -> float:
-    model = Found(read_step(file))
-    found = recovery(make_renderer(model.mesh), graph(model), len(model.brep.faces), model.parts, options)
-    meant = [one.face_iou for one in found.values() if one.is_meant]
-    assert meant
-    return float(np.mean(meant))
-
-
-@pytest.mark.parametrize("name", ["bracket", "flange"])
-def test_known_parts_of_example_models_come_back(name: str) -> None:
-    assert mean_iou(ROOT / "examples" / f"{name}.step") >= 0.95
-
-
-@pytest.mark.skipif(not SHARED.is_dir(), reason="../shared/cad-qa-dev is not there")
-@pytest.mark.parametrize("name", ["00000057", "00000180"])
-def test_known_parts_of_the_published_benchmark_come_back(name: str) -> None:
-    """In pictures of the published size; `querycad bench perf` measures as many models as it is given."""
-    assert mean_iou(SHARED / "abc" / name / "cad.step", VisionOptions()) >= 0.95
 
 
 @pytest.mark.parametrize("views", [6, 8])

@@ -10,20 +10,20 @@ from fastapi.responses import Response
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 from redis.exceptions import RedisError
 
-from querycad_api.answered import cancelled
 from querycad_api.dependencies import ServicesDep, WaitDep
-from querycad_api.models.geometry import PNG, drawn
+from querycad_api.models.drawings import PNG, drawn
 from querycad_api.problems import (
     JobIsDone,
     JobNotFound,
     ModelNotFound,
     ModelUnreadable,
-    NothingMore,
     PictureNotFound,
     ServiceUnavailable,
     responses,
 )
-from querycad_contracts import Job, JobId, ModelId, PictureTask, Status, TaskName, picture_name
+from querycad_contracts import Job, JobId, ModelId, PictureTask, TaskName, picture_name
+
+from .service import answered, cancel, followed
 
 RECONNECT_MS = 1000
 
@@ -47,10 +47,7 @@ LastEventDep = Annotated[
 
 async def _followed(job_id: JobId, services: ServicesDep, last_event_id: LastEventDep = "") -> Job:
     """The job, looked up before the response begins. Raises NothingMore to who was told all."""
-    found = await services.job(job_id)
-    if last_event_id and await services.state.told(job_id, last_event_id):
-        raise NothingMore
-    return found
+    return await followed(services, job_id, last_event_id)
 
 
 @router.get(
@@ -81,12 +78,7 @@ async def get_events(
 )
 async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
     """Calls the question off: its job is done, with the failure `cancelled`, and what runs for it is stopped."""
-    found = await services.job(job_id)
-    task = await services.state.task(job_id)
-    if task is None or not await services.state.end_job(task, cancelled(found.question)):
-        raise JobIsDone("the question has its answer already")
-    await services.broker.stop([job_id])
-    return await services.job(job_id)
+    return await cancel(services, job_id)
 
 
 @router.get(
@@ -100,10 +92,6 @@ async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
 async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep) -> Response:
     """The parts that an answer rests on, marked and numbered in a picture of the model."""
     await services.must_know(model_id)
-    job = await services.job(job_id)
-    if job.model != model_id:
-        raise JobNotFound("the model has no answer with this id")
-    if job.record is None or job.record.status is not Status.ANSWERED:
-        raise PictureNotFound("the question has no answer to draw")
-    task = PictureTask(model=model_id, record=job.record, name=picture_name(job_id))
+    record = await answered(services, model_id, job_id)
+    task = PictureTask(model=model_id, record=record, name=picture_name(job_id))
     return await drawn(services, TaskName.PICTURE, task, "image/png")

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
-from datetime import UTC, datetime
 from typing import Annotated
 
 from fastapi import APIRouter, File, Request, Response, UploadFile
 
-from querycad_api.answered import cancelled
-from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep, WaitDep
+from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep, WaitDep
 from querycad_api.problems import (
     FileTooLarge,
     Malformed,
@@ -20,17 +15,9 @@ from querycad_api.problems import (
     ServiceUnavailable,
     responses,
 )
-from querycad_contracts import (
-    ModelId,
-    ModelResource,
-    ModelsPage,
-    ModelStatus,
-    models_name,
-    picture_name,
-    upload_name,
-)
+from querycad_contracts import ModelId, ModelResource, ModelsPage, ModelStatus
 
-from .files import Received, received, shown_name
+from .service import add, delete
 
 router = APIRouter(prefix="/v1/models", tags=["models"])
 
@@ -56,27 +43,13 @@ async def upload_model(
     """Uploads a model. The same file twice is one model, so that the request may be repeated."""
     if len((await request.form()).getlist("file")) > 1:
         raise Malformed("send one file a request: of several, all but one would be lost")
-    tenant = services.caller.tenant
-    async with _on_disk(file, services) as upload:
-        resource = ModelResource(
-            id=upload.sha256,
-            file_name=shown_name(file.filename),
-            size_bytes=upload.size_bytes,
-            created=datetime.now(UTC),
-            status=ModelStatus.READING,
-        )
-        async with services.state.files_of(upload.sha256):
-            await asyncio.to_thread(services.files.keep, upload_name(upload.sha256), upload.path)
-            new = await services.state.add_model(tenant, resource)
-    known = resource if new else await services.model(resource.id)
-    if new or known.status is ModelStatus.FAILED:  # what failed may have been the machine
-        await _read(services, known, new)
-    if wait_s and await services.state.model_done(tenant, resource.id, wait_s):
+    model_id, new = await add(services, file.file, file.filename)
+    if wait_s and await services.state.model_done(services.caller.tenant, model_id, wait_s):
         response.headers["Preference-Applied"] = f"wait={wait_s}"
-    found = await services.model(resource.id)
+    found = await services.model(model_id)
     read = found.status is not ModelStatus.READING
     response.status_code = 202 if not read else 201 if new else 200
-    response.headers["Location"] = f"/v1/models/{resource.id}"
+    response.headers["Location"] = f"/v1/models/{model_id}"
     return found
 
 
@@ -102,41 +75,4 @@ async def get_model(model_id: ModelId, services: ServicesDep, wait_s: WaitDep) -
 async def delete_model(model_id: ModelId, services: ServicesDep) -> None:
     """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
     await services.must_know(model_id)
-    state, tenant = services.state, services.caller.tenant
-    tasks = await state.tasks_about(tenant, model_id)
-    stopped = [task.job for task in tasks if await state.end_job(task, cancelled(task.question))]
-    async with state.files_of(model_id):
-        nobodys = await state.forget_model(tenant, model_id)
-        await state.forget_jobs(tasks)
-        names = [upload_name(model_id), models_name(model_id)] if nobodys else []  # see the segworker's drop_if_deleted
-        names += [picture_name(task.job) for task in tasks]
-        await asyncio.to_thread(_remove, services, names)
-    await services.broker.stop(stopped)
-
-
-@asynccontextmanager
-async def _on_disk(file: UploadFile, services: Services) -> AsyncIterator[Received]:
-    """The upload as a file, its hash known; disk work is done in a thread."""
-    context = received(file.file, services.files.home, services.settings.upload_mib * 2**20)
-    upload = await asyncio.to_thread(context.__enter__)
-    try:
-        yield upload
-    finally:
-        await asyncio.to_thread(context.__exit__, None, None, None)
-
-
-async def _read(services: Services, resource: ModelResource, new: bool) -> None:
-    tenant = services.caller.tenant
-    if not new:
-        await services.state.forget_outcome(tenant, resource.id)
-    await services.state.reading(tenant, resource.id)
-    try:
-        await services.broker.ingest(resource, tenant)
-    except ServiceUnavailable:
-        await services.state.forget_model(tenant, resource.id)
-        raise
-
-
-def _remove(services: Services, names: list[str]) -> None:
-    for name in names:
-        services.files.remove(name)
+    await delete(services, model_id)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import asyncio
-import os
-from collections.abc import Iterator
-from pathlib import Path
-from typing import Annotated, BinaryIO
+from typing import Annotated
 
 from fastapi import APIRouter, Query
-from fastapi.responses import Response, StreamingResponse
+from fastapi.responses import Response
 from pydantic import TypeAdapter
 
-from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
+from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep
 from querycad_api.problems import (
     Malformed,
     ModelNotFound,
@@ -37,18 +33,14 @@ from querycad_contracts import (
     ViewTask,
 )
 
+from .drawings import DRAW_S, GLB, PNG, drawn
+
 CALL_S = 20.0
-DRAW_S = 60.0
-CHUNK_BYTES = 2**18
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
-FILE_NAME = TypeAdapter(TaskOutcome[str])
 
 PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
 BODY_PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
-_BINARY = {"schema": {"type": "string", "format": "binary"}}
-PNG = {"description": "The picture.", "content": {"image/png": _BINARY}}
-GLB = {"description": "The model.", "content": {"model/gltf-binary": _BINARY}}
 
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["geometry"])
 
@@ -95,28 +87,3 @@ async def get_glb(model_id: ModelId, services: ServicesDep) -> Response:
     """The model's triangles as binary glTF 2.0, metres; the vertex attribute `_FACE_ID` holds the id of the face."""
     await services.ready_model(model_id)
     return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary")
-
-
-async def drawn(services: Services, name: TaskName, task: ModelTask, media_type: str) -> Response:
-    """The file that a segworker makes, or has made before. Raises ModelUnreadable and ServiceUnavailable."""
-    made = await services.broker.call(name, task, FILE_NAME, DRAW_S)
-    path = await asyncio.to_thread(services.files.fetch, made)
-    try:
-        if path is not None:
-            return await asyncio.to_thread(whole, path, media_type)
-    except FileNotFoundError:
-        pass
-    raise ServiceUnavailable("the file was made, and is gone again; try again in a moment")
-
-
-def whole(path: Path, media_type: str) -> Response:
-    """The file as a response. It is open already: its model may be deleted meanwhile. Raises FileNotFoundError."""
-    file = path.open("rb")
-    size = os.fstat(file.fileno()).st_size
-    return StreamingResponse(_chunks(file), media_type=media_type, headers={"Content-Length": str(size)})
-
-
-def _chunks(file: BinaryIO) -> Iterator[bytes]:
-    with file:
-        while chunk := file.read(CHUNK_BYTES):
-            yield chunk

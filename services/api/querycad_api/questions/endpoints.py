@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+from typing import Annotated
 
-from fastapi import APIRouter, Response
+from fastapi import APIRouter, Header, Response
 
 from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep, WaitDep
 from querycad_api.problems import (
@@ -18,7 +19,18 @@ from querycad_api.problems import (
 )
 from querycad_contracts import AnswerRecord, Job, JobsPage, JobStatus, ModelId, QuestionRequest, QuestionsRequest
 
-from .accept import IdempotencyKeyDep, accept, done
+from .service import accept, done
+
+IdempotencyKeyDep = Annotated[
+    str | None,
+    Header(
+        alias="Idempotency-Key",
+        min_length=1,
+        max_length=255,
+        description="Any text of the client's. A request that comes again with it, within a day, is not done again: "
+        "the answer is that of the first.",
+    ),
+]
 
 PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, KeyReused, TooManyRequests, ServiceUnavailable)
 

@@ -1,0 +1,1 @@
+"""What `querycad bench` does."""

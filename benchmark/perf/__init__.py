@@ -1,0 +1,1 @@
+"""Measures how fast answers come, each figure against a baseline in the same run."""

@@ -1,0 +1,144 @@
+"""What comes of a program that was run: a typed answer with what it rests on, or why there is none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from querycad_contracts import (
+    Answer,
+    AnswerType,
+    Expectation,
+    Failure,
+    Grounding,
+    LengthUnit,
+    Part,
+    Program,
+    RunOutcome,
+    RunStatus,
+    Status,
+)
+
+from .quantities import measures
+from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answer
+
+NO_EXPECTATION = Expectation()
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Exactly one of `answer` and `failure`, what it rests on, and what has to be said with it.
+
+    `missing` is the description without parts that is the reason of a failure 'not_grounded'.
+    """
+
+    answer: Answer | None = None
+    failure: Failure | None = None
+    parts: tuple[Part, ...] = ()
+    warnings: tuple[str, ...] = ()
+    missing: Grounding | None = None
+
+    @property
+    def status(self) -> Status:
+        """How did the question end?"""
+        if self.answer is not None:
+            return Status.ANSWERED
+        missing = self.failure is not None and self.failure.category == "not_grounded"
+        return Status.NOT_GROUNDED if missing else Status.FAILED
+
+
+def judge(
+    program: Program, outcome: RunOutcome, unit: LengthUnit = LengthUnit.MM, expect: Expectation = NO_EXPECTATION
+) -> Verdict:
+    """What comes of the program's run? `unit` is the one of the answer's text."""
+    warnings = _warnings(program, outcome)
+    missing = _missing(outcome, program)
+    if missing is not None:
+        failure = Failure(category="not_grounded", message=missing.message, nearest=missing.nearest)
+        return Verdict(failure=failure, warnings=warnings, missing=missing)
+    if (lacking := _lacking(program, outcome)) is not None:
+        return Verdict(failure=lacking, warnings=warnings)
+    if outcome.status is not RunStatus.OK:
+        category = "program" if outcome.status in (RunStatus.RAISED, RunStatus.REFUSED) else "limit"
+        message = outcome.message or f"the program {outcome.status.value}"
+        failure = Failure(category=category, message=message, missing_attribute=outcome.missing_attribute)
+        return Verdict(failure=failure, warnings=warnings)
+    try:
+        answer = as_expected(_typed(program, outcome, unit, expect), expect, unit)
+    except WrongAnswerType as error:
+        return Verdict(failure=Failure(category="program", message=str(error)), warnings=warnings)
+    except Unexpected as error:
+        return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
+    return Verdict(answer=answer, parts=_parts(outcome), warnings=warnings)
+
+
+def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:
+    """What is wrong where the measure that the question asks for is none of the part's, or parts are too few for it?
+
+    Programs of language models may ask for what nobody asked: their errors are sent back to them.
+    """
+    if program.codegen != "parser":
+        return None
+    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    if outcome.empty_selection:
+        message = f"the model has {len(known)} such part{'' if len(known) == 1 else 's'}: too few for what is asked"
+        return Failure(category="not_grounded", message=message)
+    missing = outcome.missing_attribute
+    if missing is None or not missing.part:
+        return None
+    label = known[missing.part].label if missing.part in known else missing.part
+    message = f"no {missing.attribute.replace('_', ' ')} is known of {label} ({missing.part})"
+    return Failure(category="not_grounded", message=message, missing_attribute=missing)
+
+
+def _typed(program: Program, outcome: RunOutcome, unit: LengthUnit, expect: Expectation) -> Answer:
+    """The answer, of the type that the caller expects where the program's own type leaves the choice."""
+    wanted = program.expects
+    if expect.type is not None and (wanted is None or is_like(wanted, expect.type)):
+        try:
+            return typed_answer(outcome.value, expect.type, unit, program.code)
+        except WrongAnswerType as error:
+            raise Unexpected(str(error)) from error
+    return typed_answer(outcome.value, wanted, unit, program.code)
+
+
+def _missing(outcome: RunOutcome, program: Program) -> Grounding | None:
+    """The description without parts that leaves the question without an answer.
+
+    A word that is not understood always does. A part that the model does not have does when a measure of it was
+    asked; how many there are, and whether there is one, is answered: none.
+    """
+    for grounding in outcome.groundings:
+        if not grounding.understood:
+            return grounding
+    empty = next((grounding for grounding in outcome.groundings if not grounding.parts), None)
+    if empty is None:
+        return None
+    if outcome.status in (RunStatus.RAISED,) or outcome.value in (None, []):
+        return empty
+    counted = _counts(program, outcome)
+    only_empty = all(not grounding.parts for grounding in outcome.groundings)
+    return empty if only_empty and not counted and isinstance(outcome.value, int | float) else None
+
+
+def _counts(program: Program, outcome: RunOutcome) -> bool:
+    """Is the result a number of parts, or whether there are any? A sum of no lengths is neither."""
+    if program.expects is None:
+        return isinstance(outcome.value, int) and not measures(program.code)
+    return program.expects in (AnswerType.COUNT, AnswerType.BOOLEAN)
+
+
+def _warnings(program: Program, outcome: RunOutcome) -> tuple[str, ...]:
+    warnings = list(program.notes)
+    if program.unused_words:
+        warnings.append("not taken into account: " + ", ".join(program.unused_words))
+    for grounding in outcome.groundings:
+        warnings.extend(grounding.warnings)
+        if grounding.understood and not grounding.parts:
+            warnings.append(grounding.message)
+    return tuple(dict.fromkeys(warnings))
+
+
+def _parts(outcome: RunOutcome) -> tuple[Part, ...]:
+    """The parts that the result rests on, in the order in which the program used them."""
+    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    return tuple(known[part_id] for part_id in dict.fromkeys(outcome.used_parts) if part_id in known)

@@ -1,0 +1,249 @@
+"""A language model writes programs for a question: asked, checked, run, and sent back until there is an answer."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from querycad_answering.judging import NO_EXPECTATION, Verdict
+from querycad_answering.quantities import measures_anything, scalar_type, triple_type
+from querycad_answering.typed import unit_of
+from querycad_contracts import (
+    Answer,
+    AnswerType,
+    Attempt,
+    Expectation,
+    LlmOptions,
+    ModelSummary,
+    Program,
+    TokenUse,
+    Unit,
+)
+
+from .checks import problems
+from .doubts import doubts
+from .hints import hint
+from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
+from .nearest import words
+from .program import program_in
+from .prompt import conversation, in_words, repair
+from .settings import LlmSettings
+
+Judge = Callable[[Program], Verdict]
+"""Runs a program and says what comes of it."""
+
+SAID_CHARS = 2000
+"""Of a reply that is sent back with what is wrong with it; an endless one is not."""
+_UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
+_MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A question with all that is known when a program is written for it.
+
+    `asked` is the type that the parser reads the question as asking for; None where it does not understand it.
+    """
+
+    question: str
+    judge: Judge
+    summary: ModelSummary | None = None
+    expect: Expectation = NO_EXPECTATION
+    asked: AnswerType | None = None
+
+    @property
+    def wanted(self) -> AnswerType | None:
+        """The type that an answer should have."""
+        return self.expect.type or self.asked
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A program, and what came of it."""
+
+    program: Program
+    verdict: Verdict
+
+
+@dataclass(slots=True)
+class Written:
+    """All that a language model wrote for a question: one candidate a sample that led to any, and every attempt."""
+
+    candidates: list[Candidate] = field(default_factory=list)
+    attempts: list[Attempt] = field(default_factory=list)
+    error: LlmError | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Tried:
+    """One reply: its program, what came of that, and what is to be repaired; no problem means that it stands.
+
+    A program with an answer that is only doubted stands when it comes again.
+    """
+
+    candidate: Candidate | None
+    problem: str
+    code: str | None = None
+    is_doubted: bool = False
+
+
+class LlmWriter:
+    """Writes programs with the language model of the settings, or with `model`."""
+
+    def __init__(self, settings: LlmSettings, model: ChatModel | None = None) -> None:
+        self.settings = settings
+        self._model = model
+
+    def chosen(self, options: LlmOptions | None) -> LlmWriter:
+        """The writer with what a caller chose. Raises LlmOptionRefused."""
+        settings = self.settings.chosen(options)
+        return LlmWriter(settings, self._model if settings.llm_model == self.settings.llm_model else None)
+
+    @property
+    def codegen(self) -> str:
+        """Who writes, as records say it."""
+        return f"llm:{self.settings.llm_model}" if self.settings.llm_model else "llm"
+
+    def write(self, task: Task) -> Written:
+        """Which programs does the language model write? `error` says why there are not as many as asked for."""
+        written = Written()
+        if self._model is None:
+            from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
+
+            self._model = open_model(self.settings)
+        deadline = TimeLimit(self.settings.llm_timeout_s)
+        try:
+            for sample in range(1, self.settings.llm_samples + 1):
+                candidate = self._sample(self._model, task, sample, deadline, written)
+                if candidate is not None:
+                    written.candidates.append(candidate)
+        except LlmError as error:
+            written.error = error
+        return written
+
+    def _sample(
+        self, model: ChatModel, task: Task, sample: int, deadline: TimeLimit, written: Written
+    ) -> Candidate | None:
+        """What comes of one conversation? The last program that came of it, repaired as often as allowed."""
+        start = conversation(task.question, task.summary, task.expect, self.settings.llm_examples)
+        messages, last, earlier = start, None, set[str | None]()
+        for repairs in range(self.settings.llm_repairs + 1):
+            # The first program is the likeliest; another sample, and what was repeated unrepaired, needs chance.
+            is_drawn = sample > 1 or len(earlier) < repairs
+            temperature = self.settings.llm_temperature if is_drawn else 0.0
+            began = time.perf_counter()
+            reply = model.reply(messages, temperature, sample, deadline)
+            tried = _try(task, reply, self.codegen)
+            written.attempts.append(self._attempt(sample, tried, reply.tokens, time.perf_counter() - began))
+            last = _further(last, tried.candidate)
+            if not tried.problem or (tried.is_doubted and tried.code in earlier):
+                return tried.candidate
+            earlier.add(tried.code)
+            messages = (*start, Message(Role.ASSISTANT, reply.text[:SAID_CHARS]), repair(tried.problem))
+        return _as_it_is(task, last)
+
+    def _attempt(self, sample: int, tried: _Tried, tokens: TokenUse, seconds: float) -> Attempt:
+        answer = tried.candidate.verdict.answer if tried.candidate is not None and not tried.problem else None
+        return Attempt(
+            codegen=self.codegen,
+            sample=sample,
+            code=tried.code,
+            answer=answer.text if answer is not None else None,
+            problem=tried.problem or _said(tried.candidate),
+            tokens=tokens,
+            seconds=round(seconds, 3),
+        )
+
+
+def _said(candidate: Candidate | None) -> str:
+    failure = candidate.verdict.failure if candidate is not None else None
+    return failure.message if failure is not None else ""
+
+
+def _try(task: Task, reply: Reply, codegen: str) -> _Tried:
+    """What comes of one reply?"""
+    code = program_in(reply.text, reply.cut)
+    if code is None:
+        lacking = "The reply broke off before its program was whole." if reply.cut else "The reply holds no code block."
+        return _Tried(None, lacking)
+    if found := problems(code, task.question):
+        return _Tried(None, " ".join(found), code)
+    program = Program(code=code, codegen=codegen, expects=task.wanted)
+    candidate = Candidate(program, task.judge(program))
+    if problem := _problem(task, candidate):
+        return _Tried(candidate, problem, code)
+    answer = candidate.verdict.answer
+    doubt = f"{_odd(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
+    return _Tried(candidate, doubt, code, is_doubted=bool(doubt))
+
+
+def _further(last: Candidate | None, candidate: Candidate | None) -> Candidate | None:
+    """Which of two programs is to be kept: the later one, unless only the earlier one has an answer."""
+    if candidate is None or (last is not None and last.verdict.answer is not None and candidate.verdict.answer is None):
+        return last
+    return candidate
+
+
+def _doubt(task: Task, code: str) -> str:
+    """What of the question is not in the program? Nothing where the parser does not know the question's words."""
+    if task.asked is None:
+        return ""
+    return " ".join(doubts(code, task.question, task.asked, task.summary))
+
+
+def _odd(answer: Answer, code: str) -> str:
+    """What is said to measures of which there are none, or that are below zero and no coordinate?"""
+    if answer.type not in _MEASURES:
+        return ""
+    values = answer.value if isinstance(answer.value, list | tuple) else [answer.value]
+    if not values:
+        return "The list is empty: no part that was found passes the condition."
+    is_below = any(isinstance(value, float) and value < 0 for value in values)
+    is_coordinate = triple_type(code) is AnswerType.POINT
+    return "The answer is negative, which no size or distance is." if is_below and not is_coordinate else ""
+
+
+def _problem(task: Task, candidate: Candidate) -> str:
+    """What has the language model to repair? Nothing where another program could not do better."""
+    verdict, code = candidate.verdict, candidate.program.code
+    if verdict.answer is not None:
+        return _other_measure(code, task.wanted)
+    if verdict.missing is not None:
+        return _doubt(task, code) or _unfound(task, verdict)
+    assert verdict.failure is not None
+    message = verdict.failure.message
+    if verdict.failure.category == "unexpected":
+        return f"{message}."
+    if task.wanted is not None and "is not of type" in message:
+        return f"{message}: the question asks for {in_words(task.wanted)}."
+    return " ".join(filter(None, (f"{message}.", hint(message), _doubt(task, code))))
+
+
+def _other_measure(code: str, wanted: AnswerType | None) -> str:
+    """What is said to a program whose number is of the right type, but measures something else?"""
+    if wanted is None or unit_of(wanted) is Unit.NONE:
+        return ""
+    if not measures_anything(code):
+        return f"The question asks for {in_words(wanted)}, but the program reads no measure of a part or of shape."
+    computed = scalar_type(code)
+    if wanted in _UNITS and computed in _UNITS[1:] and computed is not wanted:
+        return f"The question asks for {in_words(wanted)}, but the program computes {in_words(computed)}."
+    return ""
+
+
+def _unfound(task: Task, verdict: Verdict) -> str:
+    """What is said when no part was found? Nothing where the question's own words were looked for: there is none."""
+    missing = verdict.missing
+    assert missing is not None
+    if set(words(missing.description)) <= set(words(task.question)):
+        return ""
+    known = f" Known here: {', '.join(missing.nearest)}." if missing.nearest else ""
+    return f"{missing.message}.{known} Describe the part in the question's own words."
+
+
+def _as_it_is(task: Task, last: Candidate | None) -> Candidate | None:
+    """The last program as it is, when all repairs are used up: its answer may be of another type than was thought."""
+    if last is None or last.verdict.answer is not None or task.expect.type is not None or task.asked is None:
+        return last
+    return replace(last, verdict=task.judge(last.program.model_copy(update={"expects": None})))

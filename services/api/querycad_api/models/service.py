@@ -1,0 +1,81 @@
+"""What is done with models: a file is taken in and read, a model is deleted with all that was made of it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from datetime import UTC, datetime
+from typing import BinaryIO
+
+from querycad_api.dependencies import Services
+from querycad_api.jobs.records import cancelled
+from querycad_api.problems import ServiceUnavailable
+from querycad_contracts import ModelResource, ModelStatus, models_name, picture_name, upload_name
+
+from .uploads import Received, received, shown_name
+
+
+async def add(services: Services, file: BinaryIO, file_name: str | None) -> tuple[str, bool]:
+    """The id of the file's model, and whether it is new; what is new is put on the queue to be read.
+
+    Raises FileTooLarge, NotStepFile, ModelNotFound and ServiceUnavailable.
+    """
+    tenant = services.caller.tenant
+    async with _on_disk(file, services) as upload:
+        resource = ModelResource(
+            id=upload.sha256,
+            file_name=shown_name(file_name),
+            size_bytes=upload.size_bytes,
+            created=datetime.now(UTC),
+            status=ModelStatus.READING,
+        )
+        async with services.state.files_of(upload.sha256):
+            await asyncio.to_thread(services.files.keep, upload_name(upload.sha256), upload.path)
+            new = await services.state.add_model(tenant, resource)
+    known = resource if new else await services.model(resource.id)
+    if new or known.status is ModelStatus.FAILED:  # what failed may have been the machine
+        await _read(services, known, new)
+    return resource.id, new
+
+
+async def delete(services: Services, model: str) -> None:
+    """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
+    state, tenant = services.state, services.caller.tenant
+    tasks = await state.tasks_about(tenant, model)
+    stopped = [task.job for task in tasks if await state.end_job(task, cancelled(task.question))]
+    async with state.files_of(model):
+        nobodys = await state.forget_model(tenant, model)
+        await state.forget_jobs(tasks)
+        names = [upload_name(model), models_name(model)] if nobodys else []  # see the segworker's drop_if_deleted
+        names += [picture_name(task.job) for task in tasks]
+        await asyncio.to_thread(_remove, services, names)
+    await services.broker.stop(stopped)
+
+
+@asynccontextmanager
+async def _on_disk(file: BinaryIO, services: Services) -> AsyncIterator[Received]:
+    """The upload as a file, its hash known; disk work is done in a thread."""
+    context = received(file, services.files.home, services.settings.upload_mib * 2**20)
+    upload = await asyncio.to_thread(context.__enter__)
+    try:
+        yield upload
+    finally:
+        await asyncio.to_thread(context.__exit__, None, None, None)
+
+
+async def _read(services: Services, resource: ModelResource, new: bool) -> None:
+    tenant = services.caller.tenant
+    if not new:
+        await services.state.forget_outcome(tenant, resource.id)
+    await services.state.reading(tenant, resource.id)
+    try:
+        await services.broker.ingest(resource, tenant)
+    except ServiceUnavailable:
+        await services.state.forget_model(tenant, resource.id)
+        raise
+
+
+def _remove(services: Services, names: list[str]) -> None:
+    for name in names:
+        services.files.remove(name)

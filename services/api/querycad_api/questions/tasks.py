@@ -1,0 +1,155 @@
+"""The question workers' task: one question to one record.
+
+A question whose worker died is done by another; after `ATTEMPTS` it is given up. Whatever happens, a job ends with a
+record.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from typing import Any
+
+from celery import Celery, Task
+from celery.exceptions import SoftTimeLimitExceeded
+from redis import Redis
+from redis.backoff import ExponentialBackoff
+from redis.retry import Retry
+
+from querycad_answering.answering import answer_question
+from querycad_answering.llm import LlmWriter
+from querycad_api.jobs.records import cancelled, failed
+from querycad_api.settings import ApiSettings
+from querycad_api.store.ledger import Begun, Ledger
+from querycad_contracts import (
+    AnswerRecord,
+    Failure,
+    ModelResource,
+    ModelStatus,
+    Program,
+    QuestionTask,
+    RunOutcome,
+    TaskName,
+    working_for,
+)
+
+from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
+
+ATTEMPTS = 2
+"""A question that has taken its worker with it twice will do so again."""
+RETRIES = 5
+"""Of a sandbox that does not answer; with the pauses below some 10 s, in which it is started again."""
+PAUSE_S = 2.0
+READING_S = 0.2
+"""Between two looks at a model that is still being read, growing to five times that."""
+READING_AT_MOST_S = 3600.0
+STORE_TRIES, STORE_PAUSE_S = 100, 1.0
+"""A worker waits for a store that is away: a task that fails for want of it would be lost."""
+
+log = logging.getLogger(__name__)
+
+
+def register(app: Celery, questions: Questions) -> None:
+    """Adds the task to a worker."""
+
+    def question(self: Task, payload: dict[str, Any]) -> None:
+        task = QuestionTask.model_validate(payload)
+        with working_for(task.request):
+            again_s = questions.answer(task, int(self.request.retries))
+        if again_s is not None:
+            raise self.retry(countdown=again_s)
+
+    app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
+
+
+class Questions:
+    """Answers questions, in one process. Connects when it is first used, which is after the fork."""
+
+    def __init__(
+        self, settings: ApiSettings, ledger: Ledger | None = None, sandbox: SandboxClient | None = None
+    ) -> None:
+        self._settings = settings
+        self._ledger = ledger
+        self._sandbox = sandbox
+        self._llm = LlmWriter(settings)
+
+    @property
+    def ledger(self) -> Ledger:
+        """Where models and jobs are finished."""
+        if self._ledger is None:
+            patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
+            redis = Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
+            self._ledger = Ledger(redis, self._settings.answers_days)
+        return self._ledger
+
+    @property
+    def sandbox(self) -> SandboxClient:
+        """Where programs run."""
+        if self._sandbox is None:
+            self._sandbox = SandboxClient(self._settings.sandbox_url, self._settings.question_s)
+        return self._sandbox
+
+    def answer(self, task: QuestionTask, retries: int = 0) -> float | None:
+        """Ends the job with a record; or, where something is not ready, in how many seconds is it to be tried again?"""
+        start = time.perf_counter()
+        job = self.ledger.begin_job(task)
+        if job is None:
+            return None  # done, or deleted
+        if job.attempt > ATTEMPTS:
+            message = f"given up: {ATTEMPTS} workers died while they answered this"
+            self._finish(task, job, failed(task.question, Failure(category="internal", message=message)))
+            return None
+        if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
+            self.ledger.wait_job(task.job, "the model's file is being read")
+            return READING_S * min(5, 1 + retries)
+        model_ms = round((time.perf_counter() - start) * 1e3, 3)
+        try:
+            record = self._record(task, job.model, model_ms)
+        except SandboxUnavailable as error:
+            log.warning("job %s: sandbox: %s", task.job, error)
+            if retries < RETRIES:
+                self.ledger.wait_job(task.job, "the sandbox does not answer")
+                return PAUSE_S
+            failure = Failure(category="internal", message="the sandbox does not answer; try again", retryable=True)
+            record = failed(task.question, failure)
+        except SoftTimeLimitExceeded:
+            if (time.perf_counter() - start) < self._settings.question_s - 1:
+                log.info("job %s: stopped", task.job)  # called off; if another job was meant, this one begins again
+                self.ledger.wait_job(task.job, "interrupted")
+                return 0.0
+            message = f"not answered within {self._settings.question_s} s"
+            record = failed(task.question, Failure(category="limit", message=message, retryable=True))
+        self._finish(task, job, record)
+        return None
+
+    def _finish(self, task: QuestionTask, job: Begun, record: AnswerRecord) -> None:
+        took_s = job.age_s
+        self.ledger.finish_job(task, record, took_s)
+        category = record.failure.category if record.failure else ""
+        told = {"job": task.job, "status": record.status.value, "failure": category, "seconds": round(took_s, 3)}
+        log.info("question done", extra=told)
+
+    def _record(self, task: QuestionTask, model: ModelResource | None, model_ms: float) -> AnswerRecord:
+        if model is None:  # deleted, as the question came
+            return cancelled(task.question)
+        if model.summary is None:
+            late = Failure(category="internal", message="the model's file was not read in time", retryable=True)
+            return failed(task.question, model.failure or late)
+
+        def run(program: Program) -> RunOutcome:
+            self.ledger.wrote(task.job, program.code, program.codegen)
+            outcome = self.sandbox.run(program, task.model, task.grounding)
+            self.ledger.ran(task.job, outcome.status, outcome.message)
+            return outcome
+
+        try:
+            record = answer_question(task.question, run, task.unit, task, summary=model.summary, llm=self._llm)
+        except RunRefused as refused:
+            return failed(task.question, refused.failure)
+        except (SoftTimeLimitExceeded, SandboxUnavailable):
+            raise
+        except Exception:
+            log.exception("job %s failed", task.job)
+            return failed(task.question, Failure(category="internal", message="the question could not be answered"))
+        warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
+        return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})

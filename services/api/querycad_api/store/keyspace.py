@@ -1,0 +1,157 @@
+"""Where what is known of models and jobs is kept in Redis, and how it is read back.
+
+querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), outcome (TaskOutcome[ModelSummary])
+querycad:models:<tenant>       sorted set: ids of the tenant's models by the time of their upload
+querycad:owners:<id>           set: tenants that have a model with this content; its files go with the last one
+querycad:job:<id>              hash: task (QuestionTask), created, attempts, started, waits, record, finished
+querycad:asked:<tenant>:<id>   sorted set: ids of the jobs about a model by the time of the question
+querycad:events:<id>           stream: what happened to a job, or to <tenant>:<model>, so far
+querycad:done:<id>             stream: one entry once a job is done, for who waits for that alone
+querycad:open:<key>            sorted set: ids of the API key's unanswered jobs by the time of the question
+querycad:once:<tenant>:<key>   what was done for a request with this idempotency key
+querycad:pending               sorted set: ids of unanswered jobs by the time at which they are looked at again
+querycad:reading               sorted set: <tenant>:<model> of files that are being read, likewise
+querycad:totals                hash: counters of all workers, for /metrics
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import UTC, datetime
+
+from querycad_contracts import (
+    AnswerRecord,
+    Failure,
+    Job,
+    JobEvent,
+    JobEventKind,
+    JobStatus,
+    ModelResource,
+    ModelStatus,
+    ModelSummary,
+    QuestionTask,
+    TaskFailureKind,
+    TaskOutcome,
+)
+
+DAY_S = 24 * 3600
+TOTALS = "querycad:totals"
+PENDING = "querycad:pending"
+READING = "querycad:reading"
+TOLD_S = 3600
+"""How long it is told that a job is done; nobody waits for longer, and who comes later reads it from the job."""
+
+
+def model_key(tenant: str, model: str) -> str:
+    """Where is the model's hash?"""
+    return f"querycad:model:{tenant}:{model}"
+
+
+def models_key(tenant: str) -> str:
+    """Where are the ids of the tenant's models?"""
+    return f"querycad:models:{tenant}"
+
+
+def owners_key(model: str) -> str:
+    """Where are the tenants that have a model with this content?"""
+    return f"querycad:owners:{model}"
+
+
+def job_key(job: str) -> str:
+    """Where is the job's hash?"""
+    return f"querycad:job:{job}"
+
+
+def asked_key(tenant: str, model: str) -> str:
+    """Where are the ids of the jobs about a model?"""
+    return f"querycad:asked:{tenant}:{model}"
+
+
+def model_events_key(tenant: str, model: str) -> str:
+    """Where is the stream of what happens to a model?"""
+    return f"querycad:events:{tenant}:{model}"
+
+
+def job_events_key(job: str) -> str:
+    """Where is the stream of what happens to a job?"""
+    return f"querycad:events:{job}"
+
+
+def job_done_key(job: str) -> str:
+    """Where is it told that a job is done?"""
+    return f"querycad:done:{job}"
+
+
+def open_key(key: str) -> str:
+    """Where are the unanswered jobs of an API key?"""
+    return f"querycad:open:{key}"
+
+
+def once_key(tenant: str, key: str) -> str:
+    """Where is it noted what was done for an idempotency key?"""
+    return f"querycad:once:{tenant}:{key}"
+
+
+def model_of(fields: dict[str, str]) -> ModelResource | None:
+    """The model that a hash tells of; None when there is none."""
+    if "resource" not in fields:
+        return None
+    resource = ModelResource.model_validate_json(fields["resource"])
+    if "outcome" not in fields:
+        return resource
+    outcome = TaskOutcome[ModelSummary].model_validate_json(fields["outcome"])
+    if outcome.failure is None:
+        return resource.model_copy(update={"status": ModelStatus.READY, "summary": outcome.value})
+    category = "bad_input" if outcome.failure.kind is TaskFailureKind.FILE else "internal"
+    failure = Failure(category=category, message=outcome.failure.message, retryable=outcome.failure.retryable)
+    return resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure})
+
+
+def uploaded(resource: ModelResource) -> str:
+    """When was the file uploaded? As it is written in the model's hash."""
+    return str(resource.model_dump(mode="json")["created"])
+
+
+def task_of(fields: dict[str, str]) -> QuestionTask | None:
+    """What a job's hash says that was asked; None when there is none."""
+    return QuestionTask.model_validate_json(fields["task"]) if "task" in fields else None
+
+
+def job_of(fields: dict[str, str]) -> Job | None:
+    """The job that a hash tells of; None when there is none."""
+    task = task_of(fields)
+    if task is None:
+        return None
+    record = fields.get("record")
+    waits = JobStatus.RUNNING if "started" in fields else JobStatus.QUEUED
+    return Job(
+        id=task.job,
+        model=task.model,
+        question=task.question,
+        unit=task.unit,
+        status=JobStatus.DONE if record else waits,
+        created=datetime.fromisoformat(fields["created"]),
+        finished=datetime.fromisoformat(fields["finished"]) if "finished" in fields else None,
+        record=AnswerRecord.model_validate_json(record) if record else None,
+    )
+
+
+def finished(
+    task: QuestionTask, record: AnswerRecord, kept_s: int, totals: Mapping[str, float]
+) -> tuple[list[str], list[str | float]]:
+    """Keys and arguments of FINISH_JOB: what is kept and told of a finished job, and what is added to the counters."""
+    keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING, job_done_key(task.job)]
+    told = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
+    kept: list[str | float] = [record.model_dump_json(), now().isoformat(), kept_s, told, task.job, TOLD_S]
+    return keys, [*kept, *(each for pair in totals.items() for each in pair)]
+
+
+def entry(event: JobEvent) -> dict[str, str]:
+    """The event as it is put on a job's stream; the record is in the job's hash alone."""
+    data = event.model_dump_json(exclude={"record"}, exclude_defaults=True)
+    return {"kind": event.kind.value, "event": data}
+
+
+def now() -> datetime:
+    """The time in UTC."""
+    return datetime.now(UTC)

@@ -1,0 +1,110 @@
+"""What is known of models and jobs, for the question workers: they finish what the web process began."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from datetime import datetime
+from typing import Any, cast
+
+from redis import Redis
+
+from querycad_contracts import (
+    AnswerRecord,
+    JobEvent,
+    JobEventKind,
+    ModelResource,
+    QuestionTask,
+    RunStatus,
+    TaskOutcome,
+)
+
+from .keyspace import (
+    DAY_S,
+    READING,
+    entry,
+    finished,
+    job_events_key,
+    job_key,
+    model_events_key,
+    model_key,
+    model_of,
+    now,
+)
+from .scripts import BEGIN_JOB, FINISH_JOB, FINISH_MODEL, WAIT_JOB
+
+BUCKETS_S = (0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
+"""Bounds of the histogram of how long questions take, from being accepted to being answered."""
+
+
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """A job that somebody works on: how often it was begun, when it was asked, and about what.
+
+    `model` is None when it was deleted.
+    """
+
+    attempt: int
+    created: datetime
+    model: ModelResource | None
+
+    @property
+    def age_s(self) -> float:
+        """How long ago was it asked?"""
+        return (now() - self.created).total_seconds()
+
+
+class Ledger:
+    """Raises RedisError when Redis does not answer."""
+
+    def __init__(self, redis: Redis, answers_days: int) -> None:
+        self._redis = redis
+        self._kept_s = answers_days * DAY_S
+        self._finish_model = redis.register_script(FINISH_MODEL)
+        self._finish_job = redis.register_script(FINISH_JOB)
+        self._begin_job = redis.register_script(BEGIN_JOB)
+        self._wait_job = redis.register_script(WAIT_JOB)
+
+    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[Any], uploaded: str = "") -> None:
+        """Keeps what came of reading the model's file, if it is still the one `uploaded` then; empty: whichever."""
+        keys = [model_key(tenant, model), model_events_key(tenant, model), READING]
+        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded])
+
+    def begin_job(self, task: QuestionTask) -> Begun | None:
+        """Notes that somebody works on it. None: it is done, or not there any more."""
+        started = entry(JobEvent(kind=JobEventKind.STARTED, at=now()))["event"]
+        keys = [job_key(task.job), job_events_key(task.job), model_key(task.tenant, task.model)]
+        begun = self._begin_job(keys, [now().isoformat(), started, now().timestamp()])
+        if not begun:
+            return None
+        attempt, created, *known = begun
+        model = model_of({name: text for name, text in zip(("resource", "outcome"), known, strict=True) if text})
+        return Begun(int(attempt), datetime.fromisoformat(created), model)
+
+    def wait_job(self, job: str, message: str) -> None:
+        """Notes that it waits again, without fault of its own."""
+        waiting = entry(JobEvent(kind=JobEventKind.WAITING, at=now(), message=message))["event"]
+        self._wait_job([job_key(job), job_events_key(job)], [waiting, now().timestamp(), message])
+
+    def wrote(self, job: str, code: str, codegen: str) -> None:
+        """Tells that a program has been written."""
+        self._tell(job, JobEvent(kind=JobEventKind.PROGRAM, at=now(), code=code, codegen=codegen))
+
+    def ran(self, job: str, outcome: RunStatus, message: str) -> None:
+        """Tells how a program ended."""
+        self._tell(job, JobEvent(kind=JobEventKind.RAN, at=now(), outcome=outcome, message=message))
+
+    def finish_job(self, task: QuestionTask, record: AnswerRecord, took_s: float) -> None:
+        """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
+        self._finish_job(*finished(task, record, self._kept_s, _totals(record, took_s)))
+
+    def _tell(self, job: str, event: JobEvent) -> None:
+        """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""
+        self._redis.xadd(job_events_key(job), cast("Any", entry(event)), nomkstream=True)
+
+
+def _totals(record: AnswerRecord, took_s: float) -> dict[str, float]:
+    """What one question adds to the counters."""
+    category = record.failure.category if record.failure else ""
+    added = {f"questions:{record.status.value}:{category}": 1.0, "seconds": took_s}
+    added |= {f"seconds_le:{bound:g}": 1.0 for bound in BUCKETS_S if took_s <= bound}
+    return added | {f"step_ms:{step}": ms for step, ms in record.timings_ms.items()}

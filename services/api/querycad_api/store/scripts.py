@@ -1,0 +1,85 @@
+"""What Redis does in one step: scripts in Lua, whose keys and arguments are told below each."""
+
+from __future__ import annotations
+
+ADD_JOBS = """
+if redis.call('HEXISTS', KEYS[1], 'resource') == 0 then
+  return 0
+end
+for i = 1, (#KEYS - 4) / 2 do
+  local job, events = KEYS[2 * i + 3], KEYS[2 * i + 4]
+  local id, task, message = ARGV[3 * i + 4], ARGV[3 * i + 5], ARGV[3 * i + 6]
+  redis.call('HSET', job, 'task', task, 'created', ARGV[1])
+  redis.call('EXPIRE', job, ARGV[4])
+  redis.call('XADD', events, '*', 'kind', 'queued', 'event', ARGV[6])
+  redis.call('EXPIRE', events, ARGV[4])
+  redis.call('ZADD', KEYS[2], ARGV[2], id)
+  redis.call('ZADD', KEYS[3], ARGV[3], id)
+  redis.call('LPUSH', KEYS[4], message)
+end
+redis.call('ZREMRANGEBYSCORE', KEYS[2], 0, ARGV[5])
+redis.call('EXPIRE', KEYS[2], ARGV[4])
+return 1
+"""
+"""Keys: model, what was asked about it, pending, queue, then of each job: itself, its events. Arguments: time as text
+and as a number, when jobs are looked at again, seconds kept, before when jobs are forgotten, event, then of each job:
+id, task, message for the queue. 0, and nothing is done, when there is no such model."""
+FINISH_JOB = """
+if redis.call('HEXISTS', KEYS[1], 'task') == 0 or redis.call('HSETNX', KEYS[1], 'record', ARGV[1]) == 0 then
+  return 0
+end
+redis.call('HSET', KEYS[1], 'finished', ARGV[2])
+redis.call('EXPIRE', KEYS[1], ARGV[3])
+redis.call('XADD', KEYS[2], '*', 'kind', 'done', 'event', ARGV[4])
+redis.call('EXPIRE', KEYS[2], ARGV[3])
+redis.call('XADD', KEYS[6], '*', 'kind', 'done')
+redis.call('EXPIRE', KEYS[6], ARGV[6])
+redis.call('ZREM', KEYS[3], ARGV[5])
+redis.call('ZREM', KEYS[5], ARGV[5])
+for i = 7, #ARGV, 2 do
+  redis.call('HINCRBYFLOAT', KEYS[4], ARGV[i], ARGV[i + 1])
+end
+return 1
+"""
+"""Keys and arguments: `keyspace.finished`. A job that is done, or was deleted, stays as it is."""
+BEGIN_JOB = """
+if redis.call('HEXISTS', KEYS[1], 'task') == 0 or redis.call('HEXISTS', KEYS[1], 'record') == 1 then
+  return 0
+end
+redis.call('HSET', KEYS[1], 'started', ARGV[1], 'touched', ARGV[3])
+if redis.call('HEXISTS', KEYS[1], 'waits') == 0 then
+  redis.call('XADD', KEYS[2], '*', 'kind', 'started', 'event', ARGV[2])
+end
+local attempt = redis.call('HINCRBY', KEYS[1], 'attempts', 1)
+local model = redis.call('HMGET', KEYS[3], 'resource', 'outcome')
+return {attempt, redis.call('HGET', KEYS[1], 'created'), model[1], model[2]}
+"""
+"""Keys: job, its events, its model. 0 for a job that is done, or was deleted; else the attempt's number, the time at
+which it was asked, and what is known of the model, all in one: each way to the store costs more than what is read."""
+WAIT_JOB = """
+if redis.call('HEXISTS', KEYS[1], 'task') == 1 then
+  redis.call('HINCRBY', KEYS[1], 'attempts', -1)
+  redis.call('HDEL', KEYS[1], 'started')
+  redis.call('HSET', KEYS[1], 'touched', ARGV[2])
+  if redis.call('HGET', KEYS[1], 'waits') ~= ARGV[3] then
+    redis.call('HSET', KEYS[1], 'waits', ARGV[3])
+    redis.call('XADD', KEYS[2], '*', 'kind', 'waiting', 'event', ARGV[1])
+  end
+end
+return 0
+"""
+"""Keys: job, its events. Arguments: event, time, what is waited for: told once, however often it is looked for."""
+FINISH_MODEL = """
+local resource = redis.call('HGET', KEYS[1], 'resource')
+if not resource or not string.find(resource, ARGV[3], 1, true) then
+  return 0
+end
+if redis.call('HSETNX', KEYS[1], 'outcome', ARGV[1]) == 0 then
+  return 0
+end
+redis.call('XADD', KEYS[2], '*', 'kind', 'done')
+redis.call('ZREM', KEYS[3], ARGV[2])
+return 1
+"""
+"""Keys: model, its events, models that are read. Arguments: outcome, member of the last, time of the upload. What came
+of a file that was deleted while it was read is none of the same file's that was uploaded anew."""

@@ -1,0 +1,102 @@
+"""The steps of one question: what counts as answered, as not grounded and as failed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from querycad_answering.answering import answer_question
+from querycad_contracts import AnswerRecord, Evidence, Grounding, Part, Program, RunOutcome, RunStatus, Status
+
+HOLE = Part(
+    id="hole-1",
+    kind="hole",
+    label="through hole",
+    faces=(3,),
+    center=(0.0, 0.0, 0.0),
+    extents=(0.01, 0.01, 0.01),
+    radius=0.005,
+    evidence=Evidence(source="geometry", confidence=1.0, reason="built by hand"),
+)
+
+
+def grounding(*parts: Part, understood: bool = True, **more: Any) -> Grounding:
+    return Grounding(description="hole", sides=None, parts=parts, understood=understood, **more)
+
+
+def ask(question: str, **outcome: Any) -> AnswerRecord:
+    return answer_question(question, lambda program: RunOutcome(**{"status": RunStatus.OK, **outcome}))
+
+
+def test_an_answer_carries_its_parts_program_and_timings() -> None:
+    record = ask("What is the radius of the hole?", value=0.005, groundings=(grounding(HOLE),), used_parts=("hole-1",))
+    assert record.status is Status.ANSWERED
+    assert record.answer is not None
+    assert record.answer.value == 0.005
+    assert record.parts == (HOLE,)
+    assert record.code
+    assert record.codegen == "parser"
+    assert set(record.timings_ms) == {"codegen", "run"}
+
+
+def test_json_keys_come_in_the_promised_order() -> None:
+    record = ask("How many holes are there?", value=1, groundings=(grounding(HOLE),))
+    keys = list(record.model_dump())
+    assert keys[:8] == ["question", "status", "answer", "code", "codegen", "parts", "timings_ms", "warnings"]
+
+
+def test_none_of_a_known_part_is_counted_as_zero_with_a_warning() -> None:
+    record = ask("How many holes are there?", value=0, groundings=(grounding(message="the model has no 'hole'"),))
+    assert record.status is Status.ANSWERED
+    assert record.answer is not None
+    assert record.answer.value == 0
+    assert "the model has no 'hole'" in record.warnings
+
+
+@pytest.mark.parametrize("outcome", [{"value": []}, {"value": None}, {"status": RunStatus.RAISED, "message": "empty"}])
+def test_a_measure_of_a_part_that_is_not_there_is_not_grounded(outcome: dict[str, Any]) -> None:
+    missing = grounding(message="the model has no 'hole'", nearest=("boss",))
+    record = ask("What is the radius of the holes?", groundings=(missing,), **outcome)
+    assert record.status is Status.NOT_GROUNDED
+    assert record.failure is not None
+    assert (record.failure.message, record.failure.nearest) == ("the model has no 'hole'", ("boss",))
+
+
+def test_a_word_that_is_not_known_is_never_answered_whatever_the_program_returns() -> None:
+    record = ask("How many holes are there?", value=7, groundings=(grounding(understood=False, message="unknown"),))
+    assert record.status is Status.NOT_GROUNDED
+    assert record.answer is None
+
+
+@pytest.mark.parametrize(
+    ("status", "category"),
+    [
+        (RunStatus.RAISED, "program"),
+        (RunStatus.REFUSED, "program"),
+        (RunStatus.TIMED_OUT, "limit"),
+        (RunStatus.OUT_OF_MEMORY, "limit"),
+    ],
+)
+def test_a_program_that_ends_badly_is_a_failure(status: RunStatus, category: str) -> None:
+    record = ask("How many holes are there?", status=status, message="why", groundings=(grounding(HOLE),))
+    assert record.status is Status.FAILED
+    assert record.failure is not None
+    assert (record.failure.category, record.failure.message) == (category, "why")
+
+
+def test_a_result_of_the_wrong_type_is_a_failure_and_no_answer() -> None:
+    record = ask("How many holes are there?", value=0.5, groundings=(grounding(HOLE),))
+    assert record.status is Status.FAILED
+    assert record.answer is None
+
+
+@pytest.mark.parametrize("question", ["", "   ", "\n"])
+def test_an_empty_question_runs_nothing(question: str) -> None:
+    def never(_: Program) -> RunOutcome:
+        raise AssertionError("a program was run")
+
+    record = answer_question(question, never)
+    assert record.status is Status.FAILED
+    assert record.failure is not None
+    assert record.failure.category == "bad_input"
