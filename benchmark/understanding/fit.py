@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.special import logsumexp
 
+from querycad_answering.ranking import confidence, doubts, key, odds
+
 from .collect import Row, Tried
 
 L2 = 0.5
@@ -28,7 +30,8 @@ class Answered:
 
     right: bool
     probability: float
-    doubts: dict[str, float]
+    features: Table
+    score: float
     refused: bool
 
 
@@ -81,50 +84,23 @@ def answered(row: Row, table: Table) -> Answered:
     """What is answered with these weights; equal values count together."""
     runs = [one for one in row.tried if one.value is not None and one.value != []]
     if not runs:
-        return Answered(False, 0.0, {}, True)
+        return Answered(False, 0.0, {}, 0.0, True)
     scores = np.array([math.fsum(table.get(name, 0.0) * value for name, value in one.features.items()) for one in runs])
     shares = np.exp(scores - logsumexp(scores))
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
-        groups.setdefault(_key(one.value), []).append(i)
+        groups.setdefault(key(one.value), []).append(i)
     best = max(groups.values(), key=lambda members: float(shares[members].sum()))
     top = max(best, key=lambda i: float(scores[i]))
-    return Answered(runs[top].right, float(shares[best].sum()), doubts(runs[top].features, float(scores[top])), False)
-
-
-def _key(value: object) -> str:
-    if isinstance(value, float):
-        return f"{value:.5g}"
-    if isinstance(value, list):
-        keys = [_key(v) for v in value]
-        return keys[0] if len(set(keys)) == 1 else f"[{','.join(keys)}]"
-    return repr(value)
-
-
-def doubts(features: Table, score: float) -> dict[str, float]:
-    """What speaks against an answer, whatever else there is: the features that calibration looks at."""
-    kinds = {
-        "skipped": ("skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective"),
-        "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown"),
-        "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
-        "dropped": ("adjective_dropped", "size_dropped", "place_dropped", "place_unknown", "compound_dropped", "compound_unknown", "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped"),
-        "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
-        "chosen": ("largest_for_one", "largest_alike_for_one", "majority_for_one", "central_for_one"),
-        "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
-        "miscounted": ("count_differs", "count_group", "one_for_plural"),
-        "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),
-        "empty": ("empty", "nothing", "counts_none", "get_of_none", "value_zero"),
-        "odd": ("form_check", "form_every", "form_distance", "form_combine", "form_uniform", "named_only", "value_is_extent", "value_too_large"),
-    }
-    found = {name: math.fsum(abs(features.get(one, 0.0)) for one in members) for name, members in kinds.items()}
-    return {**found, "score": score / 5}
+    return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)
 
 
 def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
     """How probable is it that an answer is right? Logistic weights of its share and of its doubts."""
     told = [one for one in (answered(row, table) for row in rows) if not one.refused]
-    names = sorted({name for one in told for name in one.doubts})
-    matrix = np.array([[1.0, odds(one.probability), *(one.doubts.get(name, 0.0) for name in names)] for one in told])
+    against = [doubts(one.features, one.score) for one in told]
+    names = sorted({name for found in against for name in found})
+    matrix = np.array([[1.0, odds(one.probability), *(found[name] for name in names)] for one, found in zip(told, against, strict=True)])
     right = np.array([one.right for one in told], dtype=np.float64)
 
     def loss(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
@@ -137,17 +113,9 @@ def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
     return dict(zip(("bias", "share", *names), (round(float(v), 3) for v in found.x), strict=True))
 
 
-def odds(share: float) -> float:
-    """The log odds of a share, kept finite."""
-    share = min(max(share, 1e-3), 1 - 1e-3)
-    return math.log(share / (1 - share))
-
-
-def confidence(one: Answered, calibration: Table) -> float:
+def sure(one: Answered, calibration: Table) -> float:
     """The probability that an answer is right."""
-    z = calibration["bias"] + calibration["share"] * odds(one.probability)
-    z += math.fsum(calibration.get(name, 0.0) * value for name, value in one.doubts.items())
-    return 1 / (1 + math.exp(-z))
+    return 0.0 if one.refused else confidence(one.probability, one.features, one.score, calibration)
 
 
-__all__ = ["Answered", "Tried", "answered", "calibrate", "confidence", "doubts", "fit"]
+__all__ = ["Answered", "Tried", "answered", "calibrate", "fit", "sure"]

@@ -1,0 +1,107 @@
+"""Which of the candidates answers, how sure is it, and what else can be meant?
+
+The candidates that ran get shares of probability by their fitted scores; those with the same value count together. How
+probable it is that the best value is right is calibrated on top, from its share and from what speaks against it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from querycad_language.weights import calibration
+
+from .candidates import Candidate
+
+Features = dict[str, float]
+SHOWN = 3
+"""So many readings are shown where none is sure: people choose between two or three."""
+
+_DOUBTS: dict[str, tuple[str, ...]] = {
+    "skipped": ("skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective"),
+    "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown", "unknown_group"),
+    "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
+    "dropped": (
+        "adjective_dropped", "size_dropped", "place_dropped", "place_unknown", "compound_dropped", "compound_unknown",
+        "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped",
+    ),
+    "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
+    "chosen": ("largest_for_one", "largest_alike_for_one", "majority_for_one", "central_for_one", "group_for_one"),
+    "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
+    "miscounted": ("count_differs", "count_group", "one_for_plural"),
+    "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),
+    "empty": ("empty", "nothing", "counts_none", "get_of_none", "value_zero"),
+    "yes_no": ("form_check", "form_every", "form_uniform", "form_exists"),
+    "apart": ("form_distance", "form_combine", "form_angle"),
+    "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between", "from_plane"),
+}  # fmt: skip
+"""What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """One value that can be the answer, with the best candidate that gives it."""
+
+    candidate: Candidate
+    share: float
+    confidence: float
+    """The probability that the value is right, by calibration."""
+
+
+def key(value: Any) -> str:
+    """What makes two values the same: five digits; a list of equal values is one value."""
+    if isinstance(value, bool):
+        return repr(value)
+    if isinstance(value, float | int):
+        return f"{value:.5g}"
+    if isinstance(value, list | tuple):
+        keys = [key(v) for v in value]
+        return keys[0] if len(set(keys)) == 1 else f"[{','.join(keys)}]"
+    return repr(value)
+
+
+def values(tried: Sequence[Candidate]) -> list[Value]:
+    """The different values of the candidates that gave one, the most probable first."""
+    runs = [one for one in tried if one.value is not None and one.value != []]
+    if not runs:
+        return []
+    shares = softmax([one.score for one in runs])
+    groups: dict[str, list[int]] = {}
+    for i, one in enumerate(runs):
+        groups.setdefault(key(one.value), []).append(i)
+    found = []
+    for members in groups.values():
+        best = max(members, key=lambda i: shares[i])
+        share = math.fsum(shares[i] for i in members)
+        found.append(Value(runs[best], share, confidence(share, runs[best].features, runs[best].score)))
+    return sorted(found, key=lambda one: one.share, reverse=True)
+
+
+def softmax(scores: Sequence[float]) -> list[float]:
+    """Shares of one that grow with the scores."""
+    top = max(scores)
+    weights = [math.exp(score - top) for score in scores]
+    total = math.fsum(weights)
+    return [weight / total for weight in weights]
+
+
+def doubts(features: Features, score: float) -> Features:
+    """What speaks against an answer, by kind; the score itself is among it."""
+    found = {name: math.fsum(abs(features.get(one, 0.0)) for one in members) for name, members in _DOUBTS.items()}
+    return {**found, "score": score / 5}
+
+
+def odds(share: float) -> float:
+    """The log odds of a share, kept finite."""
+    share = min(max(share, 1e-3), 1 - 1e-3)
+    return math.log(share / (1 - share))
+
+
+def confidence(share: float, features: Features, score: float, table: Features | None = None) -> float:
+    """The probability that an answer is right: logistic in its share and its doubts, fitted in cross-validation."""
+    table = table if table is not None else calibration()
+    z = table.get("bias", 0.0) + table.get("share", 1.0) * odds(share)
+    z += math.fsum(table.get(name, 0.0) * value for name, value in doubts(features, score).items())
+    return 1 / (1 + math.exp(-z))

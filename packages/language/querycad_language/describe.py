@@ -1,0 +1,125 @@
+"""One plain sentence for what was understood: made from the meaning, not from the words of the question."""
+
+from __future__ import annotations
+
+from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFilter
+
+from .forms import (
+    LONGEST, Angle, Boundary, Check, Combine, Count, Distance, Every, Exists, Form, Get, Origin, Parallel, Parts, Plane, Reduce, Uniform,
+)  # fmt: skip
+
+_MEASURES = {
+    Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y", Measure.Z_EXTENT: "extent along z",
+    Measure.POSITION: "centre", Measure.SIZE: "extents", Measure.CENTRE_LENGTH: "length from centre to centre", Measure.ACROSS_FLATS: "width across flats",
+    Measure.ACROSS_CORNERS: "width across corners",
+}  # fmt: skip
+_RELATIONS = {
+    Relation.EQUAL: "", Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ", Relation.AT_MOST: "at most ",
+    Relation.MORE: "more than ", Relation.AT_LEAST: "at least ", Relation.BETWEEN: "",
+}  # fmt: skip
+_REDUCES = {
+    Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ", Reduce.LARGEST: "largest ", Reduce.SMALLEST: "smallest ",
+    Reduce.EACH: "", Reduce.ONE: "",
+}  # fmt: skip
+_OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
+
+
+def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
+    """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
+    match form:
+        case Get(measures, target, reduce):
+            names = " and ".join(_measure(measure) for measure in measures)
+            return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}"
+        case Count(target, measure):
+            return f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"
+        case Distance(first, second, mode, axis, reduce):
+            how = {"centers": "between centres ", "surfaces": "between surfaces ", "usual": ""}[mode]
+            along = "" if axis is None else " along " + ("x", "y", "z")[axis] if axis < LONGEST else " along a side of the model"
+            both = f"of {_anchor(first)} from each other" if second == "each other" else f"from {_anchor(first)} to {_anchor(second)}"
+            return f"{_REDUCES[reduce]}distance {how}{both}{along}"
+        case Angle(first, second):
+            return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
+        case Combine(operation, left, right):
+            return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
+        case Check(left, relation, low, high):
+            value = describe(low) if isinstance(low, Get) else _length(low)
+            value = f"{value} to {_length(high)}" if high is not None else value
+            return f"whether the {describe(left)} is {_RELATIONS[relation]}{value}"
+        case Exists(target):
+            return f"whether there is {noun_phrase(target)}"
+        case Every(target, among):
+            return f"whether {noun_phrase(target)} is {noun_phrase(among)}"
+        case Uniform(get):
+            return f"whether the {describe(get)} is the same for all"
+        case Parallel(first, second, square):
+            other = f" and {noun_phrase(second)}" if second else ""
+            return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
+        case Parts(target):
+            return noun_phrase(target)
+    return ""
+
+
+def _measure(measure: Measure) -> str:
+    return _MEASURES.get(measure, measure.value.replace("_", " "))
+
+
+def _anchor(anchor: object) -> str:
+    match anchor:
+        case PartQuery():
+            return noun_phrase(anchor)
+        case Plane(side, of):
+            return f"the {side.value} of {noun_phrase(of)}"
+        case Boundary(side):
+            return f"the {side.value} of the model" if side else "the edge"
+        case Origin():
+            return "the origin"
+        case _:
+            return "the middle of the model"
+
+
+def noun_phrase(query: PartQuery | None) -> str:
+    """The parts that a query asks for, in words."""
+    if query is None:
+        return "the whole model"
+    if query.ids:
+        return ", ".join(query.ids)
+    words = [str(query.count)] if query.count else []
+    words += [_rank(rank) for rank in query.ranks if rank.measure or rank.side]
+    words += [side.value for side in query.ends] + [f"no {name}" for name in query.lacking] + list(query.colors) + list(query.unknown)
+    words += [name for name in query.adjectives if name not in query.noun.split()] + [name.upper() for name in query.threads]
+    words += [_plural(query.noun) if query.plural and query.noun else query.noun or "part"]
+    tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
+    tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
+    tail += [f"visible from the {' or '.join(query.sides)}"] if query.sides else []
+    tail += [f"not visible from the {' or '.join(query.unseen)}"] if query.unseen else []
+    tail += [f"except {noun_phrase(other)}" for other in query.excluded]
+    tail += [f"and {noun_phrase(other)}" for other in query.also]
+    return " ".join(["the", *words, *tail])
+
+
+def _rank(rank: Rank) -> str:
+    nth = {1: "", 2: "second ", 3: "third "}.get(rank.nth, f"{rank.nth}th ")
+    if rank.side:
+        return f"{nth}{rank.side.value}most"
+    return f"{nth}{'largest' if rank.most else 'smallest'}" + (f" (by {_measure(rank.measure)})" if rank.measure and rank.measure is not Measure.MAGNITUDE else "")
+
+
+def _size(size: SizeFilter) -> str:
+    named = f"{_measure(size.measure)} " if size.measure else ""
+    high = f" to {_length(size.high)}" if size.high is not None else ""
+    return f"of {named}{_RELATIONS[size.relation]}{_length(size.low)}{high}"
+
+
+def _place(place: Place) -> str:
+    relation = {"": "of", "with": "without" if place.negated else "with"}.get(place.relation, place.relation)
+    return f"{relation} {noun_phrase(place.what)}" if place.what is not None else ""
+
+
+def _length(value: float) -> str:
+    return f"{value * 1e3:.6g} mm"
+
+
+def _plural(noun: str) -> str:
+    if noun.endswith(("s", "x", "ch", "sh")):
+        return f"{noun}es"
+    return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"
