@@ -22,8 +22,8 @@ from querycad_segworker.brep.extract import extract
 from querycad_segworker.brep.step import read_step
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import recognise
-from querycad_segworker.features.tunnels import tunnel_of
-from querycad_segworker.features.walls import REVOLVED, Axis
+from querycad_segworker.features.shared.extruded_walls import tunnel_of
+from querycad_segworker.features.shared.walls import REVOLVED, Axis
 from querycad_segworker.render.raycast import Scene
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import cross, dist, dot, norm

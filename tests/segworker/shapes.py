@@ -46,7 +46,7 @@ from querycad_segworker.brep.extract import Extracted, extract
 from querycad_segworker.brep.step import StepContent, subshapes
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import Recognised, recognise
-from querycad_segworker.features.thickness import material_thickness
+from querycad_segworker.features.sheet.material_thickness import material_thickness
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.orientation import outward
 from querycad_segworker.render.raycast import Scene

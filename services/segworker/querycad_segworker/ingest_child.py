@@ -19,7 +19,7 @@ from .brep.step import read_step
 from .brep.tessellate import tessellate
 from .errors import FileProblem
 from .features.recognise import faces_of, recognise
-from .features.thickness import material_thickness
+from .features.sheet.material_thickness import material_thickness
 from .model import Artefacts, Model
 from .orientation import outward
 from .render.raycast import Scene
