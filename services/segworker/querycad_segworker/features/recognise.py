@@ -29,12 +29,19 @@ from .depressions.depression import Depression
 from .depressions.dimples import recognise_dimples
 from .depressions.recognise import recognise_depressions
 from .holes.hole import Hole
-from .holes.line_bores import IsClear
 from .holes.recognise import recognise_holes
 from .parts.depressions import blend_part, depression_part, turned_groove_part
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.patterns import recognise_patterns
-from .parts.protrusions import gear_part, hollow_section_part, knurl_part, prism_part, protrusion_part, tooth_parts
+from .parts.protrusions import (
+    gear_part,
+    hollow_section_part,
+    knurl_part,
+    prism_part,
+    protrusion_part,
+    rib_part,
+    tooth_parts,
+)
 from .parts.relations import with_relations
 from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .parts.volumes import Volumes
@@ -42,8 +49,8 @@ from .protrusions.pads import recognise_pads
 from .protrusions.prisms import recognise_prisms
 from .protrusions.protrusions import recognise_protrusions
 from .protrusions.ribs import fins, recognise_lugs, recognise_ribs
+from .shared.clearance import IsClear
 from .shared.merged_faces import united
-from .shared.part_measures import rib_part
 from .shared.refusals import gathering, left_refused, refuse
 from .shared.walls import walls
 from .sheet.body_thickness import with_body_thickness

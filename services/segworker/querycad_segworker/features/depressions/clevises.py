@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from querycad_contracts import Vector
-from querycad_segworker.features.holes.line_bores import IsClear
 from querycad_segworker.features.protrusions.ribs import Rib
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import edge_points, frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep, FaceRecord

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.holes.line_bores import IsClear
 from querycad_segworker.features.shared.axes import SWEEP, Wall
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances

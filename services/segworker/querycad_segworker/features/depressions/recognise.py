@@ -8,8 +8,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.holes.line_bores import IsClear
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, tunnel_of
 from querycad_segworker.features.shared.frames import bow_of, edge_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse

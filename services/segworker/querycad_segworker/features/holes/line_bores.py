@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from querycad_contracts import Vector
 from querycad_segworker.features.shared.axes import SWEEP, Axis
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.vectors import dist, dot, foot, mid, scale, sub
@@ -16,9 +17,6 @@ from .sections import different_radii
 FORK_GAP = 2.0
 """Two bores of one radius on one axis, this many diameters apart or nearer with nothing between, are one hole drilled
 through two walls: the gap of a fork head is about its pin's diameter (DIN 71752)."""
-
-IsClear = Callable[[Vector, Vector], bool]
-"""Is the straight way between two points free of material?"""
 
 
 def united_through_walls(holes: Sequence[Hole], tolerances: Tolerances, is_clear: IsClear) -> list[Hole]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.depressions.windows import recognise_windows
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
@@ -27,7 +28,7 @@ from .ends import (
     opens_high,
 )
 from .hole import Bottom, Hole, SectionKind
-from .line_bores import IsClear, united_through_walls
+from .line_bores import united_through_walls
 from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
 
 RECESS_RATIO = 0.25

@@ -1,10 +1,11 @@
-"""Records of what stands out with plane sides become parts: protrusions, prisms, gears and their teeth."""
+"""Records of what stands out with plane sides become parts: protrusions, prisms, ribs, gears and their teeth."""
 
 from __future__ import annotations
 
 from querycad_contracts import Part
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.protrusions import Protrusion
+from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
     faces_area,
@@ -170,3 +171,28 @@ def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
         )
         for i, tooth in enumerate(gear.teeth, start=1)
     ]
+
+
+def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
+    """A rib or fin; its width is its thickness."""
+    name = "fin" if is_fin else "rib"
+    return Part(
+        id=f"rib-{number}",
+        kind="rib",
+        tags=(("fin",) if is_fin else ()) + ("rectangular",),
+        label=f"{name}, thickness {millimetres(found.thickness)}, height {millimetres(found.height)}, "
+        f"length {millimetres(found.length)}",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, found.faces)),
+        axis=found.normal,
+        normal=found.normal,
+        height=found.height,
+        width=found.thickness,
+        thickness=found.thickness,
+        length=found.length,
+        tip=found.tip,
+        local_size=(found.length, found.thickness, found.height),
+        area=faces_area(brep, found.faces),
+        evidence=geometry("a narrow top face between two parallel flanks that stand on the material"),
+    )

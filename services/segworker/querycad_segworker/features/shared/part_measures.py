@@ -1,14 +1,13 @@
-"""Feature records become parts: ids, labels, measures and reasons as users and generated code see them."""
+"""What the parts of all families are described with: boxes, areas, lengths in labels, reasons."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
 
-from querycad_contracts import Evidence, Part, Vector
-from querycad_segworker.features.protrusions.ribs import Rib
+from querycad_contracts import Evidence, Vector
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import Box, box_extents, box_union
+from querycad_segworker.vectors import Box, box_union
 
 
 def millimetres(length_m: float) -> str:
@@ -33,31 +32,6 @@ ALIGNED = 0.9998
 """Cosine of one degree: what deviates less runs along an axis of the file."""
 PLATE_RATIO = 0.35
 """A body thinner than this share of its smaller other extent is a plate."""
-
-
-def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
-    """A rib or fin; its width is its thickness."""
-    name = "fin" if is_fin else "rib"
-    return Part(
-        id=f"rib-{number}",
-        kind="rib",
-        tags=(("fin",) if is_fin else ()) + ("rectangular",),
-        label=f"{name}, thickness {millimetres(found.thickness)}, height {millimetres(found.height)}, "
-        f"length {millimetres(found.length)}",
-        faces=found.faces,
-        center=found.center,
-        extents=box_extents(faces_box(brep, found.faces)),
-        axis=found.normal,
-        normal=found.normal,
-        height=found.height,
-        width=found.thickness,
-        thickness=found.thickness,
-        length=found.length,
-        tip=found.tip,
-        local_size=(found.length, found.thickness, found.height),
-        area=faces_area(brep, found.faces),
-        evidence=geometry("a narrow top face between two parallel flanks that stand on the material"),
-    )
 
 
 def width_of(normal: Vector, extents: Vector, sizes: tuple[float, float]) -> float:

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Vector
 from querycad_segworker.features.holes.hole import Bottom, Hole
-from querycad_segworker.features.holes.line_bores import IsClear
 from querycad_segworker.features.shared.axes import Axis
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import BodyRecord, Brep
 from querycad_segworker.vectors import add, dist, mid, scale, sub, unit
