@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Side
-from querycad_segworker.render.cameras import side_camera
 from querycad_segworker.render.colored import face_colors, paint
-from querycad_segworker.render.raycast import IdImage
+from querycad_segworker.visibility.cameras import side_camera
+from querycad_segworker.visibility.raycast import IdImage
 from querycad_segworker.vision.render import View
 
 

@@ -15,9 +15,9 @@ from querycad_segworker.brep.step import read_step
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
-from querycad_segworker.render.renderer import make_renderer
 from querycad_segworker.segcad.local import LocalSegCad
 from querycad_segworker.segcad.sight import networks_in
+from querycad_segworker.visibility.renderer import make_renderer
 from querycad_segworker.vision.blind import BLIND
 from querycad_segworker.vision.find import Looked
 from querycad_segworker.vision.find import find as look_for

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from querycad_contracts import Convexity, Evidence, Face, Grounding, Part, Side, SurfaceKind
-from querycad_segworker.render.visibility import FaceVisibility
+from querycad_segworker.visibility.faces import FaceVisibility
 from querycad_segworker.vision.find import Seen
 from querycad_segworker.vision.fuse import Sighting, by_vision, fuse, sightings
 from querycad_segworker.vision.merge import Find

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Side
-from querycad_segworker.render.renderer import Renderer
-from querycad_segworker.render.visibility import FaceVisibility, visible_pixels
+from querycad_segworker.visibility.faces import FaceVisibility, visible_pixels
+from querycad_segworker.visibility.renderer import Renderer
 
 from .align import Aligned, Discarded, align
 from .merge import Find, merge

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Evidence, Face, Grounding, Part, Side
-from querycad_segworker.segcad.sides import faces_seen
+from querycad_segworker.visibility.sides import faces_seen
 
 from .find import Seen
 from .merge import Find

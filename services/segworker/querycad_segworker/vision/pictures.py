@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
 from querycad_segworker.render.palette import part_colors, readable_on
-from querycad_segworker.render.renderer import Renderer
 from querycad_segworker.render.shading import NEUTRAL, shade
 from querycad_segworker.render.sheet import MUTED, OVERSAMPLING, Sheet
+from querycad_segworker.visibility.renderer import Renderer
 
 from .find import Looked
 from .ports import Masks

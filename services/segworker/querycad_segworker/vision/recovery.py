@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Part
-from querycad_segworker.render.renderer import Renderer
+from querycad_segworker.visibility.renderer import Renderer
 
 from .find import look
 from .known import KnownParts

@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from querycad_contracts import Side
-from querycad_segworker.render.cameras import CORNERS, Camera, corner_camera, side_camera
 from querycad_segworker.render.colored import face_colors, paint
-from querycad_segworker.render.raycast import FaceIds, IdImage
-from querycad_segworker.render.renderer import Renderer
-from querycad_segworker.render.visibility import face_pixels
+from querycad_segworker.visibility.cameras import CORNERS, Camera, corner_camera, side_camera
+from querycad_segworker.visibility.faces import face_pixels
+from querycad_segworker.visibility.raycast import FaceIds, IdImage
+from querycad_segworker.visibility.renderer import Renderer
 
 from .ports import VisionOptions
 

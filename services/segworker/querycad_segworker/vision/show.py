@@ -10,7 +10,7 @@ from PIL import Image
 
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
-from querycad_segworker.render.renderer import make_renderer
+from querycad_segworker.visibility.renderer import make_renderer
 
 from .find import Looked, Seen, find
 from .pictures import STAGES, ViewPictures, contact_sheet, draw_view, reduced

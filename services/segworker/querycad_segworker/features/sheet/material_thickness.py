@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.raycast import Scene
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, FaceRecord
 from querycad_segworker.vectors import Box, box_union, dist, dot, sub
+from querycad_segworker.visibility.raycast import Scene
 
 SHARED_AREA = 0.6
 """A thickness is the material's when at least this share of the surface has it: edges and ends of a sheet have

@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.segworker.render.conftest import BOTTOM, TOP, box, empty, scaled, tunnel
+from tests.segworker.meshes import BOTTOM, TOP, box, empty, scaled, tunnel
 
 from querycad_contracts import Side
-from querycad_segworker.render.cameras import side_cameras
-from querycad_segworker.render.raycast import Scene
-from querycad_segworker.render.visibility import shows_backs, visible_pixels
+from querycad_segworker.visibility.cameras import side_cameras
+from querycad_segworker.visibility.faces import shows_backs, visible_pixels
+from querycad_segworker.visibility.raycast import Scene
 
 ROW = {side: row for row, side in enumerate(Side)}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.segworker.render.conftest import (
+from tests.segworker.meshes import (
     BACK,
     FRONT,
     LEFT,
@@ -21,14 +21,14 @@ from tests.segworker.render.conftest import (
 
 from querycad_contracts import Side
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.cameras import (
+from querycad_segworker.visibility.cameras import (
     CORNERS,
     corner_camera,
     isometric_camera,
     side_camera,
     side_cameras,
 )
-from querycad_segworker.render.raycast import Scene, render_ids
+from querycad_segworker.visibility.raycast import Scene, render_ids
 
 ONE_DEGREE = np.radians(1.0)
 

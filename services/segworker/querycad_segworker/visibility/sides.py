@@ -10,10 +10,11 @@ from numpy.typing import NDArray
 
 from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.raycast import Scene
-from querycad_segworker.render.visibility import FaceVisibility
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, sub
+
+from .faces import FaceVisibility
+from .raycast import Scene
 
 SEEN_SHARE = 0.03
 """A face counts as seen when its visible projected area is more than this share of its area. The views are turned by

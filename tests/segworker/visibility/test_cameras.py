@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from querycad_contracts import Side, Vector
-from querycad_segworker.render.cameras import (
+from querycad_segworker.visibility.cameras import (
     CORNERS,
     Camera,
     box_corners,

@@ -10,15 +10,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from tests.segworker.render.conftest import box, box_faces, empty, joined, quads, scaled, sphere, tunnel
+from tests.segworker.meshes import box, box_faces, empty, joined, quads, scaled, sphere, tunnel
 from tests.segworker.shapes import cut, cylinder, find, plate
 
 from querycad_contracts import Side
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.cameras import CORNERS, Camera, corner_camera, isometric_camera, side_camera
-from querycad_segworker.render.gl import ALIKE, GlScene, GlUnavailable
-from querycad_segworker.render.raycast import BACKGROUND, FaceIds, Scene
-from querycad_segworker.render.renderer import make_renderer
+from querycad_segworker.visibility.cameras import CORNERS, Camera, corner_camera, isometric_camera, side_camera
+from querycad_segworker.visibility.gl import ALIKE, GlScene, GlUnavailable
+from querycad_segworker.visibility.raycast import BACKGROUND, FaceIds, Scene
+from querycad_segworker.visibility.renderer import make_renderer
 
 SIZE = (640, 360)
 
@@ -133,8 +133,8 @@ FORKING = """
 import os
 import numpy as np
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.cameras import isometric_camera
-from querycad_segworker.render.gl import GlScene, GlUnavailable
+from querycad_segworker.visibility.cameras import isometric_camera
+from querycad_segworker.visibility.gl import GlScene, GlUnavailable
 mesh = Mesh(np.eye(3), np.array([[0, 1, 2]], dtype=np.int32), np.zeros(1, dtype=np.int32))
 camera = isometric_camera(mesh.bounds, 64, 64)
 
@@ -169,7 +169,7 @@ def test_without_egl_rays_draw() -> None:
     script = (
         "import numpy as np\n"
         "from querycad_segworker.mesh import Mesh\n"
-        "from querycad_segworker.render.renderer import make_renderer\n"
+        "from querycad_segworker.visibility.renderer import make_renderer\n"
         "mesh = Mesh(np.eye(3), np.array([[0, 1, 2]], dtype=np.int32), np.zeros(1, dtype=np.int32))\n"
         "print(type(make_renderer(mesh)).__name__)\n"
     )

@@ -7,13 +7,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from tests.segworker.render.conftest import box, empty, joined, quads, sphere, tunnel
+from tests.segworker.meshes import box, empty, joined, quads, sphere, tunnel
 
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.render.cameras import Camera, isometric_camera, side_cameras
-from querycad_segworker.render.raycast import Scene
-from querycad_segworker.render.scanlines import Edges, seen_pixels
-from querycad_segworker.render.visibility import face_pixels
+from querycad_segworker.visibility.cameras import Camera, isometric_camera, side_cameras
+from querycad_segworker.visibility.faces import face_pixels
+from querycad_segworker.visibility.raycast import Scene
+from querycad_segworker.visibility.scanlines import Edges, seen_pixels
 
 
 def soup(seed: int, faces: int = 12) -> Mesh:
