@@ -12,11 +12,11 @@ from tests.segworker.shapes import Found, cut, cylinder, find, plate, write_step
 
 from querycad_contracts import AnswerRecord, GroundedBy, Side, Status
 from querycad_segworker.brep.step import read_step
+from querycad_segworker.grounding.sight import networks_in
 from querycad_segworker.ingest import ingest
+from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
-from querycad_segworker.segcad.local import LocalSegCad
-from querycad_segworker.segcad.sight import networks_in
 from querycad_segworker.visibility.renderer import make_renderer
 from querycad_segworker.vision.blind import BLIND
 from querycad_segworker.vision.find import Looked

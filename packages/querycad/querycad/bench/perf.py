@@ -17,7 +17,7 @@ from rich.table import Table
 from querycad.runtime import EmbeddedRuntime
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
-from querycad_segworker.segcad.local import LocalSegCad
+from querycad_segworker.local import LocalSegCad
 
 from .figures import Measurement, NotMeasured, Series, percentile, times_ms
 from .items import BadBenchmark

@@ -6,7 +6,7 @@ from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import DOWN, Found, box, compound, cut, cylinder, find, fuse, plate, turned
 
 from querycad_contracts import Part
-from querycad_segworker.segcad.ground import ground
+from querycad_segworker.grounding.old.ground import ground
 
 MM = 1e-3
 

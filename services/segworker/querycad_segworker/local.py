@@ -8,16 +8,16 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from querycad_contracts import Face, GroundedBy, Grounding, Part, Shape, Side
-from querycad_segworker.model import Artefacts, Model
-from querycad_segworker.vectors import cross, dot, line_distance, norm
-from querycad_segworker.vision.region import faces_of_id, region
 
-from .ground import ground
+from .grounding.old.ground import ground
+from .grounding.region import faces_of_id, region
+from .grounding.sight import Keep, Networks, Sight, keep_here, no_networks
 from .measuring import Kernel
-from .sight import Keep, Networks, Sight, keep_here, no_networks
+from .model import Artefacts, Model
+from .vectors import cross, dot, line_distance, norm
 
 if TYPE_CHECKING:
-    from querycad_segworker.vision.ports import VisionOptions
+    from .vision.ports import VisionOptions
 
 
 class LocalSegCad:

@@ -9,8 +9,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from querycad_contracts import Evidence, Grounding, Part, Side
-from querycad_segworker.segcad.ground import ground
-from querycad_segworker.segcad.lexicon import PREPOSITIONS, lexicon, singular, words_of
+from querycad_segworker.grounding.old.ground import ground
+from querycad_segworker.grounding.old.lexicon import PREPOSITIONS, lexicon, singular, words_of
 
 
 def part(letter: str, kind: str, tags: str = "", **measures: Any) -> Part:

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from querycad_contracts import Evidence, Grounding, Part, Side
-from querycad_segworker.segcad.ground import ground
-from querycad_segworker.segcad.places import is_inside
+from querycad_segworker.grounding.old.ground import ground
+from querycad_segworker.grounding.old.places import is_inside
 
 
 def part(letter: str, kind: str, tags: str = "", **measures: Any) -> Part:

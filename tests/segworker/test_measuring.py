@@ -9,8 +9,8 @@ from tests.segworker.shapes import box, compound, cylinder, write_step
 
 from querycad_segworker.errors import KernelDied
 from querycad_segworker.ingest import ingest
+from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore
-from querycad_segworker.segcad.local import LocalSegCad
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def test_an_unknown_part_is_a_key_error(two_bodies: LocalSegCad) -> None:
 
 
 def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: LocalSegCad, tmp_path: Path) -> None:
-    from querycad_segworker.segcad.measuring import Kernel
+    from querycad_segworker.measuring import Kernel
 
     kernel = Kernel(tmp_path / "missing.bin")
     for _ in range(2):

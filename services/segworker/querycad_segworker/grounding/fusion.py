@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from querycad_contracts import Evidence, Face, Grounding, Part, Side
 from querycad_segworker.visibility.sides import faces_seen
+from querycad_segworker.vision.find import Seen
+from querycad_segworker.vision.merge import Find
 
-from .find import Seen
-from .merge import Find
 from .region import region
 
 MOSTLY = 0.5

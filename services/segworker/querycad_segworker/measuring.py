@@ -9,8 +9,8 @@ import weakref
 from collections.abc import Sequence
 from pathlib import Path
 
-from querycad_segworker.errors import KernelDied
-from querycad_segworker.kernel_process import KernelProcess
+from .errors import KernelDied
+from .kernel_process import KernelProcess
 
 TIMEOUT_S = 60.0
 """One distance takes milliseconds; very large freeform faces take seconds."""

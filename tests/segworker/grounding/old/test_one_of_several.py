@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from querycad_contracts import Evidence, Part, Side
-from querycad_segworker.segcad.ground import ground
+from querycad_segworker.grounding.old.ground import ground
 
 
 def part(letter: str, kind: str, tags: str = "", **measures: Any) -> Part:

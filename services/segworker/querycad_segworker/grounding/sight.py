@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
 import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from querycad_contracts import AnswerRecord, Face, GroundedBy, Grounding, Part
-from querycad_segworker.model import Artefacts
+from querycad_contracts import Face, GroundedBy, Grounding, Part
+from querycad_segworker.model import Artefacts, sheet_name
 
 if TYPE_CHECKING:
     from querycad_segworker.vision.find import Seen
@@ -44,9 +43,10 @@ class Sight:
 
     def ground(self, by_words: Grounding, mode: GroundedBy, parts: Sequence[Part], faces: Sequence[Face]) -> Grounding:
         """What does the description mean by sight, or by words and sight together? `by_words`: what geometry says."""
-        from querycad_segworker.vision.fuse import by_vision, fuse, sightings
         from querycad_segworker.vision.ports import WeightsAbsent
         from querycad_segworker.vision.sessions import UnknownLayout
+
+        from .fusion import by_vision, fuse, sightings
 
         phrase = by_words.description
         try:
@@ -74,17 +74,6 @@ class Sight:
             while len(self._seen) > PHRASES_KEPT:
                 self._seen.pop(next(iter(self._seen)))
         return self._seen[phrase]
-
-
-def sheet_name(phrase: str) -> str:
-    """What is the file with the pictures of a phrase called?"""
-    return f"{hashlib.sha256(phrase.encode()).hexdigest()[:32]}.png"
-
-
-def sheets_of(record: AnswerRecord) -> tuple[str, ...]:
-    """Which sheets show what vision saw of this answer? Names of files, each once."""
-    names = (part.evidence.picture for part in record.parts)
-    return tuple(dict.fromkeys(Path(name).name for name in names if name is not None))
 
 
 def _with_picture(part: Part, phrase: str) -> Part:

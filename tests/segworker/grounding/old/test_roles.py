@@ -10,7 +10,7 @@ from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, turned
 
 from querycad_contracts import Part
-from querycad_segworker.segcad.ground import ground
+from querycad_segworker.grounding.old.ground import ground
 
 TUBE = cut(fuse(cylinder(20, 60), box((80, 80, 8), (-40, -40, 0)), cylinder(40, 8, (0, 0, 52))), cylinder(14, 60))
 
