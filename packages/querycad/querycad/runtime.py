@@ -23,7 +23,7 @@ from querycad_segworker.summary import summary
 from .settings import model_store, weights_folder
 
 if TYPE_CHECKING:
-    from querycad_segworker.vision.ports import VisionOptions
+    from querycad_segworker.segcad.ports import VisionOptions
 
 MODELS_KEPT = 16
 """Models held in memory: a few hundred kilobytes each."""

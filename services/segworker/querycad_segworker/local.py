@@ -17,7 +17,7 @@ from .model import Artefacts, Model
 from .vectors import cross, dot, line_distance, norm
 
 if TYPE_CHECKING:
-    from .vision.ports import VisionOptions
+    from .segcad.ports import VisionOptions
 
 
 class LocalSegCad:

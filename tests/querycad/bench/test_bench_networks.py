@@ -14,7 +14,7 @@ from querycad.bench.perf_networks import NetworkOptions, network_measurements
 from querycad.bench.systems import SystemOptions
 from querycad_contracts import GroundedBy
 
-TINY = Path(__file__).parents[2] / "segworker/vision/recorded.tar.xz"
+TINY = Path(__file__).parents[2] / "segworker/segcad/engines/recorded.tar.xz"
 FLANGE = Path(__file__).parents[3] / "examples/flange.step"
 
 

@@ -13,10 +13,10 @@ from pydantic import BaseModel
 
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
+from querycad_segworker.segcad.inspection.recovery import recovery
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph
 from querycad_segworker.visibility.renderer import make_renderer
-from querycad_segworker.vision.ports import VisionOptions
-from querycad_segworker.vision.prune import FaceGraph
-from querycad_segworker.vision.recovery import recovery
 
 from .figures import Measurement
 from .items import BadBenchmark

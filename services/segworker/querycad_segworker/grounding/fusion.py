@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Evidence, Face, Grounding, Part, Side
+from querycad_segworker.segcad.merge import Find
+from querycad_segworker.segcad.pipeline import Seen
 from querycad_segworker.visibility.sides import faces_seen
-from querycad_segworker.vision.find import Seen
-from querycad_segworker.vision.merge import Find
 
 from .region import region
 

@@ -11,8 +11,8 @@ from querycad_contracts import Face, GroundedBy, Grounding, Part
 from querycad_segworker.model import Artefacts, sheet_name
 
 if TYPE_CHECKING:
-    from querycad_segworker.vision.find import Seen
-    from querycad_segworker.vision.ports import VisionModels, VisionOptions
+    from querycad_segworker.segcad.pipeline import Seen
+    from querycad_segworker.segcad.ports import VisionModels, VisionOptions
 
 PHRASES_KEPT = 32
 """Of a model: what was seen is a few numbers a part, finding it again takes seconds."""
@@ -43,8 +43,8 @@ class Sight:
 
     def ground(self, by_words: Grounding, mode: GroundedBy, parts: Sequence[Part], faces: Sequence[Face]) -> Grounding:
         """What does the description mean by sight, or by words and sight together? `by_words`: what geometry says."""
-        from querycad_segworker.vision.ports import WeightsAbsent
-        from querycad_segworker.vision.sessions import UnknownLayout
+        from querycad_segworker.segcad.engines.sessions import UnknownLayout
+        from querycad_segworker.segcad.ports import WeightsAbsent
 
         from .fusion import by_vision, fuse, sightings
 
@@ -62,7 +62,7 @@ class Sight:
         """What is seen of the phrase; the sheet of pictures that shows how is kept with the model."""
         if phrase not in self._seen:
             models = self._networks()
-            from querycad_segworker.vision.show import look_and_draw
+            from querycad_segworker.segcad.inspection.show import look_and_draw
 
             sheet = self._artefacts.sight(sheet_name(phrase))
             sheet.parent.mkdir(parents=True, exist_ok=True)
@@ -93,7 +93,7 @@ def networks_in(weights: Path, options: VisionOptions | None = None) -> Networks
     """The networks whose weights are in this folder, QUERYCAD_HOME/weights as a rule."""
 
     def load() -> VisionModels:
-        from querycad_segworker.vision.weights import load_models
+        from querycad_segworker.segcad.engines.weights import load_models
 
         return load_models(weights) if options is None else load_models(weights, options.box_threshold)
 
@@ -102,6 +102,6 @@ def networks_in(weights: Path, options: VisionOptions | None = None) -> Networks
 
 def no_networks() -> VisionModels:
     """Raises WeightsAbsent."""
-    from querycad_segworker.vision.ports import WeightsAbsent
+    from querycad_segworker.segcad.ports import WeightsAbsent
 
     raise WeightsAbsent("no networks are set up")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.segworker.vision.drawn import masks, view
+from tests.segworker.segcad.drawn import masks, view
 
-from querycad_segworker.vision.align import align
-from querycad_segworker.vision.ports import VisionOptions
+from querycad_segworker.segcad.align import align
+from querycad_segworker.segcad.ports import VisionOptions
 
 PLATE = (
     "0000000000",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .ports import Detection, Masks, VisionModels
+from querycad_segworker.segcad.ports import Detection, Masks, VisionModels
 
 
 class _Blind:

@@ -10,8 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from querycad_segworker.vision.ports import WeightsAbsent
-from querycad_segworker.vision.weights import (
+from querycad_segworker.segcad.engines.weights import (
     HUB,
     Check,
     Role,
@@ -26,13 +25,14 @@ from querycad_segworker.vision.weights import (
     recorded_sums,
     sha256_of,
 )
+from querycad_segworker.segcad.ports import WeightsAbsent
 
 RECORDED = Path(__file__).with_name("recorded.tar.xz")
 FORKED = """
 import os, sys
 import numpy as np
 from pathlib import Path
-from querycad_segworker.vision.weights import load_models
+from querycad_segworker.segcad.engines.weights import load_models
 
 image = np.full((48, 80, 3), 90, dtype=np.uint8)
 boxes = np.array([[10, 10, 50, 40]], dtype=np.float32)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from querycad_segworker.vision.tokenizer import Tokenizer, caption_of, phrase_masks
+from querycad_segworker.segcad.engines.tokenizer import Tokenizer, caption_of, phrase_masks
 
 VOCABULARY = ["[PAD]", "[UNK]", "[CLS]", "[SEP]", ".", "?", "hole", "power", "connect", "##or", "m", "##4"]
 

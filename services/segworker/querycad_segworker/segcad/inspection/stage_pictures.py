@@ -13,11 +13,10 @@ from PIL import Image, ImageDraw, ImageFont
 from querycad_segworker.render.palette import part_colors, readable_on
 from querycad_segworker.render.shading import NEUTRAL, shade
 from querycad_segworker.render.sheet import MUTED, OVERSAMPLING, Sheet
+from querycad_segworker.segcad.pipeline import Looked
+from querycad_segworker.segcad.ports import Masks
+from querycad_segworker.segcad.render import View
 from querycad_segworker.visibility.renderer import Renderer
-
-from .find import Looked
-from .ports import Masks
-from .render import View
 
 STAGES = ("rendered", "boxes", "masks", "faces")
 """The pictures of a view, in the order of the stages; also what their files are called."""

@@ -17,15 +17,15 @@ from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
+from querycad_segworker.segcad.engines.blind import BLIND
+from querycad_segworker.segcad.engines.known import KnownParts
+from querycad_segworker.segcad.inspection.recovery import recovery
+from querycad_segworker.segcad.inspection.stage_pictures import contact_sheet, draw_view
+from querycad_segworker.segcad.pipeline import Looked
+from querycad_segworker.segcad.pipeline import find as look_for
+from querycad_segworker.segcad.ports import Detection, Masks, VisionModels, VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph
 from querycad_segworker.visibility.renderer import make_renderer
-from querycad_segworker.vision.blind import BLIND
-from querycad_segworker.vision.find import Looked
-from querycad_segworker.vision.find import find as look_for
-from querycad_segworker.vision.known import KnownParts
-from querycad_segworker.vision.pictures import contact_sheet, draw_view
-from querycad_segworker.vision.ports import Detection, Masks, VisionModels, VisionOptions
-from querycad_segworker.vision.prune import FaceGraph
-from querycad_segworker.vision.recovery import recovery
 
 ROOT = Path(__file__).resolve().parents[3]
 SHARED = ROOT.parent / "shared" / "cad-qa-dev"

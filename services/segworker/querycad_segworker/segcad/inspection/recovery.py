@@ -10,14 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Part
+from querycad_segworker.segcad.engines.known import KnownParts
+from querycad_segworker.segcad.merge import Find, merge
+from querycad_segworker.segcad.pipeline import look
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph, prune
+from querycad_segworker.segcad.render import View, render
 from querycad_segworker.visibility.renderer import Renderer
-
-from .find import look
-from .known import KnownParts
-from .merge import Find, merge
-from .ports import VisionOptions
-from .prune import FaceGraph, prune
-from .render import View, render
 
 
 @dataclass(frozen=True, slots=True)

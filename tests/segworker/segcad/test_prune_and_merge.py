@@ -7,8 +7,8 @@ from itertools import permutations
 import numpy as np
 import pytest
 
-from querycad_segworker.vision.merge import Find, merge
-from querycad_segworker.vision.prune import FaceGraph, prune
+from querycad_segworker.segcad.merge import Find, merge
+from querycad_segworker.segcad.prune import FaceGraph, prune
 
 CHAIN = FaceGraph(np.array([(0, 1), (1, 2), (2, 3), (4, 5)], dtype=np.int32))
 

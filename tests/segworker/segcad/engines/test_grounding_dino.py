@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from querycad_segworker.vision.detect import DetectorOptions, GroundingDino
-from querycad_segworker.vision.sessions import Feeds, Graph, Port, UnknownLayout
-from querycad_segworker.vision.tokenizer import Tokenizer
+from querycad_segworker.segcad.engines.grounding_dino import DetectorOptions, GroundingDino
+from querycad_segworker.segcad.engines.sessions import Feeds, Graph, Port, UnknownLayout
+from querycad_segworker.segcad.engines.tokenizer import Tokenizer
 
 TEXT = {"input_ids": Port((None, None), np.int64)}
 

@@ -9,7 +9,7 @@ import numpy as np
 import onnxruntime
 import pytest
 
-from querycad_segworker.vision.sessions import PREFERRED_PROVIDERS, Graph, UnknownLayout
+from querycad_segworker.segcad.engines.sessions import PREFERRED_PROVIDERS, Graph, UnknownLayout
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 `build(folder)` makes the models with transformers (their processors included), exports each to ONNX in the layouts that
 are in use, and writes what the references answer to the pictures of `cases.py` beside them. Needs the dependency group
-`parity`. `python -m tests.segworker.vision.reference recorded.tar.xz` writes what the repository keeps.
+`parity`. `python -m tests.segworker.segcad.engines.reference recorded.tar.xz` writes what the repository keeps.
 """
 
 from __future__ import annotations

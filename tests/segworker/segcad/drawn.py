@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from querycad_contracts import Side
 from querycad_segworker.render.colored import face_colors, paint
+from querycad_segworker.segcad.render import View
 from querycad_segworker.visibility.cameras import side_camera
 from querycad_segworker.visibility.raycast import IdImage
-from querycad_segworker.vision.render import View
 
 
 def view(*rows: str, depth: Sequence[str] = (), faces: int = 10) -> View:

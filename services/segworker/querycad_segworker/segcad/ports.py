@@ -103,5 +103,5 @@ class WeightsAbsent(Exception):
     """The weights of the vision path are not on this machine: a state to tell the user, not a fault.
 
     The message is one sentence that says which are missing and how to get them.
-    `querycad_segworker.vision.weights.load_models` raises it.
+    `querycad_segworker.segcad.engines.weights.load_models` raises it.
     """

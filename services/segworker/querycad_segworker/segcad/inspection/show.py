@@ -10,12 +10,12 @@ from PIL import Image
 
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
+from querycad_segworker.segcad.pipeline import Looked, Seen, find
+from querycad_segworker.segcad.ports import VisionModels, VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph
 from querycad_segworker.visibility.renderer import make_renderer
 
-from .find import Looked, Seen, find
-from .pictures import STAGES, ViewPictures, contact_sheet, draw_view, reduced
-from .ports import VisionModels, VisionOptions
-from .prune import FaceGraph
+from .stage_pictures import STAGES, ViewPictures, contact_sheet, draw_view, reduced
 
 SHEET = "sheet.png"
 

@@ -20,8 +20,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from querycad_segworker.segcad.ports import Masks
+
 from .images import Size, enlarged, normalised, padded, resize, size_by_longest
-from .ports import Masks
 from .sessions import Graph, UnknownLayout
 
 SIDE = 1024

@@ -19,10 +19,10 @@ from pathlib import Path
 from pydantic import Field
 
 from querycad_contracts import Frozen
+from querycad_segworker.segcad.ports import VisionModels, WeightsAbsent
 
-from .detect import DetectorOptions, GroundingDino
-from .ports import VisionModels, WeightsAbsent
-from .segment import Sam
+from .grounding_dino import DetectorOptions, GroundingDino
+from .sam import Sam
 from .sessions import Graph, UnknownLayout
 from .tokenizer import Tokenizer
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from querycad_segworker.vision.images import (
+from querycad_segworker.segcad.engines.images import (
     enlarged,
     normalised,
     padded,

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from querycad_segworker.vision.segment import Sam, Sam2, SamExporter, SamPoints, layout_of
-from querycad_segworker.vision.sessions import Feeds, Graph, Port, UnknownLayout
+from querycad_segworker.segcad.engines.sam import Sam, Sam2, SamExporter, SamPoints, layout_of
+from querycad_segworker.segcad.engines.sessions import Feeds, Graph, Port, UnknownLayout
 
 SIDE, SMALL = 32, 8
 PIXELS = {"pixel_values": Port((None, 3, SIDE, SIDE), np.float32)}

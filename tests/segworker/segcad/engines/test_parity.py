@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from tests.segworker.vision.cases import (
+from tests.segworker.segcad.engines.cases import (
     DETECTORS,
     EDGES,
     FRAME,
@@ -27,11 +27,11 @@ from tests.segworker.vision.cases import (
     pictures,
 )
 
-from querycad_segworker.vision.detect import DetectorOptions, GroundingDino
-from querycad_segworker.vision.images import resize, size_by_edges, size_within
-from querycad_segworker.vision.segment import Sam
-from querycad_segworker.vision.sessions import Graph
-from querycad_segworker.vision.tokenizer import SEPARATORS, Tokenizer, caption_of
+from querycad_segworker.segcad.engines.grounding_dino import DetectorOptions, GroundingDino
+from querycad_segworker.segcad.engines.images import resize, size_by_edges, size_within
+from querycad_segworker.segcad.engines.sam import Sam
+from querycad_segworker.segcad.engines.sessions import Graph
+from querycad_segworker.segcad.engines.tokenizer import SEPARATORS, Tokenizer, caption_of
 
 RECORDED = Path(__file__).with_name("recorded.tar.xz")
 TOLERANCE = 1e-3
@@ -71,7 +71,7 @@ def references(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
     elif "QUERYCAD_PARITY" not in os.environ:
         pytest.skip("`make parity` installs PyTorch and transformers, and runs this against them")
     else:
-        from tests.segworker.vision.reference import build
+        from tests.segworker.segcad.engines.reference import build
 
         build(folder)
     return References(folder)

@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from querycad_segworker.segcad.ports import Detection
+
 from .images import Size, normalised, padded, resize, size_by_edges, size_within
-from .ports import Detection
 from .sessions import Graph, UnknownLayout
 from .tokenizer import Prompt, Tokenizer, caption_of
 

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_segworker.render.colored import face_colors
-
-from .ports import Detection, Masks, VisionModels
+from querycad_segworker.segcad.ports import Detection, Masks, VisionModels
 
 
 class KnownParts:

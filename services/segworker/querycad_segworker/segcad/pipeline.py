@@ -1,4 +1,4 @@
-"""Which faces of a model does a phrase mean, as far as can be seen? SegCAD's vision path from end to end.
+"""Which faces of a model does a phrase mean, as far as can be seen? The six stages, one after the other.
 
 Render, detect, segment, align, prune view by view; then merge what the views found (QueryCAD paper, section SegCAD).
 """
@@ -16,10 +16,12 @@ from querycad_segworker.visibility.faces import FaceVisibility, visible_pixels
 from querycad_segworker.visibility.renderer import Renderer
 
 from .align import Aligned, Discarded, align
+from .detect import detect
 from .merge import Find, merge
 from .ports import Detection, Masks, VisionModels, VisionOptions
 from .prune import FaceGraph, prune
 from .render import View, render
+from .segment import segment
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,12 +72,8 @@ def find(
 
 def look(view: View, graph: FaceGraph, phrase: str, models: VisionModels, options: VisionOptions) -> Looked:
     """Which faces does `phrase` mean in this view?"""
-    found = models.detector.detect(view.picture, phrase)
-    detections = tuple(each for each in found if each.score > options.box_threshold)
-    masks = Masks(np.zeros((0, *view.face_id_map.shape), dtype=np.bool_), np.zeros(0, dtype=np.float32))
-    if detections:
-        boxes = np.array([detection.box for detection in detections], dtype=np.float32)
-        masks = models.segmenter.segment(view.picture, boxes)
+    detections = detect(view, phrase, models.detector, options)
+    masks = segment(view, detections, models.segmenter)
     aligned, discarded = align(view, masks.masks, options)
     finds = tuple(
         Find(prune(one.faces, one.nearest, graph), (view.camera.name,), detections[one.mask].score) for one in aligned
