@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, sub
 
@@ -22,8 +23,6 @@ one degree, so that faces seen edge-on show sin(1 degree) = 1.7 % of themselves.
 FACING_SHARE = 0.2
 """A plane face that is turned to the viewer counts as seen when this share of it is: one degree of azimuth lets so much
 of what stands exactly behind something else peep out, eleven times its own width away."""
-FACING = 0.5
-"""Cosine of the angle below which a plane face is turned to the viewer: 60 degrees."""
 GLIMPSE_SHARE = 0.05
 """Of what stands out, so much of what its faces would show if nothing stood before them: less is a glimpse through the
 holes of something else. The end of a shaft that sticks out of a housing shows more."""
@@ -36,16 +35,10 @@ TOLD_APART = 0.5
 _ROUND = ("boss", "cylinder", "cone", "arc", "gear")
 _RUNNING_OUT = ("slot", "channel", "step", "notch")
 _SQUARE = 0.99
-_PARALLEL = 0.999
-FACING_ARC = 0.9
-"""Cosine of the angle to the view within which one looks along the axis of an arc."""
 _NEAR = 0.05
 """Of the radius: holes that lie on one axis, or begin in one plane."""
 
 _Opening = tuple[int, Vector, Vector, list[Vector]]
-
-
-STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib"))
 
 
 def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: FaceVisibility) -> list[Part]:
@@ -78,13 +71,14 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
             into = sides
             sides = {side for row, side in enumerate(Side) if bool(seen_faces[row, list(part.faces)].any())}
             ends = end_faces(part, brep)
-            sides |= {side for row, side in enumerate(Side) for face in ends
-                      if seen_faces[row, face] and dot(brep.faces[face].axis, side.outward) > FACING}  # fmt: skip
+            turned = [(face, brep.faces[face].axis) for face in ends]
+            sides |= {side for row, side in enumerate(Side) for face, normal in turned
+                      if seen_faces[row, face] and dot(normal, side.outward) > FACING.viewer}  # fmt: skip
             if part.kind == "arc" and part.axis is not None:  # through a curved wall: where that wall shows its mouth
                 walls = _walls_around(part, brep)
-                sides |= {side for row, side in enumerate(Side) if abs(dot(part.axis, side.outward)) > FACING_ARC
+                sides |= {side for row, side in enumerate(Side) if abs(dot(part.axis, side.outward)) > FACING.along_view
                           and any(seen_faces[row, wall] for wall in walls)}  # fmt: skip
-            if part.kind in STANDING_OUT:
+            if part.kind.stands_out:
                 faces = [*part.faces, *(ends - set(part.faces))]
                 shown, free = (areas[:, faces].sum(axis=1) for areas in (visible_m2, free_m2))
                 sides = {
@@ -157,7 +151,7 @@ def _peeping(brep: Brep, visibility: FaceVisibility) -> NDArray[np.bool_]:
     towards = np.array([[dot(normal, side.outward) for normal in planes] for side in Side])
     visible_m2 = visibility.pixels * (visibility.pixel_m**2)[:, None]
     projected_m2 = towards * np.array([face.area for face in brep.faces])
-    hidden: NDArray[np.bool_] = (towards > FACING) & (visible_m2 < FACING_SHARE * projected_m2)
+    hidden: NDArray[np.bool_] = (towards > FACING.viewer) & (visible_m2 < FACING_SHARE * projected_m2)
     return hidden
 
 
@@ -192,7 +186,7 @@ def _behind(openings: Sequence[_Opening], parts: Sequence[Part]) -> list[NDArray
         ahead = centers - centers[row]
         along = ahead @ normals[row]
         aside = np.linalg.norm(ahead - along[:, None] * normals[row], axis=1)
-        before = (owners != owners[row]) & (normals @ normals[row] > _PARALLEL) & (aside < _NEAR * radii[row])
+        before = (owners != owners[row]) & (normals @ normals[row] > FACING.parallel) & (aside < _NEAR * radii[row])
         before &= (along > _NEAR * radii[row]) & (radii > 0) & (radii[row] >= TOLD_APART * radii)
         for other in np.nonzero(before)[0]:
             offsets = np.asarray(disc) - centers[other]

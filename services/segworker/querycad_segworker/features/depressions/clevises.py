@@ -11,13 +11,12 @@ from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import edge_points, frame_of
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, FaceRecord
 from querycad_segworker.vectors import add, dot, parallel, scale, sub
 
 from .depression import Depression, DepressionKind, depression_in
 
-FACING = 0.99
-"""Cosine between the flanks of a slot: 8 degrees, as between those of a rib."""
 OVERLAP = 0.5
 """Lugs that face each other over less than this share of the shorter one stand beside each other."""
 
@@ -44,11 +43,11 @@ def recognise_clevises(
 
 def _facing(brep: Brep, a: Rib, b: Rib) -> Iterator[tuple[FaceRecord, FaceRecord]]:
     """The flanks of two parallel ribs that look at each other."""
-    if a.body != b.body or dot(a.normal, b.normal) < FACING or not parallel(a.direction, b.direction, 0.02):
+    if a.body != b.body or dot(a.normal, b.normal) < FACING.opposed or not parallel(a.direction, b.direction, 0.02):
         return
     for i, j in itertools.product(a.flanks, b.flanks):
         first, second = brep.faces[i], brep.faces[j]
-        if dot(first.axis, second.axis) < -FACING and dot(sub(second.point, first.point), first.axis) > 0:
+        if dot(first.axis, second.axis) < -FACING.opposed and dot(sub(second.point, first.point), first.axis) > 0:
             yield first, second
 
 

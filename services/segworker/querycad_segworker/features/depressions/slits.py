@@ -10,6 +10,7 @@ from querycad_segworker.features.shared.extruded_walls import upwards
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
 from querycad_segworker.vectors import dot, parallel, scale, sub, unit
 
@@ -17,8 +18,6 @@ from .depression import Depression, DepressionKind, depression_in
 
 ALONG = 1e-2
 """Sine of the angle by which the edges of a slit may deviate from the axis of its bore."""
-FACING = 0.999
-"""Cosine above which two walls are parallel."""
 
 
 def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterator[Depression]:
@@ -33,7 +32,7 @@ def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterat
         for i, a in enumerate(flanks):
             for b in flanks[i + 1 :]:
                 gap = dot(sub(b.point, a.point), a.axis)
-                if dot(a.axis, b.axis) > -FACING or not 0 < gap < 2 * bore.radius:
+                if dot(a.axis, b.axis) > -FACING.parallel or not 0 < gap < 2 * bore.radius:
                     continue
                 group = {a.id, b.id}
                 if any(not _is_open(brep, flank) for flank in (a, b)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 
-from querycad_contracts import Part
+from querycad_contracts import Part, PartKind
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import parallel
 
@@ -13,14 +13,6 @@ CARRIERS = frozenset(
     ("boss", "prism", "protrusion", "rib", "pocket", "cutout", "slot", "channel", "step", "notch", "groove", "gear")
 )
 """Kinds with faces of their own that others open on or stand on; bodies hold all parts whose faces are theirs."""
-CUT_IN = frozenset(
-    ("hole", "pocket", "cutout", "slot", "channel", "step", "notch", "groove", "dimple", "counterbore", "countersink")
-)
-"""Kinds that belong to every part whose faces they break through."""
-EDGES = frozenset(("chamfer", "fillet", "round", "spotface"))
-"""Kinds that belong to every part whose faces they join."""
-STANDING = frozenset(("boss", "protrusion", "prism", "rib"))
-"""Kinds that belong to the part with the face they stand on."""
 
 
 def carried(parts: Sequence[Part], brep: Brep) -> dict[str, list[str]]:
@@ -33,7 +25,7 @@ def carried(parts: Sequence[Part], brep: Brep) -> dict[str, list[str]]:
     faces_of = {part.id: frozenset(part.faces) for part in parts if part.kind in CARRIERS}
     found: dict[str, list[str]] = defaultdict(list)
     for part in parts:
-        if part.kind not in CUT_IN and part.kind not in EDGES and part.kind not in STANDING:
+        if not (part.kind.cuts_in or _joins_faces(part) or part.kind.stands_out):
             continue
         own = frozenset(part.faces)
         hosts = {host.id for face in _touched(part, own, brep) for host in carriers[face]}
@@ -45,16 +37,21 @@ def carried(parts: Sequence[Part], brep: Brep) -> dict[str, list[str]]:
     return found
 
 
+def _joins_faces(part: Part) -> bool:
+    """Does it belong to every part whose faces it joins? What is cut in belongs to those that it breaks through."""
+    return part.kind.breaks_edge or part.kind is PartKind.SPOTFACE
+
+
 def _touched(part: Part, own: frozenset[int], brep: Brep) -> Iterable[int]:
     """The faces that a part opens on, joins, or stands on."""
-    if part.kind in CUT_IN or part.kind in EDGES:
+    if part.kind.cuts_in or _joins_faces(part):
         return {
             other
             for face in own
             for edge, other in brep.neighbours(face)
-            if other not in own and (part.kind in EDGES or edge.convexity is not EdgeConvexity.CONCAVE)
+            if other not in own and (_joins_faces(part) or edge.convexity is not EdgeConvexity.CONCAVE)
         }
-    if part.kind in STANDING and part.normal is not None:
+    if part.kind.stands_out and part.normal is not None:
         return {
             other
             for face in own

@@ -8,13 +8,12 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from querycad_contracts import Part, Side
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.vectors import dot, sub
 
 from .lexicon import Choice, Lexicon, Pick, words_of
 from .names import bodies_marked, bodies_named, is_whole
 from .places import (
-    FACING,
-    STANDING_OUT,
     TOUCH_M,
     coaxial,
     encloses,
@@ -23,11 +22,12 @@ from .places import (
     lies_between,
     lies_in_wall,
     next_to,
+    stands_out,
     touches,
 )
 from .reading import SIDE_WORDS, Place, Reading
 from .roles import ROLES, Kinds
-from .sizes import BLENDS, SAME_SIZE, SIZE_CONFIDENCE, at_ends, by_size, measure, ordered, outstanding
+from .sizes import SAME_SIZE, SIZE_CONFIDENCE, at_ends, by_size, measure, ordered, outstanding
 
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
@@ -61,7 +61,6 @@ _TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
 """A plate whose axis, the direction across it, is vertical is a horizontal plate."""
 _DIRECTIONS = frozenset(("vertical", "horizontal"))
 _OF_TEETH = ("axis", "radius", "diameter", "radii")
-_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
 _FASTENERS = frozenset(("screw", "nut"))
 
 
@@ -181,7 +180,7 @@ class Parts:
             if not all(_names_side(part, side) for part in found):
                 found = at_ends(found, (side,), self.model)
         if reading.one:
-            raised = all(part.kind in STANDING_OUT for part in found)  # 'the flange on the top' is the topmost
+            raised = all(stands_out(part) for part in found)  # 'the flange on the top' is the topmost
             toward = sides if sides and len(sides) == 1 and raised else reading.toward
             return outstanding(at_ends(found, toward, self.model), reading, self.model)
         wanted = reading.count
@@ -315,8 +314,8 @@ class Parts:
                 return [part for part in found if all(lies_in_wall(part, side, self.model) for side in ends)]
         elif place.what.words == [_SIDE] and place.relation in _HOLDING:  # neither from above nor from below
             directions = [(part, part.normal or part.axis) for part in found]
-            kept = [part for part, along in directions if along is not None and abs(along[2]) < FACING]
-        elif term is self.words.terms[_CORNER] and all(part.kind in BLENDS for part in found):
+            kept = [part for part, along in directions if along is not None and abs(along[2]) < FACING.side]
+        elif term is self.words.terms[_CORNER] and all(part.kind.breaks_edge for part in found):
             kept = at_ends(found, ends, self.model)  # a bevel at the corner is the corner
         return kept or None
 
@@ -339,7 +338,7 @@ class Parts:
                 return [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
             case "around":
                 around = [p for p in found if any(encloses(p, h) for h in holders)]
-                if not around and all(p.kind in BLENDS for p in found):
+                if not around and all(p.kind.breaks_edge for p in found):
                     return next_to(found, holders)
                 return around or [p for p in found if not any(coaxial(p, h) for h in holders)]
             case _ if relation in (*_HOLDING, ""):
@@ -434,7 +433,7 @@ def without_twins(found: list[Part]) -> list[Part]:
     """Without those that are another one over again, as a protrusion is a block: most of their faces are the same."""
     kept: list[Part] = []
     for part in found:
-        twins = (p for p in kept if p.kind != part.kind and {p.kind, part.kind} <= _SOLIDS)
+        twins = (p for p in kept if p.kind != part.kind and p.kind.stands_out and part.kind.stands_out)
         faces = set(part.faces)
         if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
             kept.append(part)
@@ -443,8 +442,8 @@ def without_twins(found: list[Part]) -> list[Part]:
 
 def turned_to(found: list[Part], sides: Sequence[Side]) -> list[Part]:
     """Of what stands out, those that stand towards the sides where any does: a pin is on the top when it points up."""
-    turned = [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
-    standing = [p for p in found if p.kind in STANDING_OUT and p.kind != "body"]
+    turned = [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING.side for side in sides)]
+    standing = [p for p in found if p.kind.stands_out]
     return [p for p in found if p not in standing or p in turned] if any(p in turned for p in standing) else found
 
 

@@ -8,12 +8,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import Grounding, Part, Side
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.vectors import dot
 
 from .choosing import Parts, is_narrowed, seen_from, turned_to
 from .lexicon import Lexicon, lexicon
 from .names import bodies_marked, bodies_named, is_whole, name_words, same_word, vocabulary
-from .places import FACING, STANDING_OUT, carries
+from .places import carries
 from .reading import Reading, read
 from .sizes import at_ends
 
@@ -74,7 +75,7 @@ def _there(model: Parts, found: list[Part], reading: Reading, sides: Sequence[Si
         seen = at_ends(found, reading.toward, model.model)
         reading.doubt(f"none is visible from the {reading.toward[0]}: those at that end were taken", AT_END_CONFIDENCE)
     if not seen and sides and any(model.named(place.what, None) for place in reading.places):
-        seen = [part for part in found if part.normal and any(dot(part.normal, s.outward) > FACING for s in sides)]
+        seen = [part for part in found if part.normal and any(dot(part.normal, s.outward) > FACING.side for s in sides)]
         if seen:  # 'on the underside of the carriage': the rail below it does not change that
             reading.doubt(f"none is visible from the {sides[0]}: what faces there was taken", AT_END_CONFIDENCE)
     return seen
@@ -143,7 +144,7 @@ def _of_the_named(model: Parts, reading: Reading, found: list[Part]) -> list[Par
     A 'screw hole' lies elsewhere: it is for a screw.
     """
     first = reading.phrase.split()[:-1]
-    if not first or any(part.kind not in STANDING_OUT or part.kind == "body" for part in found):
+    if not first or not all(part.kind.stands_out for part in found):
         return found
     owners = bodies_named(model.all, first, None)
     return [part for part in found if any(carries(owner, part) for owner in owners)] or found

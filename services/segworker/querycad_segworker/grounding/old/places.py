@@ -5,16 +5,19 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Side
+from querycad_contracts import Part, PartKind, Side
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
-FACING = 0.7
-"""Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 MADE_OF = ("pattern", "gear")
 """Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
-STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
+
+
+def stands_out(part: Part) -> bool:
+    """Can others lie beside it, or it on others: does it rise from the material, or is it a body?"""
+    return part.kind.stands_out or part.kind is PartKind.BODY
 
 
 def carries(place: Part, part: Part) -> bool:
@@ -53,18 +56,18 @@ def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[
     if carried := [p for p in found if any(carries(h, p) and not (relation == "on" and _is_of(p, h)) for h in holders)]:
         return carried
     if relation == "on":
-        standing = [p for p in found if p.kind in STANDING_OUT or p.kind == "cylinder"]
+        standing = [p for p in found if stands_out(p) or p.kind is PartKind.CYLINDER]
         on = [p for p in standing if any(touches(p, h) and not is_inside(p, h) for h in holders)]
         if on:
             return on
     inside = [p for p in found if any(is_inside(p, h) or h.id in _members(p) for h in holders)]
-    return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders)
+    return inside if inside or not all(stands_out(p) for p in found) else next_to(found, holders)
 
 
 def _is_of(part: Part, place: Part) -> bool:
     """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
-    raised = part.kind in STANDING_OUT or part.kind == "cylinder"
-    return raised and place.kind in STANDING_OUT - {"body"} and set(part.faces) <= set(place.faces)
+    raised = stands_out(part) or part.kind is PartKind.CYLINDER
+    return raised and place.kind.stands_out and set(part.faces) <= set(place.faces)
 
 
 def _members(part: Part) -> tuple[str, ...]:
@@ -76,7 +79,11 @@ def lies_in_wall(part: Part, side: Side, model: Part) -> bool:
     """Is it cut into the wall on this side: does it point through it, and lie nearer to it than to the one opposite?"""
     along = part.normal or part.axis
     outward = side.outward
-    return along is not None and abs(dot(along, outward)) > FACING and dot(sub(part.center, model.center), outward) > 0
+    return (
+        along is not None
+        and abs(dot(along, outward)) > FACING.side
+        and dot(sub(part.center, model.center), outward) > 0
+    )
 
 
 def touches(part: Part, place: Part) -> bool:

@@ -22,7 +22,6 @@ CLEAR_GAP = 1.5
 """Sizes that differ by this ratio are large and small to anybody who looks."""
 CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""
-BLENDS = ("fillet", "round", "chamfer")
 
 
 def outstanding(found: list[Part], reading: Reading, model: Part | None) -> list[Part]:
@@ -30,7 +29,7 @@ def outstanding(found: list[Part], reading: Reading, model: Part | None) -> list
 
     Blends are all alike to whoever speaks of one: none of them stands out.
     """
-    if len(found) < 2 or all(part.kind in BLENDS for part in found):
+    if len(found) < 2 or all(part.kind.breaks_edge for part in found):
         return found
     said = [adjective for adjective in reading.adjectives if adjective.order not in (None, "corner")]
     order, most = (said[-1].order or "size", said[-1].most) if said else ("size", True)
