@@ -187,6 +187,8 @@ class PartKind(StrEnum):
     STEP = "step"
     TOOTH = "tooth"
     TORUS = "torus"
+    WALL = "wall"
+    """Words mean it; recognition names none yet."""
 
     @property
     def stands_out(self) -> bool:
