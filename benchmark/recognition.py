@@ -22,11 +22,11 @@ from querycad_segworker.brep.extract import extract
 from querycad_segworker.brep.step import read_step
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import recognise
-from querycad_segworker.features.tunnels import tunnel_of
-from querycad_segworker.features.walls import REVOLVED, Axis
-from querycad_segworker.render.raycast import Scene
+from querycad_segworker.features.shared.extruded_walls import tunnel_of
+from querycad_segworker.features.shared.walls import REVOLVED, Axis
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import cross, dist, dot, norm
+from querycad_segworker.visibility.raycast import Scene
 
 MIN_OVERLAP = 0.5
 """More than half: then no part lies in two instances, and what answers for an instance is more right than wrong."""

@@ -71,9 +71,9 @@ def _ours(file: Path) -> tuple[float, int, dict[str, int]]:
     from querycad_segworker.brep.step import read_step
     from querycad_segworker.brep.tessellate import tessellate
     from querycad_segworker.features.recognise import recognise
-    from querycad_segworker.features.thickness import material_thickness
-    from querycad_segworker.render.raycast import Scene
+    from querycad_segworker.features.sheet.material_thickness import material_thickness
     from querycad_segworker.vectors import dist
+    from querycad_segworker.visibility.raycast import Scene
 
     content = read_step(file)
     start = time.process_time()

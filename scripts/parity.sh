@@ -12,6 +12,6 @@ printf 'parity: installing PyTorch and transformers (without a build for the CPU
 .venv/bin/uv pip install --quiet --python .venv/bin/python --group parity
 
 if [ "${1:-}" = --record ]; then
-    exec .venv/bin/python -m tests.segworker.vision.reference tests/segworker/vision/recorded.tar.xz
+    exec .venv/bin/python -m tests.segworker.segcad.engines.reference tests/segworker/segcad/engines/recorded.tar.xz
 fi
-QUERYCAD_PARITY=1 exec .venv/bin/python -m pytest tests/segworker/vision/test_parity.py "$@"
+QUERYCAD_PARITY=1 exec .venv/bin/python -m pytest tests/segworker/segcad/engines/test_parity.py "$@"

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Part
-from querycad_segworker.render.renderer import Renderer
-from querycad_segworker.vision.find import look
-from querycad_segworker.vision.known import KnownParts
-from querycad_segworker.vision.merge import Find, merge
-from querycad_segworker.vision.ports import VisionOptions
-from querycad_segworker.vision.prune import FaceGraph, prune
-from querycad_segworker.vision.render import View, render
+from querycad_segworker.segcad.engines.known import KnownParts
+from querycad_segworker.segcad.merge import Find, merge
+from querycad_segworker.segcad.pipeline import look
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph, prune
+from querycad_segworker.segcad.render import View, render
+from querycad_segworker.visibility.renderer import Renderer
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ import sys
 import time
 from pathlib import Path
 
-PACKAGES = ("brep", "features", "render", "segcad")
+PACKAGES = ("brep", "features", "render", "visibility")
 MEMORY_BYTES = 8 * 2**30
 
 
@@ -34,7 +34,7 @@ def main(what: str, file: Path, folder: Path) -> None:
 
 def _import_all(package: str) -> None:
     """Loads every module of a package, as ingest would load them while it is timed; optional ones may be missing."""
-    for module in pkgutil.iter_modules(importlib.import_module(package).__path__, f"{package}."):
+    for module in pkgutil.walk_packages(importlib.import_module(package).__path__, f"{package}."):
         try:
             importlib.import_module(module.name)
         except ImportError:

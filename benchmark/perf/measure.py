@@ -18,7 +18,7 @@ from benchmark.scoring.items import BadBenchmark
 from querycad.runtime import EmbeddedRuntime
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
-from querycad_segworker.segcad.local import LocalSegCad
+from querycad_segworker.local import LocalSegCad
 
 from .figures import Measurement, NotMeasured, Series, percentile, times_ms
 from .ingest import Readings, ingest_measurements, memory_measurements

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmark.scoring.items import BadBenchmark
-from querycad_segworker.vision.detect import GroundingDino
-from querycad_segworker.vision.ports import VisionOptions, WeightsAbsent
-from querycad_segworker.vision.segment import Sam
-from querycad_segworker.vision.weights import load_models
+from querycad_segworker.segcad.engines.grounding_dino import GroundingDino
+from querycad_segworker.segcad.engines.sam import Sam
+from querycad_segworker.segcad.engines.weights import load_models
+from querycad_segworker.segcad.ports import VisionOptions, WeightsAbsent
 
 from .figures import Measurement
 

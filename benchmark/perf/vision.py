@@ -15,9 +15,9 @@ from benchmark import ROOT
 from benchmark.scoring.items import BadBenchmark
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
-from querycad_segworker.render.renderer import make_renderer
-from querycad_segworker.vision.ports import VisionOptions
-from querycad_segworker.vision.prune import FaceGraph
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph
+from querycad_segworker.visibility.renderer import make_renderer
 
 from .face_recovery import recovery
 from .figures import Measurement

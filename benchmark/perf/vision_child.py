@@ -21,12 +21,12 @@ from trimesh.ray.ray_pyembree import RayMeshIntersector
 
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
-from querycad_segworker.render.cameras import Camera
-from querycad_segworker.render.raycast import BACKGROUND
-from querycad_segworker.render.renderer import make_renderer
-from querycad_segworker.vision.align import align
-from querycad_segworker.vision.ports import VisionOptions
-from querycad_segworker.vision.render import cameras, render
+from querycad_segworker.segcad.align import align
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.render import cameras, render
+from querycad_segworker.visibility.cameras import Camera
+from querycad_segworker.visibility.raycast import BACKGROUND
+from querycad_segworker.visibility.renderer import make_renderer
 
 OPTIONS = VisionOptions()
 MASKS = 20

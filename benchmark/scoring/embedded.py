@@ -16,7 +16,7 @@ from querycad_segworker.errors import FileProblem
 from .systems import Reply, SystemOptions, UnknownSystem, reply_of
 
 if TYPE_CHECKING:
-    from querycad_segworker.vision.ports import VisionOptions
+    from querycad_segworker.segcad.ports import VisionOptions
 
 PICTURE_SIZE = (1200, 750)
 """Pixels; small enough that a report of hundreds of questions can still be mailed."""
@@ -73,9 +73,9 @@ def _vision(options: SystemOptions) -> VisionOptions:
 
     An answer would then be geometry's alone, or none, and its score would say nothing of vision.
     """
-    from querycad_segworker.vision.ports import VisionOptions, WeightsAbsent
-    from querycad_segworker.vision.sessions import UnknownLayout
-    from querycad_segworker.vision.weights import load_models
+    from querycad_segworker.segcad.engines.sessions import UnknownLayout
+    from querycad_segworker.segcad.engines.weights import load_models
+    from querycad_segworker.segcad.ports import VisionOptions, WeightsAbsent
 
     try:
         load_models(weights_folder(), options.box_threshold)

@@ -49,7 +49,7 @@ from querycad_contracts import (
 )
 from querycad_sandbox import Sandbox
 
-KNOWN = {"hole": "hole", "boss": "boss", "slot": "slot", "face": "face", "plate": "body", "gear": "gear"}
+KNOWN = {"hole": "hole", "boss": "boss", "slot": "slot", "face": "region", "plate": "body", "gear": "gear"}
 UP = (0.0, 0.0, 1.0)
 
 
@@ -197,7 +197,7 @@ PARTS: list[dict[str, Any]] = [
         "height": 0.005,
         "tip": (0.05, 0.03, 0.015),
     },
-    {"id": "face-1", "kind": "face", "normal": UP, "local_size": (0.1, 0.04, 0.0), "area": 4e-3},
+    {"id": "face-1", "kind": "region", "normal": UP, "local_size": (0.1, 0.04, 0.0), "area": 4e-3},
     {"id": "body-1", "kind": "body", "name": "plate", "extents": (0.1, 0.04, 0.01), "volume": 4e-5},
 ]
 

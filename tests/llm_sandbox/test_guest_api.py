@@ -155,7 +155,7 @@ def test_corners_and_half_extents_follow_from_center_and_extents() -> None:
     assert measures["min_corner"] == pytest.approx((0.0, 0.0, 0.0))
     assert measures["max_corner"] == pytest.approx((0.1, 0.04, 0.01))
     assert (measures["width"], measures["depth"], measures["height"]) == (0.1, 0.04, 0.01)
-    assert part_measures(make_part("x-1"))["half_extents"] == (0.005, 0.01, 0.015)
+    assert part_measures(make_part("boss-1"))["half_extents"] == (0.005, 0.01, 0.015)
 
 
 @pytest.mark.parametrize(

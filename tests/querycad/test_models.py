@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from querycad.cli import main
-from querycad_segworker.vision.weights import known_models
+from querycad_segworker.segcad.engines.weights import known_models
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import httpx
 import pytest
 
 from querycad.pull import Download, LocalFolder, PullFailed, pull
-from querycad_segworker.vision.weights import RECORD, Check, Model, Role, WeightFile, check
+from querycad_segworker.segcad.engines.weights import RECORD, Check, Model, Role, WeightFile, check
 
 CONTENT = bytes(range(256)) * 8192  # 2 MiB: more than one piece
 DIGEST = hashlib.sha256(CONTENT).hexdigest()

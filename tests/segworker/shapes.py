@@ -46,14 +46,14 @@ from querycad_segworker.brep.extract import Extracted, extract
 from querycad_segworker.brep.step import StepContent, subshapes
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import Recognised, recognise
-from querycad_segworker.features.thickness import material_thickness
+from querycad_segworker.features.sheet.material_thickness import material_thickness
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.orientation import outward
-from querycad_segworker.render.raycast import Scene
-from querycad_segworker.render.visibility import visible_pixels
-from querycad_segworker.segcad.sides import with_sides
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import dist
+from querycad_segworker.visibility.faces import visible_pixels
+from querycad_segworker.visibility.raycast import Scene
+from querycad_segworker.visibility.sides import with_sides
 
 Vec = tuple[float, float, float]
 UP: Vec = (0.0, 0.0, 1.0)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tests.segworker.render.conftest import box, empty, joined, scaled
+from tests.segworker.meshes import box, empty, joined, scaled
 from tests.segworker.shapes import cut, cylinder, find, plate
 
 from querycad_segworker.mesh import Mesh

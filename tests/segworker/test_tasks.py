@@ -26,9 +26,9 @@ from querycad_contracts import (
 )
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.ingest import ingest
+from querycad_segworker.segcad.engines.known import KnownParts
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import ModelCache, Tasks, make_tasks
-from querycad_segworker.vision.known import KnownParts
 from querycad_segworker.worker import ATTEMPTS, make_app
 
 Table = dict[TaskName, Callable[[dict[str, Any]], dict[str, Any]]]

@@ -149,6 +149,82 @@ class Refusal(Frozen):
     reason: str = Field(description="Why not, in a few words.")
 
 
+class PartKind(StrEnum):
+    """Which family does a part belong to? A canonical term of the lexicon."""
+
+    ARC = "arc"
+    BEARING = "bearing"
+    BEND = "bend"
+    BODY = "body"
+    BOSS = "boss"
+    CAVITY = "cavity"
+    CHAMFER = "chamfer"
+    CHANNEL = "channel"
+    CONE = "cone"
+    COUNTERBORE = "counterbore"
+    COUNTERSINK = "countersink"
+    CUTOUT = "cutout"
+    CYLINDER = "cylinder"
+    DIMPLE = "dimple"
+    FILLET = "fillet"
+    GEAR = "gear"
+    GROOVE = "groove"
+    HOLE = "hole"
+    MODEL = "model"
+    NOTCH = "notch"
+    PATTERN = "pattern"
+    PIPE = "pipe"
+    POCKET = "pocket"
+    PRISM = "prism"
+    PROTRUSION = "protrusion"
+    REGION = "region"
+    """Faces that were seen to be what the words mean, without a name in geometry."""
+    RIB = "rib"
+    ROUND = "round"
+    SLOT = "slot"
+    SPHERE = "sphere"
+    SPOTFACE = "spotface"
+    STEP = "step"
+    TOOTH = "tooth"
+    TORUS = "torus"
+    WALL = "wall"
+    """Words mean it; recognition names none yet."""
+
+    @property
+    def stands_out(self) -> bool:
+        """Does it rise from the material that it stands on?"""
+        return self in _STANDING_OUT
+
+    @property
+    def cuts_in(self) -> bool:
+        """Is it cut into the material from outside? A cavity is not: no tool reaches it."""
+        return self in _CUT_IN
+
+    @property
+    def breaks_edge(self) -> bool:
+        """Does it take the sharpness from an edge or a corner?"""
+        return self in _EDGE_BREAKS
+
+
+_STANDING_OUT = frozenset((PartKind.BOSS, PartKind.PROTRUSION, PartKind.PRISM, PartKind.RIB))
+_CUT_IN = frozenset(
+    (
+        PartKind.HOLE,
+        PartKind.POCKET,
+        PartKind.CUTOUT,
+        PartKind.SLOT,
+        PartKind.CHANNEL,
+        PartKind.STEP,
+        PartKind.NOTCH,
+        PartKind.GROOVE,
+        PartKind.DIMPLE,
+        PartKind.COUNTERBORE,
+        PartKind.COUNTERSINK,
+    )
+)
+_EDGE_BREAKS = frozenset((PartKind.CHAMFER, PartKind.FILLET, PartKind.ROUND))
+
+
 class Part(Frozen):
     """A part or feature of the model that words can name: a hole, a boss, a body, a face.
 
@@ -156,7 +232,7 @@ class Part(Frozen):
     """
 
     id: str = Field(description="Unique within the model, such as 'hole-3'.")
-    kind: str = Field(description="Family, a canonical term of the lexicon: 'hole', 'boss', 'slot', 'body' …")
+    kind: PartKind = Field(description="Family, a canonical term of the lexicon: 'hole', 'boss', 'slot', 'body' …")
     tags: tuple[str, ...] = Field(
         (), description="Canonical attributes: 'through', 'blind', 'counterbored', 'circular' …"
     )

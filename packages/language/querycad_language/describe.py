@@ -5,7 +5,23 @@ from __future__ import annotations
 from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFilter
 
 from .forms import (
-    LONGEST, Angle, Boundary, Check, Combine, Count, Distance, Every, Exists, Form, Get, Origin, Parallel, Parts, Plane, Reduce, Uniform,
+    LONGEST,
+    Angle,
+    Boundary,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Origin,
+    Parallel,
+    Parts,
+    Plane,
+    Reduce,
+    Uniform,
 )  # fmt: skip
 
 _MEASURES = {

@@ -101,7 +101,7 @@ class Phrases:
         if query is None or query.noun or query.ids:
             return mention
         named = next((m.query for m in reversed(before) if m.query is not None and m.query.noun), None)
-        if named is None or not self.text.is_word(mention.end - 1, "one") and not query.adjectives:
+        if named is None or (not self.text.is_word(mention.end - 1, "one") and not query.adjectives):
             return mention
         return replace(mention, query=query.model_copy(update={"noun": named.noun, "known": named.known, "words": named.words}))
 
@@ -373,7 +373,7 @@ class Phrases:
         text = self.text
         start = at
         for _ in range(6):
-            if at >= len(text) or text.tokens[at].kind is Kind.SYMBOL and not (text.is_word(at, "(") or (text.is_word(at, ",") and at > start - 1 and at == start)):
+            if at >= len(text) or (text.tokens[at].kind is Kind.SYMBOL and not (text.is_word(at, "(") or (text.is_word(at, ",") and at > start - 1 and at == start))):
                 return start
             if text.is_word(at, ",", "("):
                 if not (text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with") or (text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD))):
@@ -387,7 +387,7 @@ class Phrases:
                     after += 1
                 return after
             span = text.find(at, *_GAP)
-            if span is None or text.find(at, "measure", "scale") or text.is_word(at, "do", "does", "how", "what", "have", "has") and not text.is_word(at - 1, "that", "which"):
+            if span is None or text.find(at, "measure", "scale") or (text.is_word(at, "do", "does", "how", "what", "have", "has") and not text.is_word(at - 1, "that", "which")):
                 return start
             at += 1
         return start

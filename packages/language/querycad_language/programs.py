@@ -8,7 +8,27 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 
-from .forms import LONGEST, SHORTER, Angle, Boundary, Check, Combine, Count, Distance, Every, Exists, Form, Get, Origin, Parallel, Parts, Plane, Reduce, Target, Uniform
+from .forms import (
+    LONGEST,
+    SHORTER,
+    Angle,
+    Boundary,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Origin,
+    Parallel,
+    Parts,
+    Plane,
+    Reduce,
+    Target,
+    Uniform,
+)
 from .measures import Grade, answer_type, is_length, options
 
 MODEL = Part.model_construct  # the whole model stands for itself where a form has no target
@@ -136,7 +156,7 @@ class _Writer:
             self._lines.append(f"values = [({values}) for p in {name}]")
             return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
         measure = form.measures[0]
-        if measure is Measure.TIP and "{0}.tip" == self._read(measure, parts):
+        if measure is Measure.TIP and self._read(measure, parts) == "{0}.tip":
             self._lines.append(f"tips = [tip for p in {name} for tip in p.tips]")
             return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
         expression = self._read(measure, parts) if measure is not Measure.TIP else "{0}.center"

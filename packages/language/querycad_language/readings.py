@@ -13,7 +13,28 @@ from typing import Literal
 
 from querycad_contracts import Measure, PartQuery, Place, Relation, Side, SizeFilter
 
-from .forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Check, Combine, Count, Distance, Every, Exists, Form, Get, Origin, Parallel, Parts, Plane, Reduce, Target, Uniform
+from .forms import (
+    LONGEST,
+    SHORTER,
+    Anchor,
+    Angle,
+    Boundary,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Origin,
+    Parallel,
+    Parts,
+    Plane,
+    Reduce,
+    Target,
+    Uniform,
+)
 from .lexicon import Span
 from .phrases import Mention, Phrases, replace_fields
 from .text import Text
@@ -139,7 +160,7 @@ class Reader:
             return "courtesy"
         if "side" in own or "view" in own:
             return "function" if text.is_word(at, "back", "right") and "chatter" in own else "side"
-        if "negation" in own or "except" in own and text.is_word(at, "except", "excluding"):
+        if "negation" in own or ("except" in own and text.is_word(at, "except", "excluding")):
             return "negation"
         if "noun" in own:
             return "noun"
@@ -648,7 +669,7 @@ class Reader:
                 continue
             first = parts[0].query
             assert first is not None
-            if first.places and first.places[-1].relation == "between" or first.plural:
+            if (first.places and first.places[-1].relation == "between") or first.plural:
                 yield _Draft(Angle(first, None), {"angle_between": 1.0}, used | parts[0].used)
             if len(parts) > 1 and parts[1].query is not None:
                 yield _Draft(Angle(first, parts[1].query), {"angle_between": 1.0}, used | parts[0].used | parts[1].used)
@@ -665,7 +686,7 @@ class Reader:
         if than is not None and comparative is not None:
             left = [m for m in parts if m.end <= than or m.start < than]
             right = [m for m in parts if m.start > than]
-            if left and right and not (text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER)):
+            if left and right and text.tokens[than + 1].kind not in (Kind.QUANTITY, Kind.NUMBER):
                 measure = comparative.value.measure
                 used = {than} | set(range(comparative.start, comparative.end)) | left[-1].used | right[0].used
                 a, b = Get((measure,), left[-1].query), Get((measure,), right[0].query)
@@ -750,7 +771,7 @@ class Reader:
         """Where a clause begins that is answered by yes or no."""
         text = self.text
         start, end = self.asking
-        if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n"):
+        if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or (text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n")):
             return start
         for at in range(start, end):
             if text.find(at, "be", "do") and not text.find(at, "ask", "count"):
@@ -779,7 +800,7 @@ class Reader:
         yield _Draft(Check(Get((measure,), target), relation, size.low, size.high), base, tokens)
 
     def _adjective_last(self, mention: Mention) -> bool:
-        return self.text.find(mention.end - 1, "adjective", "trait") is not None and self.text.find(mention.end - 1, "noun") is None or mention.head < mention.end - 1
+        return (self.text.find(mention.end - 1, "adjective", "trait") is not None and self.text.find(mention.end - 1, "noun") is None) or mention.head < mention.end - 1
 
     # Which, and nothing but a part
 
@@ -787,7 +808,7 @@ class Reader:
         """'Which holes are deeper than 11 mm?', 'On which side is the slot?', 'What is the largest hole?'"""
         text = self.text
         start = self.asking[0]
-        side = next((i for i in range(start, len(text) - 1) if text.is_word(i, "which", "what") and (text.is_word(i + 1, "side") or text.is_word(i + 1, "face") and text.is_word(i - 1, "on", "in"))), None)
+        side = next((i for i in range(start, len(text) - 1) if text.is_word(i, "which", "what") and (text.is_word(i + 1, "side") or (text.is_word(i + 1, "face") and text.is_word(i - 1, "on", "in")))), None)
         for index, mention in enumerate([m for m in self.mentions if m.query is not None and m.start >= start][:3]):
             query = mention.query
             assert query is not None

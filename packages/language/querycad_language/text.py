@@ -9,9 +9,7 @@ from .lexicon import Lexicon, Span, lexicon
 from .tokens import Kind, Token, tokenize
 
 CLOSED = frozenset(
-    "function chatter courtesy be do have ask imperative count exists place side_preposition relation behind except negation pronoun where distance "
-    "gap between same article each quantifier seeing center_to_center surface_to_surface minus axis_preposition most least mean total different "
-    "view number ordinal whole_adjective edge origin near far parallel perpendicular density verbs neighbor remaining".split()
+    ["function", "chatter", "courtesy", "be", "do", "have", "ask", "imperative", "count", "exists", "place", "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap", "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus", "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal", "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor", "remaining"]
 )
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))

@@ -118,7 +118,7 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
             tokens += _words(match["word"], names)
         elif match["possessive"]:
             tokens.append(Token("'s", match["possessive"], Kind.POSSESSIVE))
-        elif match["symbol"] == "-" and 0 < match.start() and text[match.start() - 1].isalnum() and text[position : position + 1].isalnum():
+        elif match["symbol"] == "-" and match.start() > 0 and text[match.start() - 1].isalnum() and text[position : position + 1].isalnum():
             continue  # a hyphen parts words
         else:
             tokens.append(_symbol(match["symbol"]))

@@ -14,7 +14,7 @@ from rich.progress import BarColumn, DownloadColumn, TextColumn, TimeRemainingCo
 from rich.progress import Progress as Bars
 from rich.table import Table
 
-from querycad_segworker.vision.weights import (
+from querycad_segworker.segcad.engines.weights import (
     HUB,
     Check,
     Model,

@@ -13,7 +13,7 @@ from typing import Protocol
 
 import httpx
 
-from querycad_segworker.vision.weights import (
+from querycad_segworker.segcad.engines.weights import (
     HUB,
     Check,
     Model,

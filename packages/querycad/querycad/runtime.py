@@ -14,16 +14,16 @@ from querycad_answering.llm import LlmSettings, LlmWriter
 from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelSummary, Program, RunOutcome, RunStatus
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
+from querycad_segworker.grounding.sight import networks_in
 from querycad_segworker.ingest import ingest
+from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import Artefacts, ModelStore
-from querycad_segworker.segcad.local import LocalSegCad
-from querycad_segworker.segcad.sight import networks_in
 from querycad_segworker.summary import summary
 
 from .settings import model_store, weights_folder
 
 if TYPE_CHECKING:
-    from querycad_segworker.vision.ports import VisionOptions
+    from querycad_segworker.segcad.ports import VisionOptions
 
 MODELS_KEPT = 16
 """Models held in memory: a few hundred kilobytes each."""

@@ -8,9 +8,9 @@ from pathlib import Path
 
 from querycad_contracts import Face
 from querycad_segworker.errors import FileProblem
+from querycad_segworker.grounding.old.ground import ground
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, Model, ModelStore
-from querycad_segworker.segcad.ground import ground
 
 from .settings import model_store, weights_folder
 
@@ -32,11 +32,11 @@ def segment(options: argparse.Namespace) -> int:
 
 
 def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, faces: tuple[Face, ...]) -> int:
-    from querycad_segworker.vision.blind import BLIND
-    from querycad_segworker.vision.fuse import sightings
-    from querycad_segworker.vision.known import KnownParts
-    from querycad_segworker.vision.ports import VisionOptions, WeightsAbsent
-    from querycad_segworker.vision.show import SHEET, look_and_draw, save_views
+    from querycad_segworker.grounding.fusion import sightings
+    from querycad_segworker.segcad.engines.blind import BLIND
+    from querycad_segworker.segcad.engines.known import KnownParts
+    from querycad_segworker.segcad.inspection.show import SHEET, look_and_draw, save_views
+    from querycad_segworker.segcad.ports import VisionOptions, WeightsAbsent
 
     numbers = VisionOptions(
         views=options.views,
@@ -60,8 +60,8 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
             return EXIT_BAD_INPUT
         models = KnownParts(len(faces), [part.faces for part in meant.parts], numbers.color_seed).models
     else:
-        from querycad_segworker.vision.sessions import UnknownLayout
-        from querycad_segworker.vision.weights import load_models
+        from querycad_segworker.segcad.engines.sessions import UnknownLayout
+        from querycad_segworker.segcad.engines.weights import load_models
 
         try:
             models = load_models(weights_folder(), numbers.box_threshold)

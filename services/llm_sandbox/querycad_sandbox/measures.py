@@ -27,7 +27,7 @@ def part_measures(part: Part) -> Measures:
     return _present(
         {
             "id": part.id,
-            "kind": part.kind,
+            "kind": part.kind.value,
             "tags": list(part.tags),
             "label": part.label,
             "name": part.name,

@@ -19,13 +19,13 @@ from .brep.step import read_step
 from .brep.tessellate import tessellate
 from .errors import FileProblem
 from .features.recognise import faces_of, recognise
-from .features.thickness import material_thickness
+from .features.sheet.material_thickness import material_thickness
 from .model import Artefacts, Model
 from .orientation import outward
-from .render.raycast import Scene
-from .render.visibility import shows_backs, visible_pixels
-from .segcad.sides import with_sides
 from .vectors import dist
+from .visibility.faces import shows_backs, visible_pixels
+from .visibility.raycast import Scene
+from .visibility.sides import with_sides
 
 LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from pydantic import TypeAdapter
 
-from querycad_contracts import Face, Frozen, Part, Refusal, Shape
+from querycad_contracts import AnswerRecord, Face, Frozen, Part, Refusal, Shape
 
 ARTEFACT_VERSION = 22
 """Raise it whenever recognition or the files below change: older artefacts are then made anew."""
@@ -127,3 +127,14 @@ def file_sha256(path: Path) -> str:
     """What identifies the file's content? Hexadecimal SHA-256."""
     with path.open("rb") as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
+def sheet_name(phrase: str) -> str:
+    """What is the file with the pictures of a phrase called?"""
+    return f"{hashlib.sha256(phrase.encode()).hexdigest()[:32]}.png"
+
+
+def sheets_of(record: AnswerRecord) -> tuple[str, ...]:
+    """Which sheets show what vision saw of this answer? Names of files, each once."""
+    names = (part.evidence.picture for part in record.parts)
+    return tuple(dict.fromkeys(Path(name).name for name in names if name is not None))

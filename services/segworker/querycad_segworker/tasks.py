@@ -43,10 +43,10 @@ from querycad_contracts import (
 )
 
 from .errors import FileProblem
+from .grounding.sight import Networks, networks_in
 from .ingest import IngestLimits, ingest
-from .model import Artefacts, ModelStore
-from .segcad.local import LocalSegCad
-from .segcad.sight import Networks, networks_in, sheets_of
+from .local import LocalSegCad
+from .model import Artefacts, ModelStore, sheets_of
 from .settings import SegworkerSettings
 from .summary import summary
 

@@ -34,3 +34,23 @@ class Tolerances:
         thousand times larger than this. `canonical`: 1e-5 of the diagonal, a tenth of usual drawing tolerances.
         """
         return cls(length=1e-5 * diagonal_m, canonical=1e-5 * diagonal_m)
+
+
+@dataclass(frozen=True, slots=True)
+class Facing:
+    """Which directions go the same way? Cosines of the angle between two unit vectors, above which they do."""
+
+    viewer: float = 0.5
+    """A plane face is turned to the viewer up to 60 degrees: beyond, it shows less than half of itself."""
+    side: float = 0.7
+    """A part points to a side within 45 degrees: it is nearer to it than to any other."""
+    along_view: float = 0.9
+    """One looks along the axis of an arc within 26 degrees: its mouth is seen."""
+    opposed: float = 0.99
+    """The flanks of a slot face each other within 8 degrees, as those of a rib do: draft on both leaves so much."""
+    parallel: float = 0.999
+    """Walls, and the axes of holes in a row, are parallel within 2.5 degrees: one saw cut, one line of sight."""
+
+
+FACING = Facing()
+"""The same for every model: angles do not grow with it."""

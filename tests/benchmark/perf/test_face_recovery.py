@@ -10,9 +10,9 @@ from benchmark.perf.face_recovery import recovery
 from tests.segworker.shapes import Found
 
 from querycad_segworker.brep.step import read_step
-from querycad_segworker.render.renderer import make_renderer
-from querycad_segworker.vision.ports import VisionOptions
-from querycad_segworker.vision.prune import FaceGraph
+from querycad_segworker.segcad.ports import VisionOptions
+from querycad_segworker.segcad.prune import FaceGraph
+from querycad_segworker.visibility.renderer import make_renderer
 
 ROOT = Path(__file__).resolve().parents[3]
 SHARED = ROOT.parent / "shared" / "cad-qa-dev"

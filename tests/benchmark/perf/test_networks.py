@@ -14,7 +14,7 @@ from PIL import Image
 
 from querycad_contracts import GroundedBy
 
-TINY = Path(__file__).parents[2] / "segworker/vision/recorded.tar.xz"
+TINY = Path(__file__).parents[2] / "segworker/segcad/engines/recorded.tar.xz"
 FLANGE = Path(__file__).parents[3] / "examples/flange.step"
 
 

@@ -80,11 +80,19 @@ class BracketSegCad:
         return float(self.parts[part].edge)
 
 
+KIND_OF_NOUN = {
+    "shaft": "boss", "tube": "boss", "flange": "prism", "plate": "prism", "leg": "protrusion", "face": "region",
+    "bolt circle": "pattern",
+}  # fmt: skip
+"""The bracket's parts are of the kind that a question calls them; recognition says so in tags."""
+
+
 def _contract(part: Any) -> Part:
     measures = {name: getattr(part, name) for name in MEASURES if hasattr(part, name)}
     vectors = {name: getattr(part, name) for name in ("axis", "normal", "opening", "tip") if hasattr(part, name)}
     return Part(
-        id=part.id, kind=part.kind, tags=tuple(part.tags), label=part.label, name=part.name, faces=(1,),
+        id=part.id, kind=KIND_OF_NOUN.get(part.kind, part.kind), tags=tuple(part.tags), label=part.label,
+        name=part.name, faces=(1,),
         sides=tuple(Side(side) for side in part.sides), center=part.center, extents=part.extents,
         radii=tuple(getattr(part, "radii", ())), evidence=Evidence(source="geometry", confidence=1.0, reason="by hand"),
         **measures, **vectors,

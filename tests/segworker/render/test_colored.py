@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from tests.segworker.render.conftest import box, tunnel
+from tests.segworker.meshes import box, tunnel
 
 from querycad_contracts import Side
-from querycad_segworker.render.cameras import isometric_camera, side_camera
 from querycad_segworker.render.colored import face_colors, paint
-from querycad_segworker.render.raycast import Scene
+from querycad_segworker.visibility.cameras import isometric_camera, side_camera
+from querycad_segworker.visibility.raycast import Scene
 
 
 @pytest.mark.parametrize("count", [1, 7, 8, 60, 343, 2000])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from tests.segworker.render.conftest import BOTTOM, RIGHT, TOP, box, empty, joined, quads, sphere
+from tests.segworker.meshes import BOTTOM, RIGHT, TOP, box, empty, joined, quads, sphere
 
 from querycad_contracts import Vector
 from querycad_segworker.mesh import Mesh

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from querycad_segworker.render.cameras import Camera, isometric_camera
-from querycad_segworker.render.raycast import IdImage
 from querycad_segworker.render.shading import BAND, INK, shade
+from querycad_segworker.visibility.cameras import Camera, isometric_camera
+from querycad_segworker.visibility.raycast import IdImage
 
 CAMERA: Camera = replace(isometric_camera([(0, 0, 0), (1, 1, 1)], 6, 6), pixel_m=0.1)
 GREY = np.array([[200, 200, 200]], dtype=np.uint8)

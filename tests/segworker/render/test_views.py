@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from tests.segworker.render.conftest import BOTTOM, LEFT, RIGHT, TOP, box, joined, tunnel
+from tests.segworker.meshes import BOTTOM, LEFT, RIGHT, TOP, box, joined, tunnel
 
 from querycad_contracts import Side
-from querycad_segworker.render.raycast import Scene
 from querycad_segworker.render.views import VIEWPOINTS, choose_views, marked_faces
+from querycad_segworker.visibility.raycast import Scene
 
 
 def test_the_usual_isometric_view_is_taken_where_it_shows_all() -> None:

@@ -1,4 +1,5 @@
 """Deterministic feature recognition on the attributed adjacency graph of the B-rep.
 
-One module a family; each has `recognise_<family>(…) -> list[Record]` with frozen records. `recognise.py` runs them all.
+One package a group of families, one module a family; each has `recognise_<family>(…) -> list[Record]` with frozen
+records. `parts` makes the records parts of the model; `recognise.py` runs them all.
 """

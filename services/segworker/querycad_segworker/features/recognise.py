@@ -13,10 +13,8 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_center, box_extents, dist
 
-from .bearings import recognise_bearings
-from .blends import recognise_blends
-from .block_parts import gear_part, hollow_section_part, knurl_part, prism_part, protrusion_part, tooth_parts
-from .bodies import (
+from .assemblies.bearings import recognise_bearings
+from .assemblies.bodies import (
     bearing_part,
     body,
     body_part,
@@ -25,37 +23,46 @@ from .bodies import (
     with_gear_measures,
     with_pipe_measures,
 )
-from .body_thickness import with_body_thickness
-from .bosses import Boss, recognise_bosses
-from .clevises import recognise_clevises
-from .depression import Depression
-from .depression_parts import blend_part, depression_part, turned_groove_part
-from .depressions import recognise_depressions
-from .dimples import recognise_dimples
-from .forks import IsClear
-from .gears import Gear, recognise_gears
-from .grooves import TurnedGroove, recognise_turned_grooves
-from .hole import Hole
-from .hole_parts import dimple_part, hole_part, hole_section_parts, pattern_part
-from .holes import recognise_holes
-from .hollow_sections import beside_sections, recognise_hollow_sections
-from .knurls import recognise_knurls
-from .pads import recognise_pads
-from .parts import rib_part
-from .patterns import recognise_patterns
-from .pipes import beside_pipes, ending_in_bends, recognise_pipes
-from .plates import recognise_plates, without_edgewise
-from .prisms import recognise_prisms
-from .protrusions import recognise_protrusions
-from .refusals import gathering, left_refused, refuse
-from .relations import with_relations
-from .ribs import fins, recognise_lugs, recognise_ribs
-from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
-from .thickness import NO_THICKNESS, Thickness
-from .turned_bodies import TurnedBody, tips_of, turned_body, with_free_tips
-from .united import united
-from .volumes import Volumes
-from .walls import walls
+from .blends.fillets_chamfers import recognise_blends
+from .depressions.clevises import recognise_clevises
+from .depressions.depression import Depression
+from .depressions.dimples import recognise_dimples
+from .depressions.recognise import recognise_depressions
+from .holes.hole import Hole
+from .holes.recognise import recognise_holes
+from .parts.depressions import blend_part, depression_part, turned_groove_part
+from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
+from .parts.patterns import recognise_patterns
+from .parts.protrusions import (
+    gear_part,
+    hollow_section_part,
+    knurl_part,
+    prism_part,
+    protrusion_part,
+    rib_part,
+    tooth_parts,
+)
+from .parts.relations import with_relations
+from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
+from .parts.volumes import Volumes
+from .protrusions.pads import recognise_pads
+from .protrusions.prisms import recognise_prisms
+from .protrusions.protrusions import recognise_protrusions
+from .protrusions.ribs import fins, recognise_lugs, recognise_ribs
+from .shared.clearance import IsClear
+from .shared.merged_faces import united
+from .shared.refusals import gathering, left_refused, refuse
+from .shared.walls import walls
+from .sheet.body_thickness import with_body_thickness
+from .sheet.hollow_sections import beside_sections, recognise_hollow_sections
+from .sheet.material_thickness import NO_THICKNESS, Thickness
+from .sheet.plates import recognise_plates, without_edgewise
+from .turned.bosses import Boss, recognise_bosses
+from .turned.gears import Gear, recognise_gears
+from .turned.grooves import TurnedGroove, recognise_turned_grooves
+from .turned.knurls import recognise_knurls
+from .turned.pipes import beside_pipes, ending_in_bends, recognise_pipes
+from .turned.round_bodies import TurnedBody, tips_of, turned_body, with_free_tips
 
 T = TypeVar("T")
 R = TypeVar("R", Boss, Hole, Gear)

@@ -1,1 +1,1 @@
-"""Pictures of a model and which faces each of their pixels shows."""
+"""Pictures of a model for people and networks, and what viewers draw."""

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from .raycast import IdImage
+from querycad_segworker.visibility.raycast import IdImage
+
 from .shading import BAND, light_on
 
 BACKGROUND_RGB = (255, 255, 255)

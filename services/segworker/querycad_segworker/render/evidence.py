@@ -9,8 +9,7 @@ from PIL import Image
 
 from querycad_contracts import AnswerRecord
 from querycad_segworker.mesh import Mesh
-from querycad_segworker.model import Artefacts
-from querycad_segworker.segcad.sight import sheets_of
+from querycad_segworker.model import Artefacts, sheets_of
 
 from .pictures import Mark, annotate, save_png
 

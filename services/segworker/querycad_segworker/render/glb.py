@@ -10,8 +10,8 @@ import trimesh
 from querycad_segworker.errors import UnreadableFile
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
+from querycad_segworker.visibility.normals import smooth_normals
 
-from .normals import smooth_normals
 from .shading import NEUTRAL
 
 _Z_UP_TO_Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Vector
+from querycad_segworker.visibility.cameras import Camera
+from querycad_segworker.visibility.raycast import IdImage, Scene
 
-from .cameras import Camera
 from .labels import Point, place_balloons, ring_around
 from .palette import readable_on
-from .raycast import IdImage, Scene
 from .shading import NEUTRAL, shade
 from .sheet import MUTED, OVERSAMPLING, Box, Color, Sheet
 from .views import View, camera_at

@@ -12,10 +12,10 @@ from PIL import Image
 
 from querycad_contracts import Vector
 from querycad_segworker.mesh import Mesh
+from querycad_segworker.visibility.raycast import Scene
 
 from .palette import part_colors, readable_on
 from .panels import STRIP, Marked, Panel, draw_panel, needs_detail
-from .raycast import Scene
 from .sheet import MUTED, Box, Color, Sheet
 from .views import MAX_VIEWS, View, choose_views, marked_faces
 

@@ -10,10 +10,10 @@ from PIL import Image
 from querycad_contracts import Side, ViewName
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.model import Artefacts
+from querycad_segworker.visibility.cameras import Camera, isometric_camera, side_camera
+from querycad_segworker.visibility.raycast import Scene
 
-from .cameras import Camera, isometric_camera, side_camera
 from .pictures import save_png
-from .raycast import Scene
 from .shading import NEUTRAL, shade
 
 OVERSAMPLING = 2

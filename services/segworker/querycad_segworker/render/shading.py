@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .cameras import Camera
-from .raycast import IdImage
+from querycad_segworker.visibility.cameras import Camera
+from querycad_segworker.visibility.raycast import IdImage
 
 NEUTRAL = (222, 224, 228)
 """sRGB of what is not marked: light and grey, so that any marked colour stands out and dark lines read well."""

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Side
-
-from .cameras import CORNERS, MARGIN, Camera, corner_camera, side_camera
-from .raycast import Scene
+from querycad_segworker.visibility.cameras import CORNERS, MARGIN, Camera, corner_camera, side_camera
+from querycad_segworker.visibility.raycast import Scene
 
 PREVIEW = (480, 360)
 """Pixels of the images that views are compared on: fourteen of them take as long as one 1920x1080 view."""

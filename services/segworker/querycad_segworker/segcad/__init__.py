@@ -1,1 +1,1 @@
-"""SegCAD: from a description in words to the parts that it means, and to the sides they are visible from."""
+"""SegCAD, as published (QueryCAD paper): `pipeline` runs render, detect, segment, align, prune and merge."""

@@ -1,0 +1,1 @@
+"""Edge treatments: fillets, rounds and chamfers."""

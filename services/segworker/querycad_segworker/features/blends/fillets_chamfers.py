@@ -1,0 +1,249 @@
+"""Edge treatments: fillets and rounds of one radius, and chamfers of one width."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import Box, box_center, box_union, cross, dot, parallel, sub, unit
+
+from .rolling_balls import RolledFace, rolled_face
+
+CHAMFER_ANGLES_RAD = (math.radians(20.0), math.radians(70.0))
+"""A chamfer turns by this much against each neighbour: 45 degrees as a rule, 30 and 60 on lead-ins."""
+BROKEN_EDGE_RAD = (math.radians(60.0), math.radians(120.0))
+"""A chamfer breaks an edge at about a right angle; the roof of a prism and the flanks of a wedge do not."""
+CHAMFER_NEIGHBOURS = 1.5
+"""Both faces that a chamfer joins reach further than its width by this factor; the sides of a polygon do not."""
+CORNER_SHARE = 0.5
+"""What takes more than two thirds of a face away, along its edge, shapes the body rather than breaking its edge."""
+MAX_SECTION = 0.26
+"""A right-angled triangle has at most a quarter of its hypotenuse's square as area."""
+SAME_TURN_RAD = math.radians(3.0)
+"""Corners of a polygon agree in their angle by more than this."""
+CHAMFER_CONE = 1.5
+"""A cone this much wider at one end than at the other is a cone, tip or countersink; edges of shafts and bores are
+broken by 10 to 30 %."""
+
+
+@dataclass(frozen=True, slots=True)
+class Blend:
+    """A chain of blend faces. Metres. `radius` is 0 for a chamfer, whose `width` is measured across its face."""
+
+    kind: str
+    """'fillet' in a concave corner, 'round' on a convex edge, 'chamfer'."""
+    radius: float
+    width: float
+    center: Vector
+    box: Box
+    faces: tuple[int, ...]
+    body: int
+    angle: float | None = None
+    """Radians, of a chamfer: to the larger of the two faces that it joins; 45 degrees as a rule."""
+    radii: tuple[float, ...] = ()
+    """The smallest and the largest, where the radius changes along the edge; `radius` is their middle then."""
+
+
+def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances) -> list[Blend]:
+    """Which fillets, rounds and chamfers does the model have? Neighbouring ones of one size are one; lowest id first.
+
+    `taken`: faces of holes and bosses, whose own chamfers and roundings belong to them.
+    """
+    kinds: dict[int, tuple[str, float]] = {}
+    balls: dict[int, RolledFace] = {}
+    for face in brep.faces:
+        if face.id in taken:
+            continue
+        if is_blend(brep, face):
+            if _is_wall(face):
+                refuse(_kind(face), (face.id,), "it turns by half a circle: a wall of its own")
+                continue
+            radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
+            kinds[face.id] = (_kind(face), radius)
+        elif (rolled := rolled_face(brep, face)) is not None:
+            kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
+            balls[face.id] = rolled
+        elif (width := _chamfer_width(brep, face)) is not None:
+            kinds[face.id] = ("chamfer", width)
+    found, seen = [], set[int]()
+    for start in sorted(kinds):
+        if start in seen:
+            continue
+        kind, size = kinds[start]
+        chain, todo = {start}, [start]
+        while todo:
+            for _, other in brep.neighbours(todo.pop()):
+                if other not in chain and other in kinds and _alike(kinds[other], (kind, size), tolerances):
+                    chain.add(other)
+                    todo.append(other)
+        seen |= chain
+        radii = [r for i in chain if i in balls and balls[i].is_variable for r in balls[i].radii]
+        blend = _blend(brep, kind, size, chain)
+        found.append(replace(blend, radii=(min(radii), max(radii))) if radii else blend)
+    return found
+
+
+def _kind(face: FaceRecord) -> str:
+    return "fillet" if face.outward < 0 else "round"
+
+
+def _is_wall(face: FaceRecord) -> bool:
+    """A face that turns by more than half a circle around its axis is a wall of its own."""
+    return face.kind is SurfaceKind.CYLINDER and face.sweep > math.radians(179.0)
+
+
+def _alike(a: tuple[str, float], b: tuple[str, float], tolerances: Tolerances) -> bool:
+    return a[0] == b[0] and abs(a[1] - b[1]) <= max(0.01 * b[1], 3 * tolerances.length)
+
+
+def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
+    box = box_union(brep.faces[f].box for f in chain)
+    assert box is not None
+    return Blend(
+        kind=kind,
+        radius=0.0 if kind == "chamfer" else size,
+        width=size,
+        center=box_center(box),
+        box=box,
+        faces=tuple(sorted(chain)),
+        body=brep.faces[min(chain)].body,
+        angle=_angle(brep, min(chain)) if kind == "chamfer" else None,
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """What a chamfer meets along one of its long edges: the face there, its reach from that edge, the turn into it."""
+
+    face: FaceRecord
+    reach: float
+    turn: float
+
+
+def _angle(brep: Brep, face: int) -> float:
+    """The turn from a chamfer into the largest face beside it."""
+    low, high = CHAMFER_ANGLES_RAD
+    sides = [(brep.faces[other].area, edge.angle) for edge, other in brep.neighbours(face) if low <= edge.angle <= high]
+    return max(sides)[1]
+
+
+def _chamfer_width(brep: Brep, face: FaceRecord) -> float | None:
+    """The width of a plane or conical strip that breaks an edge, or None when the face is no chamfer.
+
+    It turns by 20 to 70 degrees into each of two faces, and those would meet at about a right angle without it. They
+    reach further than the strip is wide, as on the cut corner of a plate too; beside a strip longer than wide at least
+    half as far, unless it and they are sides of one polygon.
+    """
+    if face.kind is SurfaceKind.PLANE:
+        edges = [brep.edges[e] for e in face.loops[0].edges] if face.loops else []
+    elif face.kind is SurfaceKind.CONE and face.outward > 0 and len(face.loops) <= 2:
+        edges = [brep.edges[e] for e in brep.face_edges[face.id]]
+    else:
+        return None
+    sides = _slanted_sides(face, edges)
+    if len(sides) < 2:
+        return None
+    (first, second), length = sides[:2], (_length(sides[0]) + _length(sides[1])) / 2
+    width = face.area / length if length > 0 else math.inf
+    a, b = (_side(brep, face, edges_along) for edges_along in (first, second))
+    if _length(second) < 0.5 * _length(first) or a.face.id == b.face.id:
+        return None
+    reason = _shapes_body(brep, face, (first, second), (a, b), width, length)
+    if reason is None:
+        return width
+    refuse("chamfer", (face.id,), reason)
+    return None
+
+
+def _shapes_body(
+    brep: Brep,
+    face: FaceRecord,
+    edges: tuple[list[EdgeRecord], list[EdgeRecord]],
+    sides: tuple[_Side, _Side],
+    width: float,
+    length: float,
+) -> str | None:
+    """Why does a slanted strip between two faces shape the body rather than break its edge? None where it breaks it."""
+    (first, second), (a, b) = edges, sides
+    if face.kind is SurfaceKind.CONE:
+        slim = min(a.face.area, b.face.area) >= CHAMFER_NEIGHBOURS * face.area
+        narrow = face.radius <= CHAMFER_CONE * face.minor_radius
+        return None if slim and narrow else "a cone as large as what is beside it shapes the body"
+    low, high = BROKEN_EDGE_RAD
+    if not (low <= a.turn + b.turn <= high and _runs_alike(first[0], second[0])):
+        return "the two faces beside it would not meet at about a right angle"
+    if _has_end_wall(brep, face, width):
+        return "it ends at a wall that belongs to the cut: a step"
+    if min(a.reach, b.reach) >= CHAMFER_NEIGHBOURS * width:
+        return None
+    whole_corner = length >= width and min(a.reach, b.reach) >= CORNER_SHARE * width
+    if whole_corner and not _is_polygon(brep, face, first, second, width):
+        return None
+    return "it takes so much of the faces beside it that it shapes the body"
+
+
+def _slanted_sides(face: FaceRecord, edges: Sequence[EdgeRecord]) -> list[list[EdgeRecord]]:
+    """The edges along which a face turns like a chamfer, by the face on their other side; longest first."""
+    low, high = CHAMFER_ANGLES_RAD
+    by_face: dict[int, list[EdgeRecord]] = defaultdict(list)
+    for edge in edges:
+        if edge.convexity is EdgeConvexity.CONVEX and low <= edge.angle <= high:
+            by_face[next(i for i in edge.faces if i != face.id)].append(edge)
+    return sorted(by_face.values(), key=_length, reverse=True)
+
+
+def _length(edges: Sequence[EdgeRecord]) -> float:
+    return sum(edge.length for edge in edges)
+
+
+def _side(brep: Brep, face: FaceRecord, edges: Sequence[EdgeRecord]) -> _Side:
+    other = brep.faces[next(i for i in edges[0].faces if i != face.id)]
+    along = unit(sub(edges[0].end, edges[0].start))
+    across = cross(other.axis, along)
+    reaches = [abs(dot(sub(p, edges[0].mid), across)) for e in brep.face_edges[other.id] for p in _ends(brep.edges[e])]
+    return _Side(other, max(reaches, default=0.0), edges[0].angle)
+
+
+def _ends(edge: EdgeRecord) -> tuple[Vector, Vector, Vector]:
+    return edge.start, edge.mid, edge.end
+
+
+def _has_end_wall(brep: Brep, face: FaceRecord, width: float) -> bool:
+    """Does it end at a wall that is no larger than the section cut off, hence part of the cut? Then it is a step."""
+    return any(
+        edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].area <= MAX_SECTION * width * width
+        for edge, other in brep.neighbours(face.id)
+    )
+
+
+def _runs_alike(a: EdgeRecord, b: EdgeRecord) -> bool:
+    """Are both straight and parallel?"""
+    straight = a.kind is EdgeKind.LINE and b.kind is EdgeKind.LINE
+    return straight and parallel(unit(sub(a.end, a.start)), unit(sub(b.end, b.start)), math.radians(2.0))
+
+
+def _is_polygon(
+    brep: Brep, face: FaceRecord, first: Sequence[EdgeRecord], second: Sequence[EdgeRecord], width: float
+) -> bool:
+    """Does the outline go on turning by the same angle, behind sides that are hardly wider than this one?"""
+    along = unit(sub(first[0].end, first[0].start))
+    for edges in (first, second):
+        side = _side(brep, face, edges)
+        next_turns = [
+            edge.angle
+            for edge, other in brep.neighbours(side.face.id)
+            if other != face.id
+            and edge.kind is EdgeKind.LINE
+            and edge.convexity is EdgeConvexity.CONVEX
+            and parallel(unit(sub(edge.end, edge.start)), along, math.radians(2.0))
+        ]
+        if side.reach >= CHAMFER_NEIGHBOURS * width or not any(abs(t - side.turn) < SAME_TURN_RAD for t in next_turns):
+            return False
+    return True

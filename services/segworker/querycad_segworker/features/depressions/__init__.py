@@ -1,0 +1,1 @@
+"""What is cut into the material: pockets, slots, notches, grooves of any section, cutouts, cavities."""

@@ -1,0 +1,251 @@
+"""Depressions as groups of faces that meet in concave edges, whether or not their rim is one boundary loop."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence, Set
+from dataclasses import replace
+
+from querycad_contracts import SurfaceKind
+from querycad_segworker.features.shared.adjacency import ConcaveGraph
+from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, Tunnel, tunnel_of, upwards
+from querycad_segworker.features.shared.frames import frame_of, outline_of
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
+from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit
+
+from .depression import ELONGATED, Depression, DepressionKind, depression_in
+from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
+
+CHANNEL_SHARE = 0.5
+"""A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
+
+
+def group_depression(
+    brep: Brep, group: set[int], graph: ConcaveGraph, tolerances: Tolerances, others: Set[int] = frozenset()
+) -> Depression | None:
+    """What do these faces form, which meet in concave edges? None when they form no depression.
+
+    The floor is the plane that the most others stand on. A floor with walls all around makes a pocket, walls that
+    close a ring without a floor a passage, two walls that face each other a slot, channel or notch, two planes alone
+    that open the same way a V slot; whatever else stands on a floor makes a step. `others`: faces of other cuts, beside
+    those of holes; where they break in, the floor counts as closed.
+    """
+    planes = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.PLANE]
+    tunnel = tunnel_of(brep, group)
+    if tunnel is not None and tunnel.closed:
+        return _passage(brep, group, tunnel)
+    if not planes:
+        return None
+    links = {face.id: _wall_links(graph, face.id, group) for face in planes}
+    floor = _floor_under_lips(brep, group, planes, links) or _floor(planes, links)
+    walls = [brep.faces[i] for i in sorted(links[floor.id])]
+    special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
+    if special is not None or not walls:
+        return special
+    pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], floor.axis)
+    if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
+        return _passage(brep, group, tunnel)
+    if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
+        return _round_bottomed(brep, group, tunnel, planes)
+    floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
+    if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
+        return _pocket(brep, group, floors, tolerances)
+    return _open_on_floor(graph, group, floor, walls, pair)
+
+
+def _floor_under_lips(
+    brep: Brep, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
+) -> FaceRecord | None:
+    """The floor of a T slot: below two walls with lips that leave a neck between them."""
+    for floor in planes:
+        walls = [brep.faces[i] for i in links[floor.id] if brep.faces[i].kind is SurfaceKind.PLANE]
+        pair = facing_pair(walls, floor.axis)
+        found = undercut(brep, group, floor, pair) if pair is not None else None
+        if found is not None and found.tag == "t_slot":
+            return floor
+    return None
+
+
+def _floor(planes: Sequence[FaceRecord], links: dict[int, set[int]]) -> FaceRecord:
+    """The plane that the most others stand on.
+
+    The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
+    faces that are all alike, the one facing top, then front, then right.
+    """
+    most = max(len(links[face.id]) for face in planes)
+    largest = max(face.area for face in planes)
+
+    def rank(face: FaceRecord) -> tuple[float, ...]:
+        size = round(face.area / largest, 3) if most > 2 else 0.0
+        return len(links[face.id]), size, dot(face.axis, (0.1, -0.2, 1.0)), face.area
+
+    return max(planes, key=rank)
+
+
+def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
+    """Is it a plane, or a round wall whose axis is upright on the floor?"""
+    return wall.kind is SurfaceKind.PLANE or parallel(wall.axis, floor.axis, 0.1)
+
+
+def _pocket(brep: Brep, group: set[int], floors: Sequence[FaceRecord], tolerances: Tolerances) -> Depression:
+    floor, ids = floors[0], tuple(piece.id for piece in floors)
+    outline, corner = outline_of(brep, floor.loops[0], tolerances)
+    around = tunnel_of(brep, group.difference(ids))
+    if around is not None and (not around.closed or len(floors) > 1):
+        outline = around.outline
+    frame = frame_of(brep, group, floor.axis, floor.loops[0])
+    pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body)
+    return replace(pocket, corner_radius=corner)
+
+
+def _open_on_floor(
+    graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair | None
+) -> Depression | None:
+    """A slot, channel, notch or step: a floor with walls that leave a side open."""
+    if pair is not None:
+        return _between(graph, group, floor, walls, pair)
+    plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
+    round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
+    along = unit(cross(plane_walls[0].axis, floor.axis)) if plane_walls else None
+    if along is not None and norm(along) == 0:
+        return None
+    frame = frame_of(graph.brep, group, floor.axis, None, along)
+    if any(_are_back_to_back(a, b) for i, a in enumerate(plane_walls) for b in plane_walls[i + 1 :]):
+        refuse("step", group, "its walls look away from each other: they are those of what stands on the floor")
+        return None
+    kind = DepressionKind.STEP
+    if any(sum(_meet(graph.brep, wall, end) for end in round_ends) > 1 for wall in plane_walls):
+        kind = DepressionKind.SLOT  # closed at both ends by the round of the cutter, open along one side
+    if not plane_walls:
+        outline = "circular"
+    elif round_ends:
+        outline = "obround" if kind is DepressionKind.SLOT else "free"
+    else:
+        outline = "rectangular" if _is_square(plane_walls) else "free"
+    return depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
+
+
+def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
+    return dot(a.axis, b.axis) < -math.cos(DRAFT_RAD) and dot(sub(b.point, a.point), a.axis) < 0
+
+
+def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:
+    return any(other == b.id for _, other in brep.neighbours(a.id))
+
+
+def _between(
+    graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair
+) -> Depression | None:
+    """A slot, channel or notch: a floor between two walls that face each other."""
+    brep = graph.brep
+    along = unit(cross(pair[0].axis, floor.axis))
+    frame = frame_of(brep, group, floor.axis, None, along)
+    length, _, depth = frame.size
+    width = gap_between(brep, pair, floor)
+    undercuts = undercut(brep, group, floor, pair)
+    if undercuts is not None:
+        width = undercuts.neck_width
+        group = group | undercuts.neck
+        frame = frame_of(brep, group, floor.axis, None, along)
+        depth = frame.size[2]
+    round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
+    plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
+    ends = [w for w in plane_walls if abs(dot(w.axis, along)) > 0.5]
+    outline = "obround" if round_ends else "rectangular" if _is_square(plane_walls) else "free"
+    found = depression_in(DepressionKind.SLOT, outline, frame, group, (floor.id,), floor.body, is_open=True)
+    found = replace(
+        found, width=width, tags=(undercuts.tag,) if undercuts else (), angle=undercuts.angle if undercuts else None
+    )
+    if width > CHANNEL_SHARE * graph.extent(floor.body, pair[0].axis):
+        return replace(found, kind=DepressionKind.CHANNEL)
+    is_cut_through = undercuts is None and not ends and not round_ends
+    if is_cut_through and depth > length and depth >= ELONGATED * width:
+        return _through_slot(brep, group, floor, along, width)
+    if length < width and undercuts is None:
+        return replace(found, kind=DepressionKind.NOTCH)
+    return found
+
+
+def _through_slot(
+    brep: Brep, group: set[int], end: FaceRecord, across: tuple[float, float, float], width: float
+) -> Depression:
+    """A slot cut right through a plate from its edge: what looks like its floor is its end."""
+    frame = frame_of(brep, group, upwards(across), None, end.axis)
+    slot = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (), end.body, is_open=True)
+    return replace(slot, width=width, tags=("through",))
+
+
+def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequence[FaceRecord]) -> Depression | None:
+    """Two flanks and the round between them: a slot with a round bottom, or cut through a plate with a round end."""
+    flanks = facing_pair(planes, None)
+    if flanks is None:
+        return None
+    rounds = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    if not rounds:
+        return None
+    bottom = max(rounds, key=lambda face: face.area)
+    normal = bottom.point_normal
+    frame = frame_of(brep, group, normal, None, tunnel.axis)
+    length, width, depth = frame.size
+    if depth > length and depth >= ELONGATED * width:  # as of slots with flat ends
+        frame = frame_of(brep, group, upwards(tunnel.axis), None, normal)
+        slot = depression_in(DepressionKind.SLOT, "obround", frame, group, (), bottom.body, is_open=True)
+        return replace(slot, tags=("through",), corner_radius=bottom.radius)
+    kind = DepressionKind.NOTCH if length < width else DepressionKind.SLOT
+    found = depression_in(kind, "free", frame, group, (bottom.id,), bottom.body, is_open=True)
+    return replace(found, tags=("u_shaped",), corner_radius=bottom.radius)
+
+
+def _passage(brep: Brep, group: set[int], tunnel: Tunnel) -> Depression:
+    frame = frame_of(brep, group, upwards(tunnel.axis), None)
+    body = brep.faces[min(group)].body
+    is_open = not tunnel.closed
+    return depression_in(DepressionKind.PASSAGE, tunnel.outline, frame, group, (), body, is_open=is_open)
+
+
+def _is_walled_in(
+    graph: ConcaveGraph, floor: FaceRecord, walls: Sequence[FaceRecord], group: set[int], others: Set[int]
+) -> bool:
+    """Do faces of the group, or round ones that bulge in, stand all around the floor, but where other cuts break in?"""
+    if not floor.loops or not floor.loops[0].outer:
+        return False
+    closed, broken = 0, 0
+    for e in floor.loops[0].edges:
+        edge = graph.brep.edges[e]
+        bulges = edge.convexity is EdgeConvexity.CONCAVE and all(
+            graph.brep.faces[f].outward > 0 for f in edge.faces if f not in group
+        )
+        if bulges or (edge.convexity is EdgeConvexity.SMOOTH and set(edge.faces) <= group):
+            closed += 1
+        elif all(other in others or other in graph.taken for other in edge.faces if other != floor.id):
+            broken += 1
+        else:
+            return False
+    if not broken:
+        return closed > 0
+    directions: list[FaceRecord] = []
+    for wall in walls:
+        if wall.kind is not SurfaceKind.PLANE or all(dot(wall.axis, d.axis) < math.cos(0.2) for d in directions):
+            directions.append(wall)
+    return len(directions) > 3 or (len(directions) == 3 and not _is_square(directions))
+
+
+def _is_square(walls: Sequence[FaceRecord]) -> bool:
+    first = walls[0].axis
+    return all(parallel(wall.axis, first, 0.05) or abs(dot(wall.axis, first)) < 0.05 for wall in walls)
+
+
+def _wall_links(graph: ConcaveGraph, face: int, group: set[int]) -> set[int]:
+    """The faces of the group that stand on this one: planes, also over a fillet, and hollow walls with a sharp foot."""
+    found: set[int] = set()
+    pieces = graph.flush(face)
+    for piece in pieces:
+        for other in graph.concave[piece] & group - pieces:
+            if other in graph.blends and not graph.is_sharp(piece, other):
+                found |= {f for f in graph.concave[other] & group if f not in graph.blends and f != piece}
+            else:
+                found.add(other)
+    kinds = (SurfaceKind.PLANE, SurfaceKind.CYLINDER)
+    return {f for f in found if graph.brep.faces[f].kind in kinds and graph.brep.faces[f].outward <= 0}

@@ -1,0 +1,94 @@
+"""What a depression is: a pocket, passage, slot, channel, notch, step, groove or cavity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import StrEnum
+
+from querycad_contracts import Vector
+from querycad_segworker.features.shared.frames import LocalFrame
+
+ELONGATED = 1.5
+"""A depression this much longer than wide is called a slot rather than a pocket or cutout; keyways and mounting slots
+are longer than that (DIN 6885, ISO 15071), square pockets are not."""
+
+
+class DepressionKind(StrEnum):
+    """What an engineer calls it."""
+
+    POCKET = "pocket"
+    """Closed all around, with a floor."""
+    PASSAGE = "passage"
+    """Closed all around, from one face to another."""
+    SLOT = "slot"
+    """Two walls that face each other across a floor, open at one end or both."""
+    CHANNEL = "channel"
+    """As a slot, but so wide that the body is a U section."""
+    STEP = "step"
+    """A floor with walls on one side, or on two that meet in a corner."""
+    NOTCH = "notch"
+    """As a slot, but shorter than wide: cut into the edge of a plate or wall, right through it."""
+    GROOVE = "groove"
+    """Closed on itself around an island that is level with its rim, as for an O-ring in a face."""
+    CAVITY = "cavity"
+    """A void inside the material, without an opening."""
+
+
+@dataclass(frozen=True, slots=True)
+class Depression:
+    """One depression. Metres, frame of the file.
+
+    `normal` points out of its opening. `length`, `width` and `depth` are in its own frame: along it, across it and
+    into the material. `outline` is 'rectangular', 'triangular', 'hexagonal', 'obround', 'circular' … or 'free'.
+    """
+
+    kind: DepressionKind
+    outline: str
+    normal: Vector
+    opening: Vector
+    center: Vector
+    length: float
+    width: float
+    depth: float
+    direction: Vector
+    """Unit direction of its length."""
+    floor: tuple[int, ...]
+    faces: tuple[int, ...]
+    body: int
+    corner_radius: float | None = None
+    is_open: bool = False
+    """Not closed all around: it runs out at a border."""
+    tags: tuple[str, ...] = ()
+    """What else it is called by: 'v_shaped', 't_slot', 'dovetail', 'keyway', 'radial' …"""
+    angle: float | None = None
+    """Radians. Between the flanks of a V, between flank and floor of a dovetail."""
+
+
+def depression_in(
+    kind: DepressionKind,
+    outline: str,
+    frame: LocalFrame,
+    faces: Iterable[int],
+    floor: tuple[int, ...],
+    body: int,
+    *,
+    is_open: bool = False,
+) -> Depression:
+    """The depression that fills the box of its own frame."""
+    length, width, depth = frame.size
+    return Depression(
+        kind=kind,
+        outline=outline,
+        normal=frame.n,
+        opening=frame.point(0.5, 0.5, 1.0),
+        center=frame.point(0.5, 0.5, 0.5),
+        length=length,
+        width=width,
+        depth=depth,
+        direction=frame.u,
+        floor=floor,
+        faces=tuple(sorted(faces)),
+        body=body,
+        is_open=is_open,
+    )

@@ -1,0 +1,173 @@
+"""Slots by their cross-section: V, T, dovetail, and the keyseat of a Woodruff key."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.frames import frame_of
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
+from querycad_segworker.vectors import add, cross, dot, norm, parallel, scale, sub, unit
+
+from .depression import Depression, DepressionKind, depression_in
+
+DRAFT_RAD = math.radians(10.0)
+"""Walls may lean by this draft angle and still stand square on their floor."""
+MAX_LEAN = math.sin(math.radians(50.0))
+"""Flanks that lean more than this are ramps; dovetails have flanks of 45 to 60 degrees to the floor."""
+V_ANGLE_RAD = (math.radians(10.0), math.radians(160.0))
+"""Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
+SAME_WAY = math.cos(math.radians(45.0))
+"""The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
+
+MUCH = 0.25
+"""A face that ends a flank over less than this share of its length is what another cut left there."""
+
+Pair = tuple[FaceRecord, FaceRecord]
+
+
+@dataclass(frozen=True, slots=True)
+class Undercut:
+    """What lies under the lips of a T slot or dovetail. Metres, radians."""
+
+    tag: str
+    neck_width: float
+    neck: frozenset[int]
+    """Faces of the neck, which convex edges part from the rest."""
+    angle: float | None
+    """Between the flanks and the floor of a dovetail."""
+
+
+def facing_pair(walls: Sequence[FaceRecord], normal: Vector | None) -> Pair | None:
+    """The largest two walls that look at each other across a floor with this normal; leaning ones only with it."""
+    best: Pair | None = None
+    for i, a in enumerate(walls):
+        for b in walls[i + 1 :]:
+            if _face_each_other(a, b, normal) and (best is None or a.area + b.area > best[0].area + best[1].area):
+                best = (a, b)
+    return best
+
+
+def _face_each_other(a: FaceRecord, b: FaceRecord, normal: Vector | None) -> bool:
+    if normal is not None and max(abs(dot(a.axis, normal)), abs(dot(b.axis, normal))) > MAX_LEAN:
+        return False
+    side_a, side_b = (_level(wall.axis, normal) for wall in (a, b))
+    return dot(side_a, side_b) < -math.cos(DRAFT_RAD) and dot(sub(b.point, a.point), side_a) > 0
+
+
+def _level(direction: Vector, normal: Vector | None) -> Vector:
+    """The direction within the plane across `normal`."""
+    return direction if normal is None else unit(sub(direction, scale(normal, dot(direction, normal))))
+
+
+def gap_between(brep: Brep, pair: Pair, floor: FaceRecord) -> float:
+    """How wide is a slot between two walls, in metres? Where walls lean, at their upper rims."""
+    side = _level(pair[0].axis, floor.axis)
+    if all(abs(dot(wall.axis, floor.axis)) < 1e-3 for wall in pair):
+        return abs(dot(sub(pair[1].point, pair[0].point), side))
+    rims = []
+    for wall in pair:
+        ends = [p for e in brep.face_edges[wall.id] for p in (brep.edges[e].start, brep.edges[e].end)]
+        top = max(ends, key=lambda p: dot(p, floor.axis))
+        rims.append(dot(top, side))
+    return abs(rims[1] - rims[0])
+
+
+def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) -> Undercut | None:
+    """Is the slot wider below than at its mouth? A T slot by lips above it, a dovetail by leaning flanks."""
+    leans = [dot(wall.axis, floor.axis) for wall in pair]
+    if all(lean < -math.sin(DRAFT_RAD) for lean in leans):
+        return Undercut("dovetail", gap_between(brep, pair, floor), frozenset(), math.acos(min(1.0, -leans[0])))
+    lips = []
+    for wall in pair:
+        above = [
+            brep.faces[other]
+            for edge, other in brep.neighbours(wall.id)
+            if other in group and edge.convexity is EdgeConvexity.CONCAVE
+        ]
+        above = [face for face in above if dot(face.axis, floor.axis) < -math.cos(DRAFT_RAD)]
+        if not above:
+            return None
+        lips.append(max(above, key=lambda face: face.area))
+    necks = _necks(brep, lips, pair)
+    if necks is None:
+        return None
+    width = abs(dot(sub(necks[1].point, necks[0].point), pair[0].axis))
+    return Undercut("t_slot", width, frozenset(neck.id for neck in necks), None)
+
+
+def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
+    """The two walls between the lips of a T slot and its mouth."""
+    found = []
+    for lip, wall in zip(lips, pair, strict=True):
+        beside = [
+            brep.faces[other] for edge, other in brep.neighbours(lip.id) if edge.convexity is EdgeConvexity.CONVEX
+        ]
+        beside = [face for face in beside if dot(face.axis, wall.axis) > math.cos(DRAFT_RAD)]
+        if not beside:
+            return None
+        found.append(max(beside, key=lambda face: face.area))
+    a, b = found
+    return (a, b) if _face_each_other(a, b, None) else None
+
+
+def v_slot(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:
+    """Two flanks that meet at the bottom, also over a small round, and end at two faces that face the same way.
+
+    A wall at right angles to both may close an end.
+    """
+    if not 2 <= len(planes) <= 4 or len(group) > len(planes) + 1:
+        return None
+    for i, a in enumerate(planes):
+        for b in planes[i + 1 :]:
+            slot = _v_between(brep, group, a, b, [p for p in planes if p.id not in (a.id, b.id)])
+            if slot is not None:
+                return slot
+    return None
+
+
+def _v_between(
+    brep: Brep, group: set[int], a: FaceRecord, b: FaceRecord, ends: Sequence[FaceRecord]
+) -> Depression | None:
+    along = unit(cross(a.axis, b.axis))
+    normal = unit(add(a.axis, b.axis))
+    opening_angle = math.pi - math.acos(max(-1.0, min(1.0, dot(a.axis, b.axis))))
+    if norm(along) == 0 or not V_ANGLE_RAD[0] < opening_angle < V_ANGLE_RAD[1]:
+        refuse("slot", group, "two flanks that enclose too much or too little for a V groove")
+        return None
+    if any(not parallel(end.axis, along, math.sin(DRAFT_RAD)) for end in ends):
+        return None
+    first, second = (_beside(brep, face, along, normal) for face in (a, b))
+    if not any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second):
+        return None
+    frame = frame_of(brep, group, normal, None, along)
+    slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a.body, is_open=True)
+    return replace(slot, tags=("v_shaped",), angle=opening_angle)
+
+
+def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[FaceRecord]:
+    """The planes that a flank of a groove ends at over much of its length, of those that face out of the groove."""
+    bounds: list[tuple[float, FaceRecord]] = []
+    for edge, other in brep.neighbours(flank.id):
+        face = brep.faces[other]
+        runs_along = abs(dot(sub(edge.end, edge.start), along)) > 0.98 * edge.length
+        if edge.convexity is EdgeConvexity.CONVEX and face.kind is SurfaceKind.PLANE and runs_along:
+            bounds.append((edge.length, face))
+    longest = max((length for length, _ in bounds), default=0.0)
+    return [face for length, face in bounds if length > MUCH * longest and dot(face.axis, out) > 0.5]
+
+
+def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:
+    """Two parallel walls on a floor that is part of a cylinder across them: cut by a disc, as for a Woodruff key."""
+    rounds = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    if len(planes) != 2 or len(rounds) != 1 or not parallel(rounds[0].axis, planes[0].axis, 1e-2):
+        return None
+    bottom = rounds[0]
+    if facing_pair(planes, None) is None:
+        return None
+    frame = frame_of(brep, group, bottom.point_normal, None, unit(cross(bottom.axis, bottom.point_normal)))
+    slot = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (bottom.id,), bottom.body, is_open=True)
+    return replace(slot, corner_radius=bottom.radius, tags=("woodruff",))

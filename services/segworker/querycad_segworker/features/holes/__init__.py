@@ -1,0 +1,1 @@
+"""Bores with all that lies on their axis."""

@@ -1,0 +1,197 @@
+"""What lies at the two ends of a hole: mouths, roundings, floors, drill points, other bores."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.coaxial_stacks import Stack, radius_at, wall_range
+from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
+from querycad_segworker.vectors import dot, parallel, scale, sub, unit
+
+from .hole import Bottom
+
+CORE_RATIO = 0.5
+"""A boss inside the bore that fills more than this share of its depth leaves a ring: a groove, not a hole."""
+
+WALL_SHARE = 0.5
+"""A bore that takes more than this share of its body is the inside of a tube, and a hole into it goes through a wall;
+a hole into a narrower one ends in it, as the ports of a manifold end in its gallery."""
+
+OBLIQUE_ANGLE = math.radians(3.0)
+"""A hole this far from square on the face it opens in is oblique: more than drafts and position tolerances make."""
+
+
+def opens_high(stack: Stack) -> bool:
+    """Which of a through hole's two ends is the opening?
+
+    The wider one; of two alike the one facing top, then front, then right, however the axis was stored.
+    """
+    ordered = sorted(stack.walls, key=lambda w: wall_range(stack.axis, w))
+    low, high = radius_at(stack.axis, ordered[0], False), radius_at(stack.axis, ordered[-1], True)
+    if abs(high - low) > 1e-3 * max(high, low):
+        return high > low
+    x, y, z = stack.axis.direction
+    for component in (z, -y, x):
+        if abs(component) > 0.05:
+            return component > 0
+    return True
+
+
+def mouth_rounding(brep: Brep, stack: Stack, high: bool) -> tuple[tuple[int, ...], float, float] | None:
+    """Which rounding leads from the wall to the outer face? (faces, position of its outer rim, radius there)."""
+    faces, positions, radii = [], [], []
+    for face_id in stack.high_faces if high else stack.low_faces:
+        face = brep.faces[face_id]
+        coaxial = parallel(face.axis, stack.axis.direction, 1e-2) and stack.axis.radius_of(face.origin) < 1e-2 * max(
+            face.radius, 1e-9
+        )
+        if face.kind is SurfaceKind.TORUS and face.outward > 0 and coaxial:
+            faces.append(face_id)
+            for e in brep.face_edges[face_id]:
+                positions.append(stack.axis.position(brep.edges[e].mid))
+                radii.append(stack.axis.radius_of(brep.edges[e].mid))
+    if not faces:
+        return None
+    return tuple(faces), (max if high else min)(positions), max(radii)
+
+
+def oblique_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
+    """Where does the axis pierce the plane face that the hole opens in, when the two are not square to each other?"""
+    planes = [brep.faces[f] for f in (stack.high_faces if high else stack.low_faces)]
+    planes = [face for face in planes if face.kind is SurfaceKind.PLANE]
+    face = max(planes, key=lambda f: f.area, default=None)
+    if face is None:
+        return None
+    slope = dot(face.axis, stack.axis.direction)
+    if not 0.2 < abs(slope) < math.cos(OBLIQUE_ANGLE):
+        return None
+    return dot(sub(face.point, stack.axis.origin), face.axis) / slope
+
+
+class Bores:
+    """The enclosing concave walls of a model: what a hole may run into."""
+
+    def __init__(self, brep: Brep, walls: Sequence[Wall]) -> None:
+        self._brep = brep
+        self._wall_of: Mapping[int, Wall] = {
+            face: wall for wall in walls if wall.outward < 0 and wall.encloses for face in wall.faces
+        }
+        self._extents: dict[tuple[int, Vector], float] = {}
+
+    def ends_in(self, stack: Stack, high: bool) -> bool:
+        """Does this end of the stack open into another bore, inside the material?"""
+        beyond = stack.high_faces if high else stack.low_faces
+        found = [self._wall_of.get(face) for face in beyond]
+        return bool(found) and all(
+            wall is not None
+            and not parallel(wall.axis.direction, stack.axis.direction, math.radians(10.0))
+            and not self._is_inside_of_tube(wall, stack.axis)
+            for wall in found
+        )
+
+    def pierced(self, stack: Stack, high: bool) -> float | None:
+        """Where along its axis does the stack come through the wall of the bore it ends in? None: past its side."""
+        beyond = stack.high_faces if high else stack.low_faces
+        wall = next((self._wall_of[face] for face in beyond if face in self._wall_of), None)
+        if wall is None or wall.kind is not SurfaceKind.CYLINDER:
+            return None
+        along, out = wall.axis.direction, stack.axis.direction
+        across = sub(out, scale(along, dot(out, along)))
+        start = sub(stack.axis.origin, wall.axis.origin)
+        start = sub(start, scale(along, dot(start, along)))
+        # |start + t across| = radius
+        a, b, c = dot(across, across), dot(start, across), dot(start, start) - wall.radius**2
+        root = b * b - a * c
+        if root < 0 or a <= 0:
+            return None
+        # The bore's axis lies at -b / a: the stack comes from below it where it ends high, else from above.
+        return (-b - math.sqrt(root)) / a if high else (-b + math.sqrt(root)) / a
+
+    def _is_inside_of_tube(self, bore: Wall, axis: Axis) -> bool:
+        return 2 * bore.radius > WALL_SHARE * self._extent(bore.body, axis.direction)
+
+    def _extent(self, body: int, direction: Vector) -> float:
+        """How far does the body reach along a direction, in metres?"""
+        key = (body, direction)
+        if key not in self._extents:
+            edges = {e for face in self._brep.bodies[body].faces for e in self._brep.face_edges[face]}
+            positions = [dot(p, direction) for e in edges for p in (self._brep.edges[e].start, self._brep.edges[e].mid)]
+            self._extents[key] = max(positions, default=0.0) - min(positions, default=0.0)
+        return self._extents[key]
+
+
+def drill_point(stack: Stack, opens_high: bool) -> Wall | None:
+    """Which cone runs to a point at the closed end?"""
+    inner = min(
+        stack.walls, key=lambda w: wall_range(stack.axis, w)[0 if opens_high else 1] * (1 if opens_high else -1)
+    )
+    if inner.kind is SurfaceKind.CONE and radius_at(stack.axis, inner, not opens_high) <= 0.05 * inner.radius:
+        return inner if len(stack.walls) > 1 else None
+    return None
+
+
+def bottom_of(brep: Brep, floor: Sequence[int], point: Wall | None) -> Bottom:
+    """What is a closed end called?"""
+    if point is not None:
+        return Bottom.CONICAL
+    kinds = [brep.faces[face].kind for face in floor]
+    if SurfaceKind.SPHERE in kinds:
+        return Bottom.SPHERICAL
+    if SurfaceKind.CONE in kinds:
+        return Bottom.CONICAL
+    return Bottom.FLAT
+
+
+def closing_faces(brep: Brep, stack: Stack, high: bool) -> tuple[int, ...]:
+    """Which faces beyond an end may close it? Those of a window in the wall meet it in convex edges alone."""
+    own = {face for wall in stack.walls for face in wall.faces}
+    return tuple(
+        face
+        for face in (stack.high_faces if high else stack.low_faces)
+        if any(edge.convexity is not EdgeConvexity.CONVEX for edge, other in brep.neighbours(face) if other in own)
+    )
+
+
+def is_floor(brep: Brep, face_id: int, axis: Axis, radius: float) -> bool:
+    """Does the face close this hole, rather than being a larger face that the hole only ends at?"""
+    (x0, y0, z0), (x1, y1, z1) = brep.faces[face_id].box
+    corners = [(x, y, z) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
+    return max(axis.radius_of(c) for c in corners) <= 1.8 * radius
+
+
+def flats_of(brep: Brep, stack: Stack) -> tuple[int, ...]:
+    """Which flats does a D-shaped bore have? Planes along the axis whose long edges both lie in its wall."""
+    own = {face for wall in stack.walls for face in wall.faces}
+    found = []
+    for face_id in sorted({other for face in own for _, other in brep.neighbours(face)} - own):
+        face = brep.faces[face_id]
+        if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, stack.axis.direction)) > 1e-2:
+            continue
+        along = [
+            (edge, other)
+            for edge, other in brep.neighbours(face_id)
+            if edge.kind is EdgeKind.LINE
+            and parallel(unit(sub(edge.end, edge.start)), stack.axis.direction, 1e-2)
+            and edge.convexity is EdgeConvexity.CONCAVE
+        ]
+        if len(along) == 2 and all(other in own for _, other in along):
+            found.append(face_id)
+    return tuple(found)
+
+
+def core_radius(brep: Brep, floor: Sequence[int], axis: Axis, end: float, depth: float) -> float | None:
+    """Which radius has the coaxial boss that rises from the floor? None when there is none."""
+    for face_id in floor:
+        for edge, other in brep.neighbours(face_id):
+            face = brep.faces[other]
+            if edge.convexity is not EdgeConvexity.CONCAVE or face.outward <= 0:
+                continue
+            if not parallel(face.axis, axis.direction, 1e-2) or axis.radius_of(face.origin) > 1e-2 * face.radius:
+                continue
+            reach = [abs(axis.position(brep.edges[e].mid) - end) for e in brep.face_edges[other]]
+            if max(reach) >= CORE_RATIO * depth:
+                return face.radius
+    return None

@@ -1,0 +1,159 @@
+"""Holes: bores with whatever lies on their axis, from the mouth's chamfer to the drill point, each counted once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from querycad_contracts import SurfaceKind
+from querycad_segworker.features.depressions.windows import recognise_windows
+from querycad_segworker.features.shared.clearance import IsClear
+from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.walls import Wall
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import scale
+
+from .ends import (
+    Bores,
+    bottom_of,
+    closing_faces,
+    core_radius,
+    drill_point,
+    flats_of,
+    is_floor,
+    mouth_rounding,
+    oblique_mouth,
+    opens_high,
+)
+from .hole import Bottom, Hole, SectionKind
+from .line_bores import united_through_walls
+from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
+
+RECESS_RATIO = 0.25
+"""Shallower than this share of its diameter, a blind round recess by itself is a pocket; drilled and bored holes are
+deeper."""
+QUARTER_RAD = math.radians(100.0)
+"""A concave cylinder over less than this is a rounded corner, and nobody takes it for a hole."""
+
+
+def recognise_holes(
+    brep: Brep, walls: Sequence[Wall], tolerances: Tolerances, is_clear: IsClear | None = None
+) -> list[Hole]:
+    """Which holes does the model have? Sorted by their lowest face id.
+
+    A hole is a stack of concave coaxial walls that enclose their axis, of which one at least is a cylinder or cone,
+    and which is open at one end at least. With `is_clear`, bores through the two walls of a fork become one hole.
+    """
+    found = []
+    bores = Bores(brep, walls)
+    windows = recognise_windows(brep, tolerances)
+    keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
+    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
+        if keyholes.issuperset(_faces_of(stack)):
+            refuse("hole", _faces_of(stack), "it is the wide end of a keyhole")
+            continue
+        if all(wall.kind is SurfaceKind.TORUS for wall in stack.walls):
+            refuse("hole", _faces_of(stack), "a hollow torus alone has no straight wall")
+            continue
+        if stack.low_end is End.CLOSED and stack.high_end is End.CLOSED:
+            refuse("hole", _faces_of(stack), "both of its ends are closed")
+            continue
+        hole = _hole(brep, stack, bores, tolerances)
+        if _is_recess(hole):
+            refuse("hole", hole.faces, "it is shallow against its width: a round pocket")
+            continue
+        found.append(hole)
+    for wall in walls:
+        if wall.kind is SurfaceKind.CYLINDER and wall.outward < 0 and not wall.encloses and wall.sweep > QUARTER_RAD:
+            refuse("hole", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
+    if is_clear is not None:
+        found = united_through_walls(found, tolerances, is_clear)
+    return sorted(found, key=lambda hole: hole.faces[0])
+
+
+def _is_recess(hole: Hole) -> bool:
+    """Is it a shallow round pocket with a flat floor, and nothing else on its axis?"""
+    alone = len(hole.sections) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
+    return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
+
+
+def _faces_of(stack: Stack) -> list[int]:
+    return [face for wall in stack.walls for face in wall.faces]
+
+
+def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hole:
+    axis = stack.axis
+    open_both = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    inside_low, inside_high = (bores.ends_in(stack, high) for high in (False, True))
+    if open_both and inside_low != inside_high:
+        high = inside_low
+    else:
+        high = opens_high(stack) if open_both else stack.high_end is End.OPEN
+    inwards = sorted(stack.walls, key=lambda w: wall_range(axis, w), reverse=high)
+    mouth = mouth_rounding(brep, stack, high)
+    far = mouth_rounding(brep, stack, not high) if open_both else None
+    point = drill_point(stack, high)
+    top, end = _ends(brep, stack, high, open_both, [w for w in inwards if w is not point] or inwards)
+    pierced = bores.pierced(stack, not high) if (inside_low if high else inside_high) else None
+    if pierced is not None:
+        end = pierced
+    if mouth is not None:
+        top = (max if high else min)(top, mouth[1])
+    if far is not None:
+        end = (min if high else max)(end, far[1])
+    sections = sections_of(inwards, axis, high, open_both, point, tolerances)
+    spotface = {f for s in sections if s.kind is SectionKind.SPOTFACE for f in s.faces}
+    cylinders = [w for w in inwards if w.kind is SurfaceKind.CYLINDER]
+    steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
+    pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
+    bare = without_ring_thread(steps, tolerances)
+    threaded = bare is not None or pitch is not None
+    if bare is not None:
+        steps = bare
+        sections = tuple(s for s in sections if s.radius >= THREAD_WIDTH * min(bare))
+    bore = min(
+        (w.radius for w in cylinders), default=min(min(w.radius_low, w.radius_high) or w.radius for w in inwards)
+    )
+    floor = () if open_both else closing_faces(brep, stack, not high)
+    faces = {face for w in stack.walls for face in w.faces} | set(stack.shoulders)
+    faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
+    faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}
+    flats = flats_of(brep, stack)
+    faces.update(flats)
+    crosses = (inside_low if high else inside_high) or (inside_low and inside_high)
+    bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
+    oblique = oblique_mouth(brep, stack, high) is not None
+    return Hole(
+        opening=axis.at(top),
+        far_opening=axis.at(end) if open_both else None,
+        normal=axis.direction if high else scale(axis.direction, -1.0),
+        center=axis.at((top + end) / 2),
+        radius=bore,
+        opening_radius=mouth[2] if mouth else radius_at(axis, inwards[0], high),
+        steps=steps,
+        depth=abs(top - end),
+        bottom=bottom,
+        tags=({Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(bottom, "blind"),)
+        + tags_of(sections, steps)
+        + (("threaded",) if threaded else ())
+        + (("rounded",) if mouth is not None else ())
+        + (("oblique",) if oblique else ())
+        + (("d_shaped",) if flats else ())
+        + (("double_d",) if len(flats) == 2 else ()),
+        faces=tuple(sorted(faces)),
+        body=stack.walls[0].body,
+        sections=sections,
+        pitch=pitch,
+        core_radius=None if open_both else core_radius(brep, floor, axis, end, abs(top - end)),
+    )
+
+
+def _ends(brep: Brep, stack: Stack, high: bool, open_both: bool, inwards: Sequence[Wall]) -> tuple[float, float]:
+    """Where along the axis are opening and end? Of oblique mouths, where the axis pierces the face."""
+    ends = [p for w in inwards for p in wall_range(stack.axis, w)]
+    top, end = (stack.high, min(ends)) if high else (stack.low, max(ends))
+    mouth = oblique_mouth(brep, stack, high)
+    far = oblique_mouth(brep, stack, not high) if open_both else None
+    return top if mouth is None else mouth, end if far is None else far

@@ -1,0 +1,119 @@
+"""What are the walls of one hole to each other? Bore, counterbore, spot face, countersink, chamfer, drill point."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from querycad_contracts import SurfaceKind
+from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
+from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.vectors import scale
+
+from .hole import Section, SectionKind
+
+CHAMFER_RATIO = 1.5
+"""A cone at the mouth this much wider than its bore is a countersink, a narrower one a chamfer: heads of countersunk
+screws are about twice as wide as their shank (ISO 10642), edge-breaking chamfers of bores at most some 10 to 30 %."""
+
+COUNTERBORE_RATIO = 1.3
+"""A counterbore for a head is at least this many times as wide as its bore, about 1.7 to 2 times in DIN 974-1; narrower
+steps are seats, of bearings, seals or lenses."""
+
+SPOTFACE_RATIO = 0.25
+"""A counterbore shallower than this share of its diameter only faces the surface: a screw head (ISO 4762) sinks in by
+more than half of its diameter, the lowest cylinder heads (DIN 7984) by a third."""
+
+THREAD_TURNS = 3
+"""So many times must a bore alternate between two radii to be a modelled thread; fewer are grooves for snap rings."""
+
+THREAD_WIDTH = 1.5
+"""The outer diameter of a thread is less than this many times its core: 1.4 for the smallest (ISO 724, M1)."""
+
+
+def sections_of(
+    inwards: Sequence[Wall], axis: Axis, high: bool, through: bool, point: Wall | None, tolerances: Tolerances
+) -> tuple[Section, ...]:
+    """What is each wall? From the opening inwards; `high`: the hole opens at the high end of `axis`."""
+    cylinders = [i for i, wall in enumerate(inwards) if wall.kind is SurfaceKind.CYLINDER]
+    narrow = min((inwards[i].radius for i in cylinders), default=0.0)
+    near = 3 * tolerances.length
+    bores = [i for i in cylinders if inwards[i].radius <= narrow + near] or [len(inwards) - 1]
+    found = []
+    for i, wall in enumerate(inwards):
+        from_far = through and i > bores[-1]
+        outside = inwards[i + 1 :] if from_far else inwards[:i]
+        start_high = high != from_far
+        low_end, high_end = wall_range(axis, wall)
+        start, end = (high_end, low_end) if start_high else (low_end, high_end)
+        radius, end_radius = radius_at(axis, wall, start_high), radius_at(axis, wall, not start_high)
+        if wall is point:
+            kind = SectionKind.DRILL_POINT
+        elif wall.kind is SurfaceKind.CYLINDER:
+            stepped = (i < bores[0] or from_far) and all(w.radius > wall.radius - near for w in outside)
+            kind = SectionKind.BORE if not stepped or wall.radius <= narrow + near else SectionKind.COUNTERBORE
+            inside = inwards[i - 1] if from_far else inwards[min(i + 1, len(inwards) - 1)]
+            deeper = (
+                (inwards[j] for j in reversed(cylinders) if j < i)
+                if from_far
+                else (inwards[j] for j in cylinders if j > i)
+            )
+            below = next(deeper, wall)
+            if kind is SectionKind.COUNTERBORE and _is_spotface(wall, inside, outside):
+                kind = SectionKind.SPOTFACE
+            elif kind is SectionKind.COUNTERBORE and wall.radius < COUNTERBORE_RATIO * below.radius:
+                kind = SectionKind.BORE
+        elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
+            kind = SectionKind.COUNTERSINK if radius >= CHAMFER_RATIO * end_radius else SectionKind.CHAMFER
+        else:
+            kind = SectionKind.BORE
+        normal = axis.direction if start_high else scale(axis.direction, -1.0)
+        found.append(Section(kind, axis.at(start), axis.at(end), radius, end_radius, normal, wall.faces))
+    return tuple(found)
+
+
+def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
+    """The shallow wide first step that only faces the surface around the bore."""
+    first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
+    return first and inside.radius < wall.radius and wall.height < SPOTFACE_RATIO * 2 * wall.radius
+
+
+def without_ring_thread(steps: Sequence[float], tolerances: Tolerances) -> tuple[float, ...] | None:
+    """Which steps are left when those of a thread modelled by rings are one bore? None when there is no such thread.
+
+    Below any counterbore, the bore alternates between two radii that are near each other.
+    """
+    near = 3 * tolerances.length
+    small = min(steps, default=0.0)
+    rings = [r for r in steps if r < THREAD_WIDTH * small]
+    large = max(rings, default=0.0)
+    two_radii = all(abs(r - small) <= near or abs(r - large) <= near for r in rings)
+    if not two_radii or len(rings) <= 2 * THREAD_TURNS:
+        return None
+    return (*(r for r in steps if r >= THREAD_WIDTH * small), small)
+
+
+def different_radii(radii: Sequence[float], tolerances: Tolerances) -> tuple[float, ...]:
+    """Which radii follow each other, neighbours of one radius counted once?"""
+    steps: list[float] = []
+    for radius in radii:
+        if not steps or abs(steps[-1] - radius) > 3 * tolerances.length:
+            steps.append(radius)
+    return tuple(steps)
+
+
+def tags_of(sections: Sequence[Section], steps: Sequence[float]) -> tuple[str, ...]:
+    """Which canonical attributes of the lexicon follow from the order and shape of the walls?"""
+    kinds = {section.kind for section in sections}
+    tags = ["circular"]
+    if all(section.radius != section.end_radius for section in sections):
+        tags.append("conical")
+    if len(steps) > 1:
+        tags.extend(("stepped", "counterbored") if SectionKind.COUNTERBORE in kinds else ("stepped",))
+    if SectionKind.COUNTERSINK in kinds:
+        tags.extend(("countersunk", "beveled"))
+    if SectionKind.CHAMFER in kinds:
+        tags.extend(("chamfered", "beveled"))
+    if SectionKind.SPOTFACE in kinds:
+        tags.append("spotfaced")
+    return tuple(dict.fromkeys(tags))

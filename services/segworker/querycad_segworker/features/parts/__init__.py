@@ -1,0 +1,1 @@
+"""Records of features become parts of the model: their measures, volumes, patterns and relations."""

@@ -1,0 +1,152 @@
+"""Records of what is cut in, and of broken or rounded edges, become parts."""
+
+from __future__ import annotations
+
+import math
+
+from querycad_contracts import Part
+from querycad_segworker.features.blends.fillets_chamfers import Blend
+from querycad_segworker.features.depressions.depression import ELONGATED, Depression, DepressionKind
+from querycad_segworker.features.shared.frames import POLYGONS
+from querycad_segworker.features.shared.part_measures import (
+    ALIGNED,
+    faces_area,
+    faces_box,
+    geometry,
+    millimetres,
+    outlined,
+)
+from querycad_segworker.features.turned.grooves import TurnedGroove
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import box_extents
+
+from .volumes import Volumes
+
+ALONG = frozenset(("rectangular", "obround", "curved"))
+"""Outlines with two sides along each other: what is longer than wide within them is a slot, as no other shape is."""
+_DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
+
+
+def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes) -> Part:
+    """A pocket, cutout, slot, channel, step or notch as a part; its depth goes into the material from the opening."""
+    kind = _DEPRESSION_NAMES.get(found.kind, found.kind.value)
+    through = found.kind is DepressionKind.PASSAGE
+    through = through or "through" in found.tags
+    tags = [found.outline, "through" if through else "blind", "open" if found.is_open else "closed"]
+    if found.length >= ELONGATED * found.width and (found.is_open or found.outline in ALONG):
+        tags.append("elongated")
+    if found.corner_radius is not None and found.outline in POLYGONS.values():
+        tags.append("rounded_corners")
+    tags.extend(tag for tag in found.tags if tag not in tags)
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
+    extents = box_extents(faces_box(brep, found.faces))
+    across_file = found.outline == "rectangular" and not found.is_open
+    is_round = found.outline == "circular" and not found.is_open
+    return Part(
+        id=f"{kind}-{number}",
+        kind=kind,
+        tags=tuple(tags),
+        label=f"{outlined(found.outline, kind)}, {size} mm, depth {millimetres(found.depth)}",
+        faces=found.faces,
+        center=found.center,
+        extents=extents,
+        axis=found.normal,
+        normal=found.normal,
+        radius=found.width / 2 if is_round else found.corner_radius,
+        diameter=found.width if is_round else None,
+        depth=found.depth,
+        width=_width(found) if across_file else found.width,
+        length=found.length,
+        opening=None if found.kind is DepressionKind.CAVITY else found.opening,
+        bottom=_bottom(found, through),
+        local_size=(found.length, found.width, found.depth),
+        angle=found.angle,
+        volume=volumes.of(found),
+        area=faces_area(brep, found.faces),
+        evidence=geometry(
+            f"{len(found.faces)} faces sunk into the material, "
+            + ("closed all around" if not found.is_open else "meeting in concave edges and open at a border")
+        ),
+    )
+
+
+def _bottom(found: Depression, through: bool) -> str | None:
+    if found.kind is DepressionKind.CAVITY:
+        return None
+    return "through" if through else "open" if found.is_open else "flat"
+
+
+def _width(found: Depression) -> float:
+    """The width of something rectangular: along x, or along y where it opens left or right.
+
+    What stands oblique in the file has its own: the smaller of its two dimensions.
+    """
+    opens_sideways = abs(found.normal[0]) > ALIGNED
+    along = abs(found.direction[1 if opens_sideways else 0])
+    aligned = max(abs(c) for c in found.normal) > ALIGNED
+    return found.length if aligned and along > ALIGNED else found.width
+
+
+def turned_groove_part(brep: Brep, found: TurnedGroove, number: int) -> Part:
+    """A groove around a shaft or in a bore; its diameter is that of its bottom, its width that of its mouth."""
+    section = found.section.replace("v_shaped", "V")
+    name = "groove" if found.section == "rectangular" else f"{section} groove"
+    place = "in a bore, " if found.inner else ""
+    return Part(
+        id=f"turned-groove-{number}",
+        kind="groove",
+        tags=("inner" if found.inner else "outer", "annular", "circular", "turned", found.section),
+        label=f"{name}, {place}width {millimetres(found.width)}, bottom diameter {millimetres(2 * found.radius)}",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, found.faces)),
+        axis=found.axis,
+        radius=found.radius,
+        diameter=2 * found.radius,
+        depth=found.depth,
+        width=found.width,
+        angle=found.angle,
+        area=faces_area(brep, found.faces),
+        radii=(found.radius,),
+        evidence=geometry(
+            f"a {section} neck {'wider' if found.inner else 'narrower'} than the walls on both sides of it, on one axis"
+        ),
+    )
+
+
+def blend_part(brep: Brep, found: Blend, number: int) -> Part:
+    """A fillet, round or chamfer."""
+    chamfer = found.kind == "chamfer"
+    measure = _chamfer_measure(found) if chamfer else f"radius {millimetres(found.radius)}"
+    return Part(
+        id=f"{found.kind}-{number}",
+        kind=found.kind,
+        tags=("beveled",) if chamfer else _rounded_tags(found),
+        label=f"{found.kind}, {measure}",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(found.box),
+        radius=None if chamfer else found.radius,
+        diameter=None if chamfer else 2 * found.radius,
+        radii=found.radii,
+        width=found.width if chamfer else None,
+        angle=found.angle,
+        area=faces_area(brep, found.faces),
+        evidence=geometry(
+            f"{len(found.faces)} narrow face(s) between two convex edges"
+            if chamfer
+            else f"{len(found.faces)} face(s) tangent to their neighbours, radius {millimetres(found.radius)}"
+        ),
+    )
+
+
+def _rounded_tags(found: Blend) -> tuple[str, ...]:
+    side = "inner" if found.kind == "fillet" else "outer"
+    return ("rounded", side, "variable") if found.radii else ("rounded", side)
+
+
+def _chamfer_measure(found: Blend) -> str:
+    """As on drawings: leg and angle where it is even, else the width of the face."""
+    if found.angle is not None and abs(found.angle - math.pi / 4) < math.radians(0.5):
+        return f"{millimetres(found.width * math.sqrt(0.5))} x 45 degrees, width {millimetres(found.width)}"
+    return f"width {millimetres(found.width)}"

@@ -1,0 +1,198 @@
+"""Records of what stands out with plane sides become parts: protrusions, prisms, ribs, gears and their teeth."""
+
+from __future__ import annotations
+
+from querycad_contracts import Part
+from querycad_segworker.features.protrusions.prisms import Prism
+from querycad_segworker.features.protrusions.protrusions import Protrusion
+from querycad_segworker.features.protrusions.ribs import Rib
+from querycad_segworker.features.shared.part_measures import (
+    PLATE_RATIO,
+    faces_area,
+    faces_box,
+    geometry,
+    millimetres,
+    outlined,
+    width_of,
+)
+from querycad_segworker.features.sheet.hollow_sections import HollowSection
+from querycad_segworker.features.turned.gears import Gear
+from querycad_segworker.features.turned.knurls import Knurl
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import add, box_center, box_extents, scale
+
+from .volumes import Volumes
+
+
+def protrusion_part(brep: Brep, found: Protrusion, number: int, volumes: Volumes) -> Part:
+    """A protrusion of any outline but a circle."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
+    extents = box_extents(faces_box(brep, found.faces))
+    return Part(
+        id=f"protrusion-{number}",
+        kind="protrusion",
+        tags=(found.outline, *found.tags),
+        label=f"{outlined(found.outline, 'protrusion')}, {size} mm, height {millimetres(found.height)}",
+        faces=found.faces,
+        center=found.center,
+        extents=extents,
+        axis=found.normal,
+        normal=found.normal,
+        height=found.height,
+        width=found.width if "rib" in found.tags else width_of(found.normal, extents, (found.length, found.width)),
+        length=found.length,
+        thickness=found.width if "rib" in found.tags else None,
+        tip=found.tip,
+        local_size=(found.length, found.width, found.height),
+        volume=volumes.of_protrusion(found),
+        area=faces_area(brep, found.faces),
+        evidence=geometry(f"{len(found.faces)} faces that rise from a face inside one of its boundary loops"),
+    )
+
+
+def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
+    """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (prism.length, prism.width))
+    flat = prism.height < PLATE_RATIO * prism.width
+    return Part(
+        id=f"prism-{number}",
+        kind="prism",
+        tags=(prism.outline, *(("plate", "flat") if flat else ())),
+        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {size} mm, height {millimetres(prism.height)}",
+        faces=prism.faces,
+        center=prism.center,
+        extents=prism.extents,
+        axis=prism.normal,
+        normal=prism.normal,
+        height=prism.height,
+        width=prism.width,
+        length=prism.length,
+        thickness=prism.height if flat else None,
+        tip=prism.tip,
+        local_size=(prism.length, prism.width, prism.height),
+        area=faces_area(brep, prism.faces),
+        evidence=geometry(
+            f"{prism.sides} plane sides that meet in convex edges, all the way around one direction"
+            if prism.sides
+            else "two parallel faces that look away from each other, with square walls between them"
+        ),
+    )
+
+
+def hollow_section_part(brep: Brep, found: HollowSection, number: int) -> Part:
+    """A tube with flat sides as a part: length along its axis, thickness of its wall, outer width."""
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (*found.size, found.wall))
+    return Part(
+        id=f"tube-{number}",
+        kind="prism",
+        tags=(found.outline, "hollow", "tube", "slender"),
+        label=f"{outlined(found.outline, 'tube')}, {size} mm, length {millimetres(found.length)}",
+        faces=found.faces,
+        center=found.center,
+        extents=found.extents,
+        axis=found.axis,
+        normal=found.axis,
+        height=found.length,
+        width=found.size[1],
+        length=found.length,
+        thickness=found.wall,
+        tip=add(found.center, scale(found.axis, found.length / 2)),
+        local_size=(found.length, *found.size),
+        area=faces_area(brep, found.faces),
+        evidence=geometry("a hollow with flat walls, each with a face of the outside at one distance behind it"),
+    )
+
+
+def gear_part(brep: Brep, gear: Gear, number: int) -> Part:
+    """A gear as a part: diameter over the tips, width along the axis; `radii` are tip and root."""
+    name = "knurl" if gear.is_knurl else "internal gear" if gear.internal else "gear"
+    return Part(
+        id=f"gear-{number}",
+        kind="gear",
+        tags=("inner" if gear.internal else "outer", *(("knurl",) if gear.is_knurl else ())),
+        label=f"{name}, {len(gear.teeth)} teeth, tip diameter {millimetres(2 * gear.tip_radius)}",
+        faces=gear.faces,
+        center=gear.center,
+        extents=box_extents(faces_box(brep, gear.faces)),
+        axis=gear.axis.direction,
+        radius=gear.tip_radius,
+        diameter=2 * gear.tip_radius,
+        height=gear.width,
+        width=gear.width,
+        length=gear.width,
+        thickness=gear.width,
+        count=len(gear.teeth),
+        radii=(gear.tip_radius, gear.root_radius),
+        children=tuple(f"tooth-{number}.{i}" for i in range(1, len(gear.teeth) + 1)),
+        area=faces_area(brep, gear.faces),
+        evidence=geometry(f"{len(gear.teeth)} equal groups of faces at equal angles around one axis"),
+    )
+
+
+def knurl_part(brep: Brep, knurl: Knurl, number: int) -> Part:
+    """A diamond knurl as a part: diameter over the points, `count` of them around, width along the axis."""
+    return Part(
+        id=f"knurl-{number}",
+        kind="gear",
+        tags=("outer", "knurl", "diamond"),
+        label=f"diamond knurl, diameter {millimetres(2 * knurl.tip_radius)}, width {millimetres(knurl.width)}",
+        faces=knurl.faces,
+        center=knurl.center,
+        extents=box_extents(faces_box(brep, knurl.faces)),
+        axis=knurl.axis.direction,
+        radius=knurl.tip_radius,
+        diameter=2 * knurl.tip_radius,
+        height=knurl.width,
+        width=knurl.width,
+        length=knurl.width,
+        count=knurl.count,
+        radii=(knurl.tip_radius, knurl.root_radius),
+        area=faces_area(brep, knurl.faces),
+        evidence=geometry(f"rows of {knurl.count} low points and more around one axis"),
+    )
+
+
+def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
+    """The teeth of a gear as parts."""
+    height = abs(gear.tip_radius - gear.root_radius)
+    return [
+        Part(
+            id=f"tooth-{number}.{i}",
+            kind="tooth",
+            label=f"tooth {i} of gear {number}",
+            faces=tooth.faces,
+            center=box_center(faces_box(brep, tooth.faces)),
+            extents=box_extents(faces_box(brep, tooth.faces)),
+            height=height,
+            length=gear.width,
+            width=gear.width,
+            tip=tooth.tip,
+            evidence=geometry(f"one of {len(gear.teeth)} equal groups of faces around an axis"),
+        )
+        for i, tooth in enumerate(gear.teeth, start=1)
+    ]
+
+
+def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
+    """A rib or fin; its width is its thickness."""
+    name = "fin" if is_fin else "rib"
+    return Part(
+        id=f"rib-{number}",
+        kind="rib",
+        tags=(("fin",) if is_fin else ()) + ("rectangular",),
+        label=f"{name}, thickness {millimetres(found.thickness)}, height {millimetres(found.height)}, "
+        f"length {millimetres(found.length)}",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, found.faces)),
+        axis=found.normal,
+        normal=found.normal,
+        height=found.height,
+        width=found.thickness,
+        thickness=found.thickness,
+        length=found.length,
+        tip=found.tip,
+        local_size=(found.length, found.thickness, found.height),
+        area=faces_area(brep, found.faces),
+        evidence=geometry("a narrow top face between two parallel flanks that stand on the material"),
+    )

@@ -1,0 +1,152 @@
+"""What a part is to the whole: central, repeated, deep."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+
+from querycad_contracts import Part, Shape
+from querycad_segworker.features.assemblies.fasteners import fasteners
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import OFF_ROUND, line_distance, line_key
+
+from .hierarchy import carried
+
+CENTRAL_SHARE = 0.01
+"""A part is central when its axis passes the middle of the model nearer than this share of the model's extent."""
+MIN_FEET = 2
+"""One thing on the ground is a base."""
+FOOT_SHARE = 0.5
+"""A foot takes less than this share of the model's ground plan; more is a base."""
+UPRIGHT = 0.999
+"""Cosine of the angle to the vertical below which an axis counts as upright: 2.5 degrees."""
+ALL_OF_LEG = 0.99
+"""A block as long as this share of a foot is the foot itself."""
+DEEP_RATIO = 5.0
+"""A hole deeper than five diameters counts as deep in drilling practice."""
+
+
+def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part]:
+    """The same parts with tags for what they are to the whole, and with what they carry as children.
+
+    'central': its axis passes the model's middle. 'repeated': another hole has its size and direction. 'deep'.
+    'grounded': it reaches the model's lowest level. 'foot': it does, as one of several bodies or protrusions that do,
+    while others do not: what the rest stands on; 'leg': the long part of such a foot. 'head': the wide end of a screw,
+    whose body is a 'screw'; 'nut', likewise. 'bolt_circle', 'row', 'grid', 'rectangle': what lies so. 'ringed': a hole
+    with a ring around it. 'vertical', 'horizontal': its axis.
+    """
+    tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
+    fastened = fasteners(parts, brep)
+    structural = [part for part in parts if part.id not in fastened]
+    held = {part_id: found.tags for part_id, found in fastened.items()}
+    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape)):
+        for part_id, names in found.items():
+            tags[part_id].extend(names)
+    carried_by = carried(parts, brep)
+    result = []
+    for part in parts:
+        update: dict[str, object] = dict(fastened[part.id].measures) if part.id in fastened else {}
+        if len(tags[part.id]) > len(part.tags):
+            update["tags"] = tuple(dict.fromkeys(tags[part.id]))
+        if part.id in carried_by:
+            update["children"] = tuple(dict.fromkeys((*part.children, *carried_by[part.id])))
+        result.append(part.model_copy(update=update) if update else part)
+    return result
+
+
+def _place_tags(part: Part, shape: Shape) -> list[str]:
+    """What the part is to the whole model by itself."""
+    tags = []
+    if part.kind == "hole" and part.depth and part.diameter and part.depth > DEEP_RATIO * part.diameter:
+        tags.append("deep")
+    if part.axis is not None and _is_central(part, shape):
+        tags.append("central")
+    if _is_grounded(part, shape):
+        tags.append("grounded")
+    if part.axis is not None and abs(part.axis[2]) > UPRIGHT:
+        tags.append("vertical")
+    elif part.axis is not None and abs(part.axis[2]) < 1 - UPRIGHT:
+        tags.append("horizontal")
+    return tags
+
+
+def _repeated(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
+    """Holes of which another has the size and direction."""
+    groups: dict[tuple[object, ...], list[str]] = defaultdict(list)
+    for part in parts:
+        if part.kind == "hole":
+            groups[_size_key(part, shape)].append(part.id)
+    return {i: ("repeated",) for members in groups.values() if len(members) > 1 for i in members}
+
+
+def _patterned(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
+    """What lies on a bolt circle, in a row or in a grid."""
+    return {child: (part.tags[0],) for part in parts if part.kind == "pattern" for child in part.children}
+
+
+def _ringed(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
+    """Holes with a ring around them: a low hollow boss on a face, rather than a step of the body's own outline."""
+    rings = [
+        part
+        for part in parts
+        if part.kind == "boss" and {"raised", "flat", "hollow"} <= set(part.tags) and "free" not in part.tags
+    ]
+    return {child: ("ringed",) for ring in rings for child in ring.children if child.startswith("hole-")}
+
+
+def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
+    """The tags of feet and legs.
+
+    Feet are the solid bodies that reach the ground while others do not, else the protrusions that do. Where a
+    protrusion is made of several blocks, as a leg on its foot plate, the longest block is the leg.
+    """
+    found: dict[str, tuple[str, ...]] = {}
+    for foot in _feet(parts, shape):
+        own = frozenset(foot.faces)
+        inside = [p for p in parts if p.kind in ("prism", "boss") and p.id != foot.id and own > frozenset(p.faces)]
+        inside = [p for p in inside if p.axis is not None and abs(p.axis[2]) > UPRIGHT and "plate" not in p.tags]
+        longest = max(inside, key=lambda part: part.extents[2], default=foot)
+        # A block that is nearly all of the protrusion is the protrusion itself.
+        leg = foot if longest.extents[2] > ALL_OF_LEG * foot.extents[2] or foot.kind == "body" else longest
+        found[leg.id] = ("leg",)
+        found[foot.id] = (*found.get(foot.id, ()), "foot")
+    return found
+
+
+def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
+    """Several solid bodies that reach the ground while others do not; else several protrusions that do."""
+    for kinds in (("body",), ("boss", "prism", "protrusion")):
+        candidates = _outermost([part for part in parts if part.kind in kinds])
+        grounded = [part for part in candidates if _is_grounded(part, shape)]
+        slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
+        if len(slim) >= MIN_FEET and (kinds != ("body",) or len(slim) < len(candidates)):
+            return slim
+    return []
+
+
+def _outermost(parts: Sequence[Part]) -> list[Part]:
+    """Those whose faces are not all faces of another one."""
+    faces = [frozenset(part.faces) for part in parts]
+    return [
+        part
+        for i, part in enumerate(parts)
+        if not any(faces[i] < other or (faces[i] == other and j < i) for j, other in enumerate(faces) if j != i)
+    ]
+
+
+def _is_grounded(part: Part, shape: Shape) -> bool:
+    lowest = shape.center[2] - shape.extents[2] / 2
+    return part.center[2] - part.extents[2] / 2 - lowest <= CENTRAL_SHARE * shape.extents[2]
+
+
+def _is_central(part: Part, shape: Shape) -> bool:
+    assert part.axis is not None
+    return line_distance(shape.center, part.center, part.axis) <= CENTRAL_SHARE * max(shape.extents)
+
+
+def _size_key(part: Part, shape: Shape) -> tuple[object, ...]:
+    """Same radius to a thousandth of the model, same direction along either way."""
+    assert part.axis is not None
+    assert part.radius is not None
+    step = 1e-4 * max(shape.extents)
+    return round(part.radius * OFF_ROUND / step), line_key(part.axis)

@@ -1,0 +1,217 @@
+"""Prisms: closed rings of plane side faces around the material, such as hexagon heads, octagonal plates and blocks."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, polygon_name
+from querycad_segworker.features.shared.part_measures import faces_box
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.shaft_steps import ALIKE
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import (
+    add,
+    box_center,
+    box_extents,
+    box_of,
+    cross,
+    dot,
+    mean,
+    norm,
+    parallel,
+    scale,
+    sub,
+    unit,
+)
+
+MAX_SIDES = 12
+"""More sides than this are a faceted circle."""
+
+
+@dataclass(frozen=True, slots=True)
+class Prism:
+    """One prism. Metres, frame of the file. `normal` is its axis, from its lower to its upper end."""
+
+    sides: int
+    normal: Vector
+    direction: Vector
+    length: float
+    width: float
+    height: float
+    center: Vector
+    """Of its box along the axes of the file, which has `extents`."""
+    extents: Vector
+    tip: Vector
+    faces: tuple[int, ...]
+    body: int
+    outline: str
+    """What its cross-section is called."""
+
+
+def recognise_prisms(brep: Brep) -> list[Prism]:
+    """Which prisms does the model have? Sorted by lowest face id.
+
+    The side faces of a prism are planes parallel to one direction, of which each meets the next in a convex edge (or
+    a rounding) along that direction, all the way around. A cuboid has three such rings; the one around its shortest
+    direction is kept, as for a plate.
+    """
+    found: list[Prism] = []
+    for direction, links in _links_by_direction(brep).items():
+        seen: set[int] = set()
+        for start in sorted(links):
+            if start in seen:
+                continue
+            ring = _component(links, start)
+            seen |= ring
+            if len(ring) < 3 or not all(len(links[face]) == 2 for face in ring):
+                continue
+            if not _faces_out(brep, ring, direction):
+                refuse("prism", ring, "its sides face each other: the walls of a cut")
+            elif len(ring) > MAX_SIDES:
+                refuse("prism", ring, f"its {len(ring)} sides are those of a faceted circle")
+            else:
+                found.append(_prism(brep, ring, direction))
+    kept: list[Prism] = []
+    for prism in sorted(found, key=lambda p: (p.height, p.faces)):
+        if not any(len(set(prism.faces) & set(other.faces)) >= 2 for other in kept):
+            kept.append(prism)
+    return sorted(kept, key=lambda p: p.faces[0])
+
+
+def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
+    """Pairs of plane faces that meet in a straight convex edge or over a rounding, by the direction of that edge."""
+    links: dict[Vector, dict[int, set[int]]] = defaultdict(lambda: defaultdict(set))
+    for edge in brep.edges:
+        if len(edge.faces) != 2 or edge.kind is not EdgeKind.LINE or edge.convexity is not EdgeConvexity.CONVEX:
+            continue
+        a, b = (brep.faces[i] for i in edge.faces)
+        if a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE:
+            _link(links, unit(sub(edge.end, edge.start)), a, b)
+    for face in brep.faces:
+        if face.kind is SurfaceKind.CYLINDER and face.outward > 0 and is_blend(brep, face):
+            planes = [
+                brep.faces[other]
+                for edge, other in brep.neighbours(face.id)
+                if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.PLANE
+            ]
+            if len(planes) == 2:
+                _link(links, face.axis, planes[0], planes[1])
+    return links
+
+
+def _link(links: dict[Vector, dict[int, set[int]]], direction: Vector, a: FaceRecord, b: FaceRecord) -> None:
+    if a.id == b.id or parallel(a.axis, b.axis, 1e-3):
+        return
+    turned = max(direction, scale(direction, -1.0))
+    key = next((known for known in links if norm(cross(known, turned)) < 1e-3), turned)
+    links[key][a.id].add(b.id)
+    links[key][b.id].add(a.id)
+
+
+def _component(links: dict[int, set[int]], start: int) -> set[int]:
+    group, todo = {start}, [start]
+    while todo:
+        new = links[todo.pop()] - group
+        group |= new
+        todo.extend(new)
+    return group
+
+
+def _faces_out(brep: Brep, ring: set[int], direction: Vector) -> bool:
+    """Do all sides look away from the middle between them?"""
+    corners = _corners(brep, ring, direction)
+    middle = mean([edge.mid for edge in corners])
+    return all(dot(sub(brep.faces[side].point, middle), brep.faces[side].axis) > 0 for side in ring)
+
+
+def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
+    """The edges along the prism in which its sides meet each other, or the roundings between them."""
+    return [
+        edge
+        for side in sorted(ring)
+        for edge, other in brep.neighbours(side)
+        if (other in ring or (brep.faces[other].outward > 0 and is_blend(brep, brep.faces[other])))
+        and edge.kind is EdgeKind.LINE
+        and parallel(unit(sub(edge.end, edge.start)), direction, 1e-3)
+    ]
+
+
+def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
+    """The prism with these sides.
+
+    Of a side that runs on past its corners, level with what the prism stands on, only what lies between them is the
+    prism's.
+    """
+    axis = _upwards(direction)
+    breaks = _edge_breaks(brep, ring, axis)
+    caps = _caps(brep, ring | breaks, axis)
+    corners = _corners(brep, ring, direction)
+    whole = {side for side in ring if not _runs_on(brep, side, corners, axis)}
+    edges = {edge.id for edge in corners} | {e for face in whole | breaks for e in brep.face_edges[face]}
+    frame = frame_of_edges(brep, edges, axis, None)
+    length, width, height = frame.size
+    own = ring | breaks | caps
+    box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in edge_points(brep, e))
+    assert box is not None  # a ring has corners
+    center = box_center(box)
+    return Prism(
+        sides=len(ring),
+        normal=axis,
+        direction=frame.u,
+        length=length,
+        width=width,
+        height=height,
+        center=center,
+        extents=box_extents(box),
+        tip=add(center, scale(axis, dot(sub(frame.point(0.5, 0.5, 1.0), center), axis))),
+        faces=tuple(sorted(own)),
+        body=brep.faces[min(ring)].body,
+        outline=polygon_name([brep.faces[side].axis for side in sorted(ring)]),
+    )
+
+
+def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:
+    """Does a side reach further across than the corners at its two ends?"""
+    across = cross(axis, brep.faces[side].axis)
+    ends = [dot(p, across) for edge in corners if side in edge.faces for p in (edge.start, edge.end)]
+    reach = [dot(p, across) for e in brep.face_edges[side] for p in edge_points(brep, e)]
+    return max(reach) - min(reach) > ALIKE * (max(ends) - min(ends))
+
+
+def _upwards(direction: Vector) -> Vector:
+    """Of the two ways along a line, the one to the top, else to the front, else to the right."""
+    x, y, z = direction
+    sign = next((math.copysign(1.0, c) for c in (z, -y, x) if abs(c) > 0.05), 1.0)
+    return scale(direction, sign)
+
+
+def _edge_breaks(brep: Brep, ring: set[int], axis: Vector) -> set[int]:
+    """Chamfers and roundings between the sides and the ends, of the ring's own size: they belong to the prism."""
+    breaks = set()
+    for side in ring:
+        for edge, other in brep.neighbours(side):
+            face = brep.faces[other]
+            slanted = face.kind is SurfaceKind.PLANE and 0.3 < abs(dot(face.axis, axis)) < 0.95
+            chamfer = slanted and edge.convexity is EdgeConvexity.CONVEX and face.area < 0.5 * brep.faces[side].area
+            rounding = face.outward > 0 and is_blend(brep, face) and edge.convexity is EdgeConvexity.SMOOTH
+            if other not in ring and (chamfer or rounding):
+                breaks.add(other)
+    return breaks
+
+
+def _caps(brep: Brep, around: set[int], axis: Vector) -> set[int]:
+    """The end faces: planes at right angles to the axis that only the prism's own faces bound from outside."""
+    caps = set()
+    for face in {other for side in around for _, other in brep.neighbours(side)} - around:
+        record = brep.faces[face]
+        if record.kind is not SurfaceKind.PLANE or not parallel(record.axis, axis, 1e-2) or not record.loops:
+            continue
+        outer = {other for e in record.loops[0].edges for other in brep.edges[e].faces} - {face}
+        if outer <= around and record.loops[0].outer:
+            caps.add(face)
+    return caps

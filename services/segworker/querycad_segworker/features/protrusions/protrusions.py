@@ -1,0 +1,138 @@
+"""Protrusions of any outline that rise from a face: rectangular and polygonal pads, pins, ribs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.axes import Axis
+from querycad_segworker.features.shared.frames import frame_of, outline_of
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.shaft_steps import ALIKE
+from querycad_segworker.features.shared.walls import REVOLVED
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
+
+RIB_RATIO = 3.0
+"""A protrusion this much longer than thick is a rib, fin or wall."""
+
+
+@dataclass(frozen=True, slots=True)
+class Protrusion:
+    """One protrusion. Metres, frame of the file. `base` and `tip` lie on its middle axis along `normal`."""
+
+    outline: str
+    normal: Vector
+    base: Vector
+    tip: Vector
+    center: Vector
+    length: float
+    width: float
+    height: float
+    direction: Vector
+    faces: tuple[int, ...]
+    body: int
+    tags: tuple[str, ...]
+
+
+def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: Tolerances) -> list[Protrusion]:
+    """Which protrusions have another outline than a circle? Sorted by lowest face id.
+
+    A protrusion is what lies beyond an inner loop of a face when all edges of that loop are concave; round ones, whose
+    walls are all in `round_faces`, are bosses.
+    """
+    found = []
+    for face in brep.faces:
+        for loop in face.loops:
+            if loop.outer:
+                continue
+            group = _beyond(brep, face, loop)
+            walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
+            if not group or walls <= set(round_faces):
+                continue
+            if _is_turned(brep, loop, walls, tolerances):
+                refuse("protrusion", group, "a step or groove turned about an axis")
+            elif not _is_minor(brep, face, group):
+                refuse("protrusion", group, "it is more than half of its body: the rest stands on it")
+            else:
+                found.append(_protrusion(brep, face, loop, group, tolerances))
+    return sorted(found, key=lambda p: p.faces[0])
+
+
+def _is_turned(brep: Brep, rim: Loop, walls: set[int], tolerances: Tolerances) -> bool:
+    """Does a cylinder or cone rise from a circle around its axis, also over a fillet? A boss, or a groove's neck."""
+    faces = [brep.faces[wall] for wall in walls]
+    if any(face.kind not in REVOLVED for face in faces):
+        return False
+    axis = Axis(faces[0].origin, faces[0].axis)
+    near = 10 * tolerances.length
+    circles = [brep.edges[e] for e in rim.edges]
+    if not all(circle.center is not None and axis.radius_of(circle.center) <= near for circle in circles):
+        return False
+    beside = (brep.faces[other] for wall in walls for edge, other in brep.neighbours(wall) if edge.id not in rim.edges)
+    stem = [face for face in (*faces, *beside) if face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE)]
+    return any(Axis(face.origin, face.axis).same_line(axis, tolerances) for face in stem)
+
+
+def _is_minor(brep: Brep, host: FaceRecord, group: set[int]) -> bool:
+    """Does it stand on the body, rather than the body on it?"""
+    body = brep.bodies[host.body]
+    return sum(brep.faces[f].area for f in group) < 0.5 * body.area
+
+
+def _beyond(brep: Brep, host: FaceRecord, loop: Loop) -> set[int]:
+    """The faces on the far side of a loop that rises; empty when it sinks, or when they lead back to the host."""
+    rim = set(loop.edges)
+    first: set[int] = set()
+    for e in loop.edges:
+        edge = brep.edges[e]
+        others = [i for i in edge.faces if i != host.id]
+        if not others:
+            return set()
+        rounded = edge.convexity is EdgeConvexity.SMOOTH and brep.faces[others[0]].outward < 0
+        if edge.convexity is not EdgeConvexity.CONCAVE and not rounded:
+            return set()
+        first.update(others)
+    group, todo = set(first), list(first)
+    while todo:
+        current = todo.pop()
+        for e in brep.face_edges[current]:
+            if e in rim:
+                continue
+            for other in brep.edges[e].faces:
+                if other == host.id:
+                    return first
+                if other not in group:
+                    group.add(other)
+                    todo.append(other)
+    return group
+
+
+def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion:
+    normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
+    frame = frame_of(brep, group, normal, loop)
+    outline, _ = outline_of(brep, loop, tolerances)
+    length, width, height = frame.size
+    return Protrusion(
+        outline=outline,
+        normal=normal,
+        base=frame.point(0.5, 0.5, 0.0),
+        tip=frame.point(0.5, 0.5, 1.0),
+        center=frame.point(0.5, 0.5, 0.5),
+        length=length,
+        width=width,
+        height=height,
+        direction=frame.u,
+        faces=tuple(sorted(group)),
+        body=host.body,
+        tags=tags_of(length, width, height),
+    )
+
+
+def tags_of(length: float, width: float, height: float) -> tuple[str, ...]:
+    """What else is a protrusion of these measures: 'rib', 'slender', 'flat'?"""
+    rib = ("rib",) if length > RIB_RATIO * width else ()
+    if height > ALIKE * max(length, width):
+        return (*rib, "slender")
+    return (*rib, "flat") if height < 0.5 * width else rib

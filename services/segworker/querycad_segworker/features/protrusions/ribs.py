@@ -1,0 +1,233 @@
+"""Ribs and fins: thin walls that stand on the material, with a narrow top face."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.frames import edge_points
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import add, cross, dot, parallel, scale, sub, unit
+
+from .protrusions import RIB_RATIO
+
+RIGHT_ANGLE = (math.radians(75.0), math.radians(105.0))
+"""The flanks of a rib stand about square on its top; casting drafts are below 15 degrees."""
+MAX_RISE = math.sin(math.radians(45.0))
+"""A foot runs along the top; concave edges that rise towards it are the corners of a cut beside it."""
+EDGE_BREAK = 0.1
+"""Flanks that end apart by less than this share of their length differ by an edge break; else one runs on past."""
+NEAR_FOOT = 0.02
+"""What lies below the foot by less than this share of the rib's height still counts as its foot."""
+FINS = 3
+"""So many ribs alike, side by side, are fins."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rib:
+    """One rib or fin. Metres. `thickness` is between its flanks, `height` from its lower foot to its top."""
+
+    thickness: float
+    height: float
+    length: float
+    normal: Vector
+    direction: Vector
+    center: Vector
+    tip: Vector
+    top: int
+    flanks: tuple[int, ...]
+    """Those that end at its foot: two, or the inner one of an outermost fin."""
+    body: int
+
+    @property
+    def faces(self) -> tuple[int, ...]:
+        """All its faces."""
+        return tuple(sorted((self.top, *self.flanks)))
+
+
+def recognise_lugs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
+    """Which walls longer and higher than thick stand on the model, ribs among them? Sorted by lowest face id."""
+    return _standing_walls(brep, tolerances, 1.0)
+
+
+def recognise_ribs(brep: Brep, tolerances: Tolerances) -> list[Rib]:
+    """Which ribs does the model have? Sorted by lowest face id.
+
+    A rib is a plane top face with two parallel flanks that face away from each other, each meeting the top in a
+    convex edge and the material below in a concave one, thin against its height and length. The outermost fins of a
+    row may be flush with what they stand on: there the outer flank has no foot of its own.
+    """
+    return _standing_walls(brep, tolerances, RIB_RATIO)
+
+
+def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float) -> list[Rib]:
+    """Walls on the material that are longer than thick by this ratio."""
+    standing, flush = [], []
+    for top in brep.faces:
+        if top.kind is not SurfaceKind.PLANE:
+            continue
+        sides = _sides(brep, top)
+        if (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 2)) is not None:
+            standing.append(_rib(brep, top, flanks, {flanks[0].id, flanks[1].id}, ratio))
+        elif (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 1)) is not None:
+            flush.append(_rib(brep, top, flanks, {f.id for f in flanks if _stands(brep, f, top)}, ratio))
+    ribs = _widest_tops(brep, [rib for rib in standing if rib is not None])
+    ends = [end for end in flush if end is not None and any(_same_row(brep, end, rib, tolerances) for rib in ribs)]
+    row = [*ribs, *ends]
+    ends = [end for end in ends if sum(_same_row(brep, end, rib, tolerances) for rib in row) >= FINS]
+    return sorted([*ribs, *ends], key=lambda rib: rib.faces[0])
+
+
+def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own: set[int], ratio: float) -> Rib | None:
+    """The rib under a top face, or None where it is not thin. `own`: those of its flanks that end at its foot.
+
+    It reaches as high as both flanks rise above a foot, and as far as both go on side by side there: what else is level
+    with one of them is not its.
+    """
+    a, b = flanks
+    out, along = top.axis, _along(a, top)
+    thickness = dot(sub(a.point, b.point), a.axis)
+    level = max(dot(p, out) for e in brep.face_edges[top.id] for p in edge_points(brep, e))
+    feet = [_foot(brep, flank, top) for flank in flanks if flank.id in own]
+    foot = max(known for known in feet if known is not None)
+    low, high = _side_by_side(*(_reach(brep, flank, along, out, foot) for flank in flanks))
+    height, length = level - foot, high - low
+    if thickness <= 0 or length <= 0:
+        return None
+    if height < thickness or length < ratio * thickness:
+        short = "high" if height < thickness else "long"
+        refuse("rib", {top.id, *own}, f"it is too thick for what it is {short}")
+        return None
+    across = dot(a.point, a.axis) - thickness / 2
+    x, y, z = (scale(d, s) for d, s in ((along, (low + high) / 2), (a.axis, across), (out, (foot + level) / 2)))
+    center = add(add(x, y), z)
+    return Rib(
+        thickness=thickness,
+        height=height,
+        length=length,
+        normal=out,
+        direction=along,
+        center=center,
+        tip=add(center, scale(out, height / 2)),
+        top=top.id,
+        flanks=tuple(sorted(own)),
+        body=top.body,
+    )
+
+
+def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
+    """At which position along the top's normal is the flank's foot: the longest edge it stands on?"""
+    return max(_feet(brep, flank, top), default=(0.0, None), key=lambda foot: foot[0])[1]
+
+
+def _reach(brep: Brep, flank: FaceRecord, along: Vector, out: Vector, foot: float) -> tuple[float, float]:
+    """From where to where along the rib does a flank go above the foot?"""
+    paths = [(edge.start, edge.mid, edge.end) for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
+    highest = max(dot(p, out) for path in paths for p in path)
+    level = foot - NEAR_FOOT * (highest - foot)
+    above = []
+    for start, middle, end in paths:
+        for a, b in ((start, middle), (middle, end)):
+            at_a, at_b = dot(a, out) - level, dot(b, out) - level
+            above += [dot(p, along) for p, at in ((a, at_a), (b, at_b)) if at >= 0]
+            if at_a * at_b < 0:
+                above.append(dot(add(a, scale(sub(b, a), at_a / (at_a - at_b))), along))
+    return min(above), max(above)
+
+
+def _side_by_side(a: tuple[float, float], b: tuple[float, float]) -> tuple[float, float]:
+    """From where to where do two flanks go together? Where one ends a little earlier, to the end of the other."""
+    shorter = min(a[1] - a[0], b[1] - b[0])
+    low = max(a[0], b[0]) if abs(a[0] - b[0]) > EDGE_BREAK * shorter else min(a[0], b[0])
+    high = min(a[1], b[1]) if abs(a[1] - b[1]) > EDGE_BREAK * shorter else max(a[1], b[1])
+    return low, high
+
+
+def _widest_tops(brep: Brep, ribs: Sequence[Rib]) -> list[Rib]:
+    """Of ribs with the same two flanks, those with the largest top: the end faces of a rib are no tops."""
+    best: dict[frozenset[int], tuple[float, Rib]] = {}
+    for rib in ribs:
+        flanks, area = frozenset(rib.flanks), brep.faces[rib.top].area
+        if flanks not in best or area > best[flanks][0]:
+            best[flanks] = (area, rib)
+    return [rib for _, rib in best.values()]
+
+
+def _along(flank: FaceRecord, top: FaceRecord) -> Vector:
+    return unit(cross(flank.axis, top.axis))
+
+
+def _sides(brep: Brep, top: FaceRecord) -> list[tuple[EdgeRecord, FaceRecord]]:
+    """The plane faces that a top face ends at, about square, with the edges there; longest first."""
+    low, high = RIGHT_ANGLE
+    sides = [
+        (edge, brep.faces[other])
+        for edge, other in brep.neighbours(top.id)
+        if edge.convexity is EdgeConvexity.CONVEX
+        and low <= edge.angle <= high
+        and brep.faces[other].kind is SurfaceKind.PLANE
+    ]
+    return sorted(sides, key=lambda side: -side[0].length)
+
+
+def _opposed(
+    sides: Sequence[tuple[EdgeRecord, FaceRecord]], standing: set[int], feet: int
+) -> tuple[FaceRecord, FaceRecord] | None:
+    """The two longest parallel sides that face away from each other, `feet` of them among those standing."""
+    for i, (edge, a) in enumerate(sides):
+        for other_edge, b in sides[i + 1 :]:
+            opposed = dot(a.axis, b.axis) < -0.99 and dot(sub(a.point, b.point), a.axis) > 0
+            alike = other_edge.length > 0.3 * edge.length
+            if a.id != b.id and opposed and alike and len(standing & {a.id, b.id}) == feet:
+                return a, b
+    return None
+
+
+def _stands(brep: Brep, flank: FaceRecord, top: FaceRecord) -> bool:
+    """Does the flank end in a concave edge below the top, and along it?"""
+    return bool(_feet(brep, flank, top))
+
+
+def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, float]]:
+    """The flank's concave edges below the top, and along it: their lengths and positions along the top's normal.
+
+    They are of its outline: what stands on the flank itself, a pin on a plate, is no foot.
+    """
+    level = dot(top.point, top.axis)
+    outline = {edge for loop in flank.loops if loop.outer for edge in loop.edges}
+    return [
+        (edge.length, dot(edge.mid, top.axis))
+        for edge, other in brep.neighbours(flank.id)
+        if edge.id in outline
+        and (
+            edge.convexity is EdgeConvexity.CONCAVE
+            or (edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].outward < 0)
+        )
+        and dot(edge.mid, top.axis) < level
+        and abs(dot(sub(edge.end, edge.start), top.axis)) < MAX_RISE * edge.length
+    ]
+
+
+def _alike(a: Rib, b: Rib, tolerances: Tolerances) -> bool:
+    return (
+        a.body == b.body
+        and abs(a.thickness - b.thickness) <= 0.02 * a.thickness + tolerances.length
+        and parallel(a.direction, b.direction, 0.02)
+        and dot(a.normal, b.normal) > 0.99
+    )
+
+
+def _same_row(brep: Brep, a: Rib, b: Rib, tolerances: Tolerances) -> bool:
+    """Alike, on one level and of one height?"""
+    level = abs(dot(sub(brep.faces[a.top].point, brep.faces[b.top].point), a.normal))
+    near = 0.02 * a.height + tolerances.length
+    return _alike(a, b, tolerances) and level <= near and abs(a.height - b.height) <= near
+
+
+def fins(ribs: Sequence[Rib], tolerances: Tolerances) -> set[int]:
+    """Which ribs (by index) are fins, that is three or more alike that stand parallel in one body?"""
+    return {i for i, a in enumerate(ribs) if sum(_alike(a, b, tolerances) for b in ribs) >= FINS}

@@ -1,0 +1,1 @@
+"""What every family of features rests on: axes, walls, frames, adjacency, outlines, refusals."""

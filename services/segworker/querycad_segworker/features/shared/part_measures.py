@@ -1,0 +1,55 @@
+"""What the parts of all families are described with: boxes, areas, lengths in labels, reasons."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from querycad_contracts import Evidence, Vector
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import Box, box_union
+
+
+def millimetres(length_m: float) -> str:
+    """How is a length written in a label? Millimetres, at most three decimals: '5.5 mm'."""
+    return f"{length_m * 1e3:.3f}".rstrip("0").rstrip(".") + " mm"
+
+
+def faces_box(brep: Brep, faces: Iterable[int]) -> Box:
+    """Which exact box holds these faces?"""
+    box = box_union(brep.faces[face].box for face in faces)
+    if box is None:
+        raise ValueError("a part needs at least one face")
+    return box
+
+
+def faces_area(brep: Brep, faces: Iterable[int]) -> float:
+    """How large are these faces together, in m2?"""
+    return sum(brep.faces[face].area for face in faces)
+
+
+ALIGNED = 0.9998
+"""Cosine of one degree: what deviates less runs along an axis of the file."""
+PLATE_RATIO = 0.35
+"""A body thinner than this share of its smaller other extent is a plate."""
+
+
+def width_of(normal: Vector, extents: Vector, sizes: tuple[float, float]) -> float:
+    """The width of something rectangular: along x, or along y where it faces left or right.
+
+    What stands oblique in the file, or is turned about its normal, has its own: the smaller of its two `sizes`.
+    """
+    along = max(range(3), key=lambda i: abs(normal[i]))
+    width = extents[1] if along == 0 else extents[0]
+    aligned = abs(normal[along]) >= ALIGNED and any(math.isclose(width, size, rel_tol=1 - ALIGNED) for size in sizes)
+    return width if aligned else min(sizes)
+
+
+def outlined(outline: str, name: str) -> str:
+    """How is a part called by its outline? A free outline has no name."""
+    return name if outline == "free" else f"{outline} {name}"
+
+
+def geometry(reason: str) -> Evidence:
+    """The evidence of a part that rests on its geometry alone."""
+    return Evidence(source="geometry", confidence=1.0, reason=reason)

@@ -1,0 +1,1 @@
+"""What has one wall thickness: plates, hollow sections, and how thick they are."""

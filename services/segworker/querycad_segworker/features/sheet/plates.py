@@ -1,0 +1,186 @@
+"""Plates: two parallel faces that look away from each other, with walls square between them, thinner than wide."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind
+from querycad_segworker.features.protrusions.prisms import Prism
+from querycad_segworker.features.protrusions.ribs import Rib
+from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.extruded_walls import upwards
+from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
+from querycad_segworker.features.shared.part_measures import PLATE_RATIO
+from querycad_segworker.features.shared.walls import REVOLVED
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, unit
+
+SQUARE = 1e-2
+"""Sine of the angle by which walls and faces of a plate may deviate from square and parallel."""
+MOST = 0.5
+"""More than this share of a plate's outline is free, and of its face has another across from it; along the rest it runs
+into what it carries or what carries it."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """One face of a plate, with the walls around it and where they end on the other side."""
+
+    face: FaceRecord
+    level: float
+    """Position of the other side along the face's normal."""
+    walls: tuple[int, ...]
+    below: tuple[int, ...]
+    """Faces of the other side."""
+
+
+def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], tolerances: Tolerances) -> list[Prism]:
+    """Which plates of any outline does the model have, beside those that are prisms with plane sides all around?
+
+    Sorted by lowest face id. Round discs are bosses and left to them, thin walls that stand on the material are ribs.
+    """
+    known = [prism for prism in prisms if prism.height < PLATE_RATIO * prism.width]
+    found: list[tuple[float, Prism, set[int]]] = []
+    for face in brep.faces:
+        side = _side(brep, face, tolerances)
+        if side is None or any(_is_one(prism, side) for prism in known):
+            continue
+        if any({face.id, *side.below}.issuperset(rib.flanks) for rib in ribs):
+            continue
+        plate = _plate(brep, side, tolerances)
+        if plate is not None:
+            found.append((face.area, plate, {face.id, *side.below}))
+    kept: list[Prism] = []
+    taken: set[int] = set()
+    for _, plate, faces in sorted(found, key=lambda one: (-one[0], one[1].faces)):
+        if taken.isdisjoint(faces):
+            taken |= faces
+            kept.append(plate)
+    return sorted(kept, key=lambda plate: plate.faces[0])
+
+
+def without_edgewise(prisms: Sequence[Prism], plates: Sequence[Prism]) -> list[Prism]:
+    """Those prisms that are no plates seen along their width: with both faces of a plate among their sides."""
+    return [
+        prism
+        for prism in prisms
+        if not any(
+            abs(dot(prism.normal, plate.normal)) < SQUARE and len(set(prism.faces) & set(plate.faces)) > 2
+            for plate in plates
+        )
+    ]
+
+
+def _is_one(prism: Prism, side: _Side) -> bool:
+    """Does a prism have these faces at its ends, or these walls around it?"""
+    alike = parallel(prism.normal, side.face.axis, SQUARE)
+    return alike and (side.face.id in prism.faces or len(set(prism.faces).intersection(side.walls)) > 1)
+
+
+def _side(brep: Brep, face: FaceRecord, tolerances: Tolerances) -> _Side | None:
+    """The walls that run square from the outline of a face to one level, for most of the outline."""
+    if face.kind is not SurfaceKind.PLANE or not face.loops or not face.loops[0].outer:
+        return None
+    whole, ends = 0.0, list[tuple[float, float, int, int]]()
+    for e in face.loops[0].edges:
+        edge = brep.edges[e]
+        whole += edge.length
+        beyond = [i for i in edge.faces if i != face.id]
+        if len(beyond) != 1:
+            return None
+        other = brep.faces[beyond[0]]
+        rounded = edge.convexity is EdgeConvexity.SMOOTH and other.outward > 0 and is_blend(brep, other)
+        if edge.convexity is EdgeConvexity.CONVEX:
+            ends += [(edge.length, *end) for end in _ends(brep, face, other)]
+        elif rounded:
+            walls = {i for link, i in brep.neighbours(other.id) if link.convexity is EdgeConvexity.SMOOTH} - {face.id}
+            ends += [(edge.length, *end) for wall in walls for end in _ends(brep, face, brep.faces[wall])]
+    near = 10 * tolerances.length
+    best: list[tuple[float, float, int, int]] = []
+    for _, level, _, _ in ends:
+        same = [end for end in ends if abs(end[1] - level) <= near]
+        if _free(same) > _free(best):
+            best = same
+    below = tuple(sorted({end[3] for end in best}))
+    if _free(best) <= MOST * whole or sum(brep.faces[i].area for i in below) < MOST * face.area:
+        return None
+    return _Side(face, best[0][1], tuple(sorted({end[2] for end in best})), below)
+
+
+def _free(ends: Collection[tuple[float, float, int, int]]) -> float:
+    """The length of outline above these ends, each edge counted once."""
+    return sum({(length, wall): length for length, _, wall, _ in ends}.values())
+
+
+def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, int, int]]:
+    """Where an upright wall ends at faces that look the other way: (level, wall, face there)."""
+    if wall.kind is SurfaceKind.PLANE:
+        upright = abs(dot(wall.axis, face.axis)) < SQUARE
+    elif wall.kind is SurfaceKind.CYLINDER:
+        upright = parallel(wall.axis, face.axis, SQUARE)
+    else:
+        upright = wall.kind not in REVOLVED and _is_extruded(brep, face, wall)
+    found = []
+    for edge, other in brep.neighbours(wall.id) if upright else []:
+        beyond = brep.faces[other]
+        if beyond.kind is SurfaceKind.PLANE and dot(beyond.axis, face.axis) < SQUARE - 1:
+            found.append((dot(beyond.point, face.axis), wall.id, other))
+        elif is_blend(brep, beyond) and beyond.outward > 0 and edge.convexity is EdgeConvexity.SMOOTH:
+            for link, last in brep.neighbours(other):
+                under = brep.faces[last]
+                if link.convexity is EdgeConvexity.SMOOTH and under.kind is SurfaceKind.PLANE:
+                    if dot(under.axis, face.axis) < SQUARE - 1:
+                        found.append((dot(under.point, face.axis), wall.id, last))
+    return found
+
+
+def _is_extruded(brep: Brep, face: FaceRecord, wall: FaceRecord) -> bool:
+    """Is a freeform wall bounded by lines along the normal, and by edges in the plane of the face or across it?"""
+    return all(
+        abs(dot(sub(edge.end, edge.start), face.axis)) <= SQUARE * edge.length
+        or (edge.kind is EdgeKind.LINE and parallel(unit(sub(edge.end, edge.start)), face.axis, SQUARE))
+        for edge, _ in brep.neighbours(wall.id)
+    )
+
+
+def _is_within(brep: Brep, wall: int, side: _Side, tolerances: Tolerances) -> bool:
+    """Does a wall end where the plate does, instead of running on past it as the end of a bent sheet?"""
+    points = [p for e in brep.face_edges[wall] for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
+    levels = [dot(point, side.face.axis) for point in points]
+    near = 10 * tolerances.length
+    return side.level - near <= min(levels) and max(levels) <= dot(side.face.point, side.face.axis) + near
+
+
+def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
+    face = side.face
+    top = dot(face.point, face.axis)
+    thickness = top - side.level
+    outline, _ = outline_of(brep, face.loops[0], tolerances)
+    rim = set(face.loops[0].edges)
+    frame = frame_of_edges(brep, rim, face.axis, None)
+    length, width, _ = frame.size
+    if thickness <= 0 or thickness >= PLATE_RATIO * width or outline == "circular":
+        return None
+    down = scale(face.axis, -thickness)
+    low, high_corner = face.box
+    box = box_of((low, high_corner, add(low, down), add(high_corner, down)))
+    assert box is not None  # of four points
+    normal = upwards(face.axis)
+    center = box_center(box)
+    high = max(dot(normal, face.axis) * top, dot(normal, face.axis) * side.level)
+    return Prism(
+        sides=0,
+        normal=normal,
+        direction=frame.u,
+        length=length,
+        width=width,
+        height=thickness,
+        center=center,
+        extents=box_extents(box),
+        tip=add(center, scale(normal, high - dot(center, normal))),
+        faces=tuple(sorted({face.id, *side.below, *(w for w in side.walls if _is_within(brep, w, side, tolerances))})),
+        body=face.body,
+        outline=outline,
+    )

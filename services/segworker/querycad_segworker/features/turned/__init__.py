@@ -1,0 +1,1 @@
+"""What is round or toothed about an axis: bosses, shafts, grooves, gears, knurls, pipes."""

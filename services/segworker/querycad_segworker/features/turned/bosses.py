@@ -1,0 +1,318 @@
+"""Bosses: cylindrical and conical steps that stand out of the material, from a flat disc to a long shaft."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
+from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
+from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
+from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import parallel, scale
+
+SLENDER = 1.0
+"""Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
+TUBE_RATIO = 0.5
+"""A bore of more than half the diameter makes a tube; below that it is a shaft or boss with a bore."""
+FLANGE_RATIO = 1.2
+"""A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Boss:
+    """One step that stands out. Metres, frame of the file.
+
+    `normal` points from `base` to `tip` along the axis. `radius` is the widest, `tip_radius` that at the tip.
+    `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
+    runs through the step. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
+    """
+
+    base: Vector
+    tip: Vector
+    normal: Vector
+    radius: float
+    tip_radius: float
+    height: float
+    tags: tuple[str, ...]
+    faces: tuple[int, ...]
+    body: int
+    hole: int | None
+    bore_radius: float | None
+    breaks: tuple[Section, ...]
+    step_of: int
+    pitch: float | None = None
+    """Of a modelled thread, along the axis."""
+    lean: float = 0.0
+    """Between a cone's wall and its axis, radians."""
+    tips: tuple[Vector, ...] = ()
+    """All free ends of its axis, where they are more than `tip`."""
+
+
+_CYLINDRICAL = (SectionKind.BORE, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
+
+
+def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], tolerances: Tolerances) -> list[Boss]:
+    """Which round protrusions does the model have? One record a step, sorted by lowest face id.
+
+    A step is a convex cylinder or cone that encloses its axis; roundings and chamfers at its ends belong to it, and the
+    two sides of a groove turned into it are one step.
+    """
+    found: list[Boss] = []
+    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses):
+        steps = _steps(stack, tolerances)
+        found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
+    for wall in walls:
+        if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and not wall.encloses and wall.sweep > math.pi / 2:
+            refuse("boss", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
+    return sorted(found, key=lambda boss: boss.faces[0])
+
+
+def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
+    """The steps in order along the axis; walls of one radius with nothing but a groove between them are one."""
+    steps: list[list[Wall]] = []
+    grooved = False
+    for wall in sorted(stack.walls, key=lambda w: wall_range(stack.axis, w)):
+        if is_neck(wall, stack) or is_flank(wall, stack):
+            grooved = True
+            continue
+        if not _is_step(wall, stack):
+            if wall.kind is SurfaceKind.CONE:
+                refuse("boss", wall.faces, "a cone this low breaks the edge of the cylinder beside it")
+            continue
+        alike = bool(steps) and SurfaceKind.CYLINDER is wall.kind is steps[-1][-1].kind
+        if alike and grooved and abs(steps[-1][-1].radius - wall.radius) <= 3 * tolerances.length:
+            steps[-1].append(wall)
+        else:
+            steps.append([wall])
+        grooved = False
+    return [tuple(step) for step in steps]
+
+
+def _is_step(wall: Wall, stack: Stack) -> bool:
+    """A cylinder is; a cone is unless it merely breaks the edge of a cylinder next to it."""
+    if wall.kind is SurfaceKind.CYLINDER:
+        return True
+    cylinders = [w for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
+    return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in cylinders)
+
+
+def is_neck(wall: Wall, stack: Stack) -> bool:
+    """Is it the bottom of a groove turned into a shaft: shorter than its diameter, between two wider walls?"""
+    low, high = wall_range(stack.axis, wall)
+    if wall.height >= 2 * wall.radius:
+        return False
+    below = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[1] <= low + 0.01 * wall.height]
+    above = [w for w in stack.walls if w is not wall and wall_range(stack.axis, w)[0] >= high - 0.01 * wall.height]
+    return all(any(w.radius > 1.001 * wall.radius for w in side[-1:]) for side in (below, above[:1]))
+
+
+def is_flank(wall: Wall, stack: Stack) -> bool:
+    """Is it one of two cones that meet at the bottom of a V, turned into a cylinder on both sides of them?"""
+    if wall.kind is not SurfaceKind.CONE:
+        return False
+    low, high = wall_range(stack.axis, wall)
+    near = 0.01 * wall.height
+    narrow_high = radius_at(stack.axis, wall, True) < radius_at(stack.axis, wall, False)
+    for other in stack.walls:
+        if other is wall or other.kind is not SurfaceKind.CONE:
+            continue
+        a, b = wall_range(stack.axis, other)
+        bottom, there = (high, a) if narrow_high else (low, b)
+        radius = radius_at(stack.axis, wall, narrow_high)
+        meet = abs(bottom - there) <= near and abs(radius_at(stack.axis, other, not narrow_high) - radius) <= near
+        if meet and radius_at(stack.axis, other, narrow_high) > radius + near:
+            ends = sorted((low, high, a, b))
+            cylinders = [wall_range(stack.axis, w) for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
+            below = any(abs(top - ends[0]) <= near for _, top in cylinders)
+            return below and any(abs(foot - ends[-1]) <= near for foot, _ in cylinders)
+    return False
+
+
+def _boss(
+    brep: Brep,
+    stack: Stack,
+    steps: Sequence[tuple[Wall, ...]],
+    step: tuple[Wall, ...],
+    holes: Sequence[Hole],
+    tolerances: Tolerances,
+) -> Boss:
+    axis, wall = stack.axis, step[0]
+    tip_high = _tip_is_high(stack, wall)
+    low, high = wall_range(axis, step[0])[0], wall_range(axis, step[-1])[1]
+    faces = {face for part in step for face in part.faces}
+    own = set(faces)
+    breaks = []
+    # Edge breaks next to the wall lengthen it to the shoulder or end face that they run into.
+    for other in stack.walls:
+        if any(other in members for members in steps) or is_neck(other, stack) or is_flank(other, stack):
+            continue
+        a, b = wall_range(axis, other)
+        near = 3 * tolerances.length
+        if abs(a - high) <= near or abs(b - low) <= near:
+            at_high = abs(a - high) <= near
+            low, high = (low, b) if at_high else (a, high)
+            faces.update(other.faces)
+            if other.kind is SurfaceKind.CONE:
+                breaks.append(_break(axis, other, at_high))
+    low, high = _domed(brep, stack, low, high, faces)
+    tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
+    free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    for end in (tip, base) if free else (tip,):
+        end_face = _end_face(brep, axis, wall, axis.position(end), stack)
+        if end_face is not None:
+            faces.add(end_face)
+    hole = _hole_in(holes, axis, wall, tip, base)
+    bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
+    return Boss(
+        base=base,
+        tip=tip,
+        normal=axis.direction if tip_high else scale(axis.direction, -1.0),
+        radius=wall.radius,
+        tip_radius=radius_at(axis, wall, tip_high),
+        height=high - low,
+        tags=_tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own)),
+        faces=tuple(sorted(faces)),
+        body=wall.body,
+        hole=hole,
+        bore_radius=bore_radius,
+        breaks=tuple(breaks),
+        step_of=len(steps),
+        lean=math.atan2(abs(wall.radius_high - wall.radius_low), wall.height),
+        pitch=next((part.pitch for part in step if part.pitch is not None), None),
+    )
+
+
+def _tags(
+    stack: Stack,
+    steps: Sequence[tuple[Wall, ...]],
+    step: tuple[Wall, ...],
+    height: float,
+    bore_radius: float | None,
+    *,
+    on_both: bool,
+) -> tuple[str, ...]:
+    """Canonical attributes of the lexicon, from the step's own proportions and from its neighbours.
+
+    `on_both`: something narrower stands on both of its end faces, whatever its outline.
+    """
+    radius = step[0].radius
+    place = steps.index(step)
+    free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    ends = ((stack.low_end, 0), (stack.high_end, len(steps) - 1))
+    undercut = any(end is End.CLOSED and place == last for end, last in ends)
+    beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
+    flat = height < FLAT * 2 * radius and not goes_on(steps, place)
+    tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
+    if height > SLENDER * 2 * radius * (1 + 1e-6):
+        tags.append("slender")
+    if flat:
+        tags.append("flat")
+    if any(part.pitch is not None for part in step):
+        tags.append("threaded")
+    if bore_radius is not None:
+        tags.append("hollow")
+        if not flat and bore_radius >= TUBE_RATIO * radius:
+            tags.append("tube")
+    if free:
+        tags.append("free")
+    if len(steps) > 1:
+        tags.append("stepped")
+    between = flat and undercut and any(other > ALIKE * radius for other in beside)
+    if between:
+        tags.append("undercut")
+    elif not free or any(other > ALIKE * radius for other in beside):
+        tags.append("raised")
+    if flat and beside and radius > FLANGE_RATIO * max(beside):
+        tags.append("flange")
+    if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
+        tags.append("collar")
+    return tuple(tags)
+
+
+def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
+    """A chamfer at one end of a step: it starts at that end."""
+    low, high = wall_range(axis, wall)
+    start, end = (high, low) if at_high else (low, high)
+    return Section(
+        kind=SectionKind.CHAMFER,
+        start=axis.at(start),
+        end=axis.at(end),
+        radius=radius_at(axis, wall, at_high),
+        end_radius=radius_at(axis, wall, not at_high),
+        normal=axis.direction if at_high else scale(axis.direction, -1.0),
+        faces=wall.faces,
+    )
+
+
+def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -> tuple[float, float]:
+    """The step's range with the round caps on its ends, whose faces are added to `faces`."""
+    for at_high in (False, True):
+        if abs((stack.high if at_high else stack.low) - (high if at_high else low)) > 1e-3 * (high - low):
+            continue
+        for face_id in stack.high_faces if at_high else stack.low_faces:
+            face = brep.faces[face_id]
+            on_axis = stack.axis.radius_of(face.origin) < 0.02 * max(face.radius, 1e-12)
+            if face.kind is SurfaceKind.SPHERE and face.outward > 0 and on_axis:
+                top = stack.axis.position(face.origin) + (face.radius if at_high else -face.radius)
+                low, high = (low, max(high, top)) if at_high else (min(low, top), high)
+                faces.add(face_id)
+    return low, high
+
+
+def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
+    """The radius of the hole where most of it runs through the step between `low` and `high`."""
+    best, widest = hole.radius, 0.0
+    for section in hole.sections:
+        a, b = sorted((axis.position(section.start), axis.position(section.end)))
+        overlap = min(b, high) - max(a, low)
+        if section.kind in _CYLINDRICAL and overlap > widest * 1.001:
+            best, widest = section.radius, overlap
+    return best
+
+
+def _tip_is_high(stack: Stack, wall: Wall) -> bool:
+    """Which end is free?
+
+    The open one; with both open, the one away from the widest wall; else the end facing top, then front, then right.
+    """
+    if (stack.low_end is End.OPEN) != (stack.high_end is End.OPEN):
+        return stack.high_end is End.OPEN
+    widest = max(stack.walls, key=lambda w: w.radius)
+    if widest is not wall and widest.radius > 1.001 * wall.radius:
+        return sum(wall_range(stack.axis, wall)) > sum(wall_range(stack.axis, widest))
+    x, y, z = stack.axis.direction
+    return next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True)
+
+
+def _end_face(brep: Brep, axis: Axis, wall: Wall, position: float, stack: Stack) -> int | None:
+    """The plane that closes an end, where it is not wider than the step."""
+    for face_id in {*stack.low_faces, *stack.high_faces, *stack.shoulders}:
+        face = brep.faces[face_id]
+        if face.kind is not SurfaceKind.PLANE or not parallel(face.axis, axis.direction, 1e-2):
+            continue
+        (x0, y0, z0), (x1, y1, z1) = face.box
+        reach = max(axis.radius_of((x, y, z)) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1))
+        near = abs(axis.position(face.point) - position) <= 0.02 * max(wall.height, wall.radius)
+        if near and reach <= 1.5 * wall.radius:
+            return face_id
+    return None
+
+
+def _hole_in(holes: Sequence[Hole], axis: Axis, wall: Wall, tip: Vector, base: Vector) -> int | None:
+    """The coaxial hole that opens in the tip or runs through the step."""
+    for index, hole in enumerate(holes):
+        if hole.body != wall.body or hole.is_ring or not parallel(hole.normal, axis.direction, 1e-2):
+            continue
+        if axis.radius_of(hole.opening) > 0.02 * wall.radius or hole.radius >= wall.radius:
+            continue
+        ends = [axis.position(hole.opening), axis.position(hole.center) * 2 - axis.position(hole.opening)]
+        a, b = sorted((axis.position(tip), axis.position(base)))
+        if min(b, max(ends)) - max(a, min(ends)) > 0.25 * (b - a):
+            return index
+    return None

@@ -1,0 +1,124 @@
+"""How does a part stand to the place that a description names: in it, on it, beside it, between two of them?"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+from querycad_contracts import Part, PartKind, Side
+from querycad_segworker.tolerances import FACING
+from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
+
+TOUCH_M = 1e-6
+"""Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
+MADE_OF = ("pattern", "gear")
+"""Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
+
+
+def stands_out(part: Part) -> bool:
+    """Can others lie beside it, or it on others: does it rise from the material, or is it a body?"""
+    return part.kind.stands_out or part.kind is PartKind.BODY
+
+
+def carries(place: Part, part: Part) -> bool:
+    """Does the part open on or stand on the faces of the place, or is it made of some of them?"""
+    return part.id in place.children or set(part.faces) < set(place.faces)
+
+
+def is_inside(part: Part, place: Part) -> bool:
+    """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?
+
+    In a pattern of such parts, and in a gear of teeth, is what belongs to it.
+    """
+    if place.kind in MADE_OF and any(child.startswith(f"{part.kind}-") for child in place.children):
+        return part.id in place.children
+    points = [part.center] if part.opening is None else [part.center, part.opening]
+    return (
+        part.id in place.children
+        or set(part.faces) < set(place.faces)
+        or any(
+            all(
+                abs(c - middle) <= extent / 2 + TOUCH_M
+                for c, middle, extent in zip(point, place.center, place.extents, strict=True)
+            )
+            for point in points
+        )
+    )
+
+
+def next_to(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+    """Those whose boxes meet that of a holder."""
+    return [p for p in found if any(h.id != p.id and touches(p, h) for h in holders)]
+
+
+def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
+    """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
+    if carried := [p for p in found if any(carries(h, p) and not (relation == "on" and _is_of(p, h)) for h in holders)]:
+        return carried
+    if relation == "on":
+        standing = [p for p in found if stands_out(p) or p.kind is PartKind.CYLINDER]
+        on = [p for p in standing if any(touches(p, h) and not is_inside(p, h) for h in holders)]
+        if on:
+            return on
+    inside = [p for p in found if any(is_inside(p, h) or h.id in _members(p) for h in holders)]
+    return inside if inside or not all(stands_out(p) for p in found) else next_to(found, holders)
+
+
+def _is_of(part: Part, place: Part) -> bool:
+    """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
+    raised = stands_out(part) or part.kind is PartKind.CYLINDER
+    return raised and place.kind.stands_out and set(part.faces) <= set(place.faces)
+
+
+def _members(part: Part) -> tuple[str, ...]:
+    """'the bolt circle of the small holes': a pattern is of its members."""
+    return part.children if part.kind == "pattern" else ()
+
+
+def lies_in_wall(part: Part, side: Side, model: Part) -> bool:
+    """Is it cut into the wall on this side: does it point through it, and lie nearer to it than to the one opposite?"""
+    along = part.normal or part.axis
+    outward = side.outward
+    return (
+        along is not None
+        and abs(dot(along, outward)) > FACING.side
+        and dot(sub(part.center, model.center), outward) > 0
+    )
+
+
+def touches(part: Part, place: Part) -> bool:
+    """Do the boxes of two parts meet?"""
+    return all(
+        abs(a - b) <= (e + f) / 2 + TOUCH_M
+        for a, b, e, f in zip(part.center, place.center, part.extents, place.extents, strict=True)
+    )
+
+
+def lies_between(part: Part, others: Sequence[Part]) -> bool:
+    """Does the middle of the part lie between those of two others, no farther aside than they reach?"""
+    for a, b in itertools.combinations(others, 2):
+        apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
+        length = norm(apart)
+        if length < TOUCH_M or not 0.0 < dot(ahead, apart) < length**2:
+            continue
+        boxed = all(
+            min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - TOUCH_M
+            <= part.center[i]
+            <= max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2) + TOUCH_M
+            for i in range(3)
+        )
+        if boxed:
+            return True
+    return False
+
+
+def coaxial(part: Part, other: Part) -> bool:
+    """Do both lie on one axis, to a thousandth of the part?"""
+    if part.axis is None or other.axis is None or norm(cross(part.axis, other.axis)) > 1e-3:
+        return False
+    return line_distance(other.center, part.center, part.axis) < 1e-3 * max(part.extents)
+
+
+def encloses(part: Part, other: Part) -> bool:
+    """Is it on the other's axis, and wider?"""
+    return coaxial(part, other) and bool(part.radius and other.radius and part.radius > other.radius)

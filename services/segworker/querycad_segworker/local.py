@@ -1,0 +1,131 @@
+"""The `SegCad` port on this machine: answers from artefacts, and asks the kernel only for new measurements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from querycad_contracts import Face, Grounded, GroundedBy, Grounding, Part, PartQuery, Shape, Side
+
+from .grounding.find import find
+from .grounding.ground import ground
+from .grounding.inventory import Inventory
+from .grounding.region import faces_of_id, region
+from .grounding.sight import Keep, Networks, Sight, keep_here, no_networks
+from .measuring import Kernel
+from .model import Artefacts, Model
+from .vectors import cross, dot, line_distance, norm
+
+if TYPE_CHECKING:
+    from .segcad.ports import VisionOptions
+
+
+class LocalSegCad:
+    """Finds and measures the parts of one model. Nothing here imports the kernel."""
+
+    grounding = GroundedBy.GEOMETRY
+    """By which evidence words are turned into parts."""
+
+    def __init__(
+        self,
+        artefacts: Artefacts,
+        model: Model | None = None,
+        networks: Networks = no_networks,
+        vision: VisionOptions | None = None,
+        keep: Keep = keep_here,
+    ) -> None:
+        """`networks` gives those that look at pictures when vision is asked, or raises WeightsAbsent.
+
+        `keep` puts the sheets that show how where others find them.
+        """
+        self.artefacts = artefacts
+        self._sight = Sight(artefacts, networks, vision, keep)
+        self._kernel = Kernel(artefacts.kernel_faces)
+        self.model = model or artefacts.load_model()
+
+    @cached_property
+    def _parts(self) -> dict[str, Part]:
+        return {part.id: part for part in self.model.parts}
+
+    @cached_property
+    def _faces(self) -> tuple[Face, ...]:
+        return self.artefacts.load_faces()
+
+    def grounded_by(self, grounding: GroundedBy) -> LocalSegCad:
+        """The same model, with words turned into parts by this evidence; what is known of it is shared."""
+        if grounding is self.grounding:
+            return self
+        other = copy(self)
+        other.grounding = grounding
+        return other
+
+    def shape(self) -> Shape:
+        """What is the whole model?"""
+        return self.model.shape
+
+    @cached_property
+    def _inventory(self) -> Inventory:
+        return Inventory(self.model.parts)
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        """In which ways can each query be grounded on the model, the best first?"""
+        return tuple(tuple(ground(self._inventory, query)) for query in queries)
+
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts does `description` mean, of those visible from any of `sides`?"""
+        by_words = find(self._inventory, description, sides)
+        if self.grounding is GroundedBy.GEOMETRY:
+            return by_words
+        return self._sight.ground(by_words, self.grounding, self.model.parts, self._faces)
+
+    def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
+        """What are the faces with these ids? Raises KeyError for an id the model does not have."""
+        if any(not 0 <= i < len(self._faces) for i in ids):
+            raise KeyError(f"the model has faces 0 to {len(self._faces) - 1}")
+        return tuple(self._faces[i] for i in ids)
+
+    def _part(self, part: str) -> Part:
+        """The part with this id, recognised or made of faces that were seen. Raises KeyError."""
+        faces = faces_of_id(part)
+        return self._parts[part] if faces is None else region(part, self.faces(faces))
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        """How far apart are the surfaces of two parts, in metres? Exact, by the kernel in a process of its own."""
+        first, second = self._part(part_a), self._part(part_b)
+        if set(first.faces) & set(second.faces):
+            return 0.0
+        between = _between_cylinders(first, second)
+        if between is not None:
+            return between
+        return self._kernel.measure("distance", first.faces, second.faces)
+
+    def edge_distance(self, part: str) -> float:
+        """How far is a part from the outer edge of the face it lies in, in metres?"""
+        found = self._part(part)
+        return (
+            found.edge_distance
+            if found.edge_distance is not None
+            else self._kernel.measure("edge_distance", found.faces)
+        )
+
+
+def _between_cylinders(a: Part, b: Part) -> float | None:
+    """The gap between two plain round walls side by side, without the kernel: the axes' distance less both radii.
+
+    None where that does not hold: axes not parallel, no overlap along them, several steps, or one inside the other.
+    """
+    if a.axis is None or b.axis is None or a.radius is None or b.radius is None:
+        return None
+    if len(a.radii) != 1 or len(b.radii) != 1 or "conical" in (*a.tags, *b.tags):
+        return None
+    if norm(cross(a.axis, b.axis)) > 1e-9:
+        return None
+    spans = []
+    for part in (a, b):
+        middle, half = dot(part.center, a.axis), (part.depth or part.height or 0.0) / 2
+        spans.append((middle - half, middle + half))
+    gap = line_distance(b.center, a.center, a.axis) - a.radius - b.radius
+    overlap = min(spans[0][1], spans[1][1]) - max(spans[0][0], spans[1][0])
+    return gap if gap > 0 and overlap > 0 else None

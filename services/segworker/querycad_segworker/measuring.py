@@ -1,0 +1,61 @@
+"""New measurements by the CAD kernel, in a process of its own that is started once a model and asked line by line."""
+
+from __future__ import annotations
+
+import json
+import math
+import threading
+import weakref
+from collections.abc import Sequence
+from pathlib import Path
+
+from .errors import KernelDied
+from .kernel_process import KernelProcess
+
+TIMEOUT_S = 60.0
+"""One distance takes milliseconds; very large freeform faces take seconds."""
+
+
+class Kernel:
+    """Measures the faces of one model. The process starts with the first request and ends with this object."""
+
+    def __init__(self, kernel_faces: Path) -> None:
+        self._path = kernel_faces
+        self._lock = threading.Lock()
+        self._process: KernelProcess | None = None
+        self._known: dict[str, float] = {}
+
+    def measure(self, what: str, first: Sequence[int], second: Sequence[int] = ()) -> float:
+        """What is this distance, in metres? Raises KernelDied when the kernel cannot tell."""
+        request = json.dumps({"what": what, "first": list(first), "second": list(second)})
+        with self._lock:
+            if request not in self._known:
+                self._known[request] = self._ask(request)
+            return self._known[request]
+
+    def _ask(self, request: str) -> float:
+        process = self._running()
+        timer = threading.Timer(TIMEOUT_S, process.kill)
+        timer.start()
+        try:
+            process.say(request)
+            line = process.stdout.readline()
+        finally:
+            timer.cancel()
+        if not line:
+            self._process = None
+            process.close()
+            raise KernelDied("the CAD kernel could not measure this: it crashed or took too long")
+        answer = json.loads(line)
+        if "problem" in answer:
+            raise KernelDied(answer["problem"])
+        metres = float(answer["metres"])
+        if not math.isfinite(metres):
+            raise KernelDied("the CAD kernel found no such distance")
+        return metres
+
+    def _running(self) -> KernelProcess:
+        if self._process is None:
+            self._process = KernelProcess("measure", str(self._path))
+            weakref.finalize(self, self._process.close)
+        return self._process
