@@ -70,8 +70,6 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
             try:
                 written = write(reading.form, senses, whole, option)
             except Unwritable:
-                if option:
-                    break
                 continue
             features = _features(reading, grounds, written, whole)
             yield Candidate(reading, grounds, written, features)
@@ -93,9 +91,29 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     form = reading.form
     if isinstance(form, Get):
         features.update(_of_get(form, grounds))
-    if isinstance(form, Count | Exists) and not grounds[form.target].parts:
-        features["counts_none"] = 1.0
+    if isinstance(form, Count | Exists):
+        if not grounds[form.target].parts:
+            features["counts_none"] = 1.0
+        if any(name.endswith("_empties") for name in features):
+            features["count_empties"] = 1.0
+        if any(name.endswith(("_dropped", "_unknown")) for name in features):
+            features["count_dropped"] = 1.0
+    features.update(_of_steps(form, written.code))
     return features
+
+
+_WIDE = frozenset(("big", "large", "larger", "bigger", "wide", "wider", "outer", "outside", "external", "major", "enlarged", "upper"))
+_NARROW = frozenset(("small", "smaller", "narrow", "narrower", "inner", "inside", "internal", "minor", "pilot", "tap", "tapped", "threaded"))
+
+
+def _of_steps(form: Form, code: str) -> Features:
+    """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?"""
+    words = {word for query in queries(form) for name in (*query.adjectives, *query.unknown, query.noun) for word in name.split()}
+    if "max(p.radii)" in code or "outer_diameter" in code:
+        return {"step_widest": 1.0, "step_widest_said": float(bool(words & _WIDE)), "step_widest_denied": float(bool(words & _NARROW))}
+    if "min(p.radii)" in code or "inner_diameter" in code:
+        return {"step_narrowest": 1.0, "step_narrowest_said": float(bool(words & _NARROW)), "step_narrowest_denied": float(bool(words & _WIDE))}
+    return {}
 
 
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))

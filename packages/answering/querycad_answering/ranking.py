@@ -28,7 +28,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
         "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped",
     ),
     "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
-    "chosen": ("largest_for_one", "largest_alike_for_one", "majority_for_one", "central_for_one", "group_for_one"),
+    "chosen": ("group_for_one",),
     "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
     "miscounted": ("count_differs", "count_group", "one_for_plural"),
     "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),

@@ -68,21 +68,27 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
     stepped = len(part.radii) > 1
     match measure:
         case Measure.RADIUS:
+            if kind in ("bend", "pipe"):
+                return [("{0}.bend_radius", "own"), ("{0}.inner_diameter / 2", "derived"), ("{0}.outer_diameter / 2", "derived"), ("{0}.radius", "own")]
             return [("{0}.radius", "own"), ("max({0}.radii)", "derived")] if stepped else [("{0}.radius", "own"), ("{0}.width / 2", "foreign")]
         case Measure.DIAMETER:
-            base: list[tuple[str, Grade]] = [("{0}.diameter", "own")]
+            if kind == "torus":
+                return [("{0}.outer_diameter", "own"), ("{0}.tube_diameter", "derived"), ("{0}.diameter", "own")]
+            base: list[tuple[str, Grade]] = [("{0}.diameter", "own"), ("{0}.outer_diameter", "own")]
             if stepped:
                 base += [("2 * max({0}.radii)", "derived"), ("2 * min({0}.radii)", "derived")]
             return [*base, *_round_extent(part), ("{0}.width", "foreign")]
         case Measure.INNER_RADIUS | Measure.INNER_DIAMETER:
             scale = "" if measure is Measure.INNER_RADIUS else "2 * "
             own: Grade = "own" if stepped or kind in CUT else "foreign"
-            return [(f"{scale}min({{0}}.radii)", own), (f"{scale}{{0}}.radius", own)]
+            half = " / 2" if measure is Measure.INNER_RADIUS else ""
+            return [(f"{{0}}.inner_diameter{half}", "own"), (f"{scale}min({{0}}.radii)", own), (f"{scale}{{0}}.radius", own)]
         case Measure.OUTER_RADIUS | Measure.OUTER_DIAMETER:
             scale = "" if measure is Measure.OUTER_RADIUS else "2 * "
             half = " / 2" if measure is Measure.OUTER_RADIUS else ""
             outside: list[tuple[str, Grade]] = [(expression + half, grade) for expression, grade in _round_extent(part)]
-            return [*([(f"{scale}max({{0}}.radii)", "own")] if part.radii else []), (f"{scale}{{0}}.radius", "own"), *outside]
+            widest: list[tuple[str, Grade]] = [(f"{scale}max({{0}}.radii)", "own")] if part.radii else []
+            return [(f"{{0}}.outer_diameter{half}", "own"), *widest, (f"{scale}{{0}}.radius", "own"), *outside]
         case Measure.CIRCUMFERENCE:
             return [("3.141592653589793 * {0}.diameter", "derived")]
         case Measure.DEPTH:
@@ -95,11 +101,11 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             return [("{0}.height", "own" if kind in STANDING else "derived"), ("{0}.depth", "derived"), ("{0}.extents[2]", "derived")]
         case Measure.WIDTH:
             if kind in WHOLE:
-                return [("{0}.extents[0]", "own"), ("sorted({0}.extents)[1]", "derived")]
+                return [("{0}.extents[0]", "own"), ("sorted({0}.extents)[1]", "derived"), ("{0}.extents[1]", "derived")]
             if kind == "hole" and part.radii:
                 return [("2 * max({0}.radii)", "own")]
             if kind == "chamfer":
-                return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
+                return _chamfer()
             return [("{0}.width", "own"), ("{0}.diameter", "derived"), ("{0}.height", "derived"), ("{0}.extents[0]", "foreign")]
         case Measure.LENGTH:
             if kind in WHOLE:
@@ -108,7 +114,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 return [("{0}.depth", "own"), ("{0}.length", "own")]
             if round_part and kind in STANDING:
                 return [("{0}.height", "own"), ("{0}.length", "own")]
-            return [("{0}.length", "own"), ("{0}.height", "derived"), ("max({0}.extents)", "derived")]
+            return [("{0}.length", "own"), ("{0}.height", "derived"), ("max({0}.extents)", "derived")] if kind != "chamfer" else _chamfer()
         case Measure.THICKNESS:
             return _thickness(part, stepped)
         case Measure.WALL_THICKNESS:
@@ -134,7 +140,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.ACROSS_CORNERS:
             return [("{0}.across_corners", "own"), ("{0}.diameter", "derived"), ("max({0}.extents)", "foreign")]
         case Measure.CENTRE_LENGTH:
-            return [("{0}.centre_length", "own"), ("{0}.length - {0}.width", "derived")]
+            return [("{0}.center_length", "own"), ("{0}.length - {0}.width", "derived")]
         case Measure.DIAGONAL:
             return [("distance((0.0, 0.0, 0.0), {0}.extents)", "derived")]
         case Measure.HALF_SIZE:
@@ -159,12 +165,19 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             return [("{0}.name", "own"), ("{0}.label", "foreign")]
         case Measure.COLOR:
             return [("{0}.color", "own")]
+        case Measure.ANGLE:
+            return [("{0}.angle", "own"), ("{0}.bend_angle", "own"), ("{0}.draft", "derived"), ("2 * {0}.draft", "derived")]
         case Measure.MASS:
             return [("{0}.volume", "own")]
         case _ if measure in _ENDS:
             return [(_end(_ENDS[measure]), "own")]
         case _:
             return [("{0}." + measure.value, "own")]
+
+
+def _chamfer() -> list[tuple[str, Grade]]:
+    """A chamfer is as wide as what it takes off the edge (ISO 13715); across its face is another reading."""
+    return [("{0}.chamfer_size", "own"), ("min({0}.extents)", "own"), ("{0}.width", "derived")]
 
 
 def _round_extent(part: Part) -> list[tuple[str, Grade]]:
@@ -196,7 +209,7 @@ def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
     if part.kind in ("fillet", "round", "bend"):
         return [("{0}.radius", "own")]
     if part.kind == "chamfer":
-        return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
+        return _chamfer()
     if part.diameter is not None and (round_part or part.kind in CUT):
         return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
     return [("{0}.extents", "own"), ("max({0}.extents)", "derived")]

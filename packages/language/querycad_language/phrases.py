@@ -74,6 +74,8 @@ class Phrases:
 
     def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
         """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
+        if self.text.find(self.text.skip(start, "article"), "aside"):
+            return None
         key = (start, depth, joined)
         if key not in self._known:
             self._known[key] = self._read(start, depth, joined)

@@ -199,9 +199,7 @@ class _Writer:
         if set(form.measures) == {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT} or set(form.measures) == {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT}:
             return "shape.extents", AnswerType.SIZE
         values = [self._read(measure, [self._whole]) for measure in form.measures]
-        known = [value.format("shape") for value in values]
-        if form.measures == (Measure.COUNT,) or any(not _of_shape(value) for value in known):
-            raise Unwritable
+        known = [self._of_model(value) for value in values]
         if len(values) == 1:
             measure = form.measures[0]
             kind = answer_type(measure)
@@ -209,6 +207,15 @@ class _Writer:
                 kind = AnswerType.SIZE if known[0] == "shape.extents" else AnswerType.LENGTH
             return known[0], kind
         return f"[{', '.join(known)}]", answer_type(form.measures[0], True)
+
+    def _of_model(self, expression: str) -> str:
+        """What is read of `shape`; of the part that stands for the model where the shape does not have it."""
+        if _of_shape(expression.format("shape")):
+            return expression.format("shape")
+        line = 'model = find_parts({"noun": "object"})[0]'
+        if line not in self._lines:
+            self._lines.append(line)
+        return expression.format("model")
 
     def _scalar(self, get: Get, pick: str = "max") -> str:
         """One number of a part or the whole; of several parts the largest."""

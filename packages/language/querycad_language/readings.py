@@ -44,6 +44,7 @@ MAX_READINGS = 14
 """More are never looked at; those that the words link best come first."""
 
 Features = dict[str, float]
+VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 POINTS = frozenset((Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid"))
@@ -129,7 +130,7 @@ class Reader:
         features = dict(draft.features)
         skipped: list[tuple[str, str]] = []
         depth = 0
-        aside = {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
+        aside = self._axis_asides() | {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
         for at, token in enumerate(text.tokens):
             depth += text.is_word(at, "(") - text.is_word(at, ")")
             if at in draft.used or token.kind is Kind.SYMBOL or at in aside:
@@ -145,6 +146,17 @@ class Reader:
         if edits:
             features["corrected"] = float(edits)
         return Reading(draft.form, features, tuple(skipped), frozenset(draft.used))
+
+    def _axis_asides(self) -> set[int]:
+        """'along its axis': the words say how a length is taken, and hardly ever which."""
+        text = self.text
+        found: set[int] = set()
+        for at in range(len(text)):
+            if text.find(at, "axis_preposition") and not text.is_word(at, "in", "by"):
+                end = next((i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "centerline")), None)
+                if end is not None:
+                    found |= set(range(at, end + 1))
+        return found
 
     def _class(self, at: int) -> str:
         """Which class has a word that is passed over?"""
@@ -197,6 +209,12 @@ class Reader:
 
     def _asked_at(self, at: int, taken: set[int]) -> _Asked | None:
         text = self.text
+        if text.is_word(at, "how") and text.is_word(at + 1, "many") and self._is_unit(at + 2):
+            scale = next((s for i in range(at + 3, min(len(text), at + 9)) if (s := text.find(i, "scale")) and s.value.degree == "positive"), None)
+            measure = scale.value.measure if scale else Measure.MAGNITUDE
+            used = {at, at + 1, at + 2} | (set(range(scale.start, scale.end)) if scale else set())
+            named = any(text.find(i, "measure", "distance", "reach") for i in range(len(text)))
+            return None if scale is None and named else _Asked(at, at + 3, (measure,), "how", used=frozenset(used))
         if text.is_word(at, "how"):
             start = at + 1 + text.is_word(at + 1, "much", "far", "exactly")
             scale = text.find(start, "scale")
@@ -217,9 +235,14 @@ class Reader:
         noun = text.find(at, "noun")
         if span is None or at in taken or (noun and noun.end > span.end):
             return None
+        if span.value is Measure.AXIS and any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in range(max(0, at - 4), at)):
+            return None  # 'along the screw axis' says how a length is taken
         if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
             return None
         return self._joined_measures(span, taken)
+
+    def _is_unit(self, at: int) -> bool:
+        return at < len(self.text) and self.text.tokens[at].raw.lower() in self.text.lexicon.units
 
     def _joined_scales(self, at: int, scale: Span) -> _Asked:
         """'How long and wide is …?'"""
@@ -321,6 +344,12 @@ class Reader:
             if mention.start >= asked.end:
                 used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)} if link in ("of", "subject", "preposition", "after") else set()
             yield mention.query, link, used, features
+        before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
+        behind = next((m for m, link in linked if link in ("of", "preposition") and m.query is not None and not m.pronoun), None)
+        if before is not None and behind is not None and before.query is not None and behind.query is not None:
+            # 'the counterbore diameter of the small holes': of the counterbores of those
+            joined = replace_fields(before.query, places=(*before.query.places, Place(relation="of", what=behind.query)), plural=behind.query.plural)
+            yield joined, "compound", set(before.used | behind.used | set(range(asked.end, behind.start))), {"link_compound": 1.0, "link_compound_of": 1.0}
         features = {"link_whole": 1.0}
         if owned:
             features["owner_passed"] = 1.0
@@ -346,7 +375,12 @@ class Reader:
                 measures = asked.measures
                 get = Get(measures, target, reduce, density if Measure.MASS in measures else None)
                 base = {**features, f"asked_{asked.how}": 1.0}
-                tokens = set(asked.used) | used | more | (wide & more)
+                if asked.how == "noun" and measures[0] in VECTORS:
+                    base["asked_vector"] = 1.0
+                overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, "overall", "total", "complete", "entire", "whole", "full", "maximum")}
+                if overall or text.is_word(asked.start, "overall", "total"):
+                    base["overall_whole" if target is None else "overall_part"] = 1.0
+                tokens = set(asked.used) | used | more | (wide & more) | overall
                 if len(asked_for) > 1 and asked is not asked_for[0]:
                     base["later_measure"] = 1.0
                 if density is not None and Measure.MASS in measures:
@@ -462,6 +496,8 @@ class Reader:
         for span in text.all("count"):
             if text.is_word(span.start, "how") and text.is_word(span.start + 1, "much") and text.find(span.end, "scale"):
                 continue
+            if self._is_unit(span.end):
+                continue
             if text.find(span.start, "measure") and text.words[span.start] not in ("number",):
                 continue
             used = set(range(span.start, span.end))
@@ -474,6 +510,7 @@ class Reader:
             noun_here = text.find(inner, "noun")
             if measure is not None and not (noun_here and noun_here.end >= measure.end):
                 yield from self._different_counts(used | set(range(at, measure.end)), measure)
+            yield from self._treated(at, used)
             after = [m for m in self.mentions if m.head >= at and not m.pronoun]
             before = [m for m in self.mentions if m.end <= span.start and not m.pronoun]
             for index, mention in enumerate(after[:3]):
@@ -481,6 +518,18 @@ class Reader:
                 yield from self._count_of(mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
             for mention in before[-2:]:
                 yield from self._count_of(mention, used, {"count_before": 1.0, **elsewhere}, [])
+
+    def _treated(self, at: int, used: set[int]) -> Iterator[_Draft]:
+        """'How many edges are chamfered?' counts chamfered edges: what was done to an edge or corner names a part."""
+        text = self.text
+        if not text.is_word(at, "edge", "corner"):
+            return
+        for other in range(at + 1, len(text)):
+            adjective = text.find(other, "adjective")
+            phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
+            if adjective is not None and phrase in text.lexicon.nouns:
+                query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
+                yield _Draft(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *range(adjective.start, adjective.end)})
 
     def _different_counts(self, used: set[int], measure: Span) -> Iterator[_Draft]:
         for mention in self.mentions:
@@ -563,6 +612,7 @@ class Reader:
         if centred:
             return "centers", centred
         facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
+        facing |= {i for i in range(len(text)) if text.find(i, "remaining") and any(text.is_word(j, "between") for j in range(len(text)))}
         named = {i for i in range(len(text)) if text.words[i] in _CENTRE_OF and text.is_word(i + 1, "of")}
         if named:
             return "centers", named
@@ -634,7 +684,7 @@ class Reader:
                 features["count_two"] = float(anchor.count == 2)
                 if at < start:
                     features["anchor_before"] = 1.0
-                yield replace_fields(anchor, plural=True), "each other", used | neighbors, features
+                yield anchor, "each other", used | neighbors, features
         pairs = list(zip(after, after[1:], strict=False)) + ([(before[-1], after[0])] if before and after else [])
         pairs += [(after[0], after[2])] if len(after) > 2 else []
         for index, (one, two) in enumerate(pairs):

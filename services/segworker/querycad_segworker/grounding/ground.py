@@ -22,6 +22,8 @@ from .places import coaxial, encloses, held, is_inside, lies_between, next_to, t
 
 BEAM = 12
 """So many ways to ground a query are followed; the rest speaks against itself."""
+MOST_GROUPS = 5
+"""Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
 DRAWN_M = 0.05e-3
 """Stated sizes are met to drawing accuracy, or to half of their last digit."""
 NEAR = 0.02
@@ -87,7 +89,7 @@ def _bases(inventory: Inventory, query: PartQuery) -> Iterator[_Way]:
             best = max(score for _, score in named)
             bodies = [body for body, score in named if score == best]
             found = True
-            yield _Way(tuple(bodies), {"by_name": 1.0, "name_share": best})
+            yield _Way(tuple(bodies), {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
     if inventory.model is not None and inventory.file_named(words):
         found = True
         yield _Way((inventory.model,), {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)})
@@ -120,7 +122,7 @@ def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Ite
         features = {"sense_stretch": sense.stretch, "sense_rank": float(rank)}
         rank += 1
         if sense.name:
-            features["by_name"] = 1.0
+            features["sense_named"] = 1.0
         if parts[0].kind == "model":
             features["whole_sense"] = 1.0
             if inventory.alone:
@@ -484,20 +486,19 @@ def _single(inventory: Inventory, query: PartQuery, way: _Way, _: int) -> Iterat
         yield way.to(way.parts, "alike_for_one")
         return
     yield way.to(way.parts, "several_for_one")
-    if query.sample:
-        return
+    if query.sample or len(groups) > MOST_GROUPS:
+        groups = [max(groups, key=lambda group: measured(group[0], "size"))] if not query.sample else []
     sizes = [measured(group[0], "size") for group in groups]
-    largest = groups[sizes.index(max(sizes))]
-    yield way.to(largest, "largest_for_one" if len(largest) == 1 else "largest_alike_for_one")
-    for group in groups if len(groups) < 4 else ():
-        if group is not largest:
-            yield way.to(group, "group_for_one")
-    most = max(groups, key=len)
-    if len(most) > 1 and most is not largest and len(groups) >= 4:
-        yield way.to(most, "majority_for_one")
-    central = [p for p in way.parts if "central" in p.tags]
-    if central and len(central) < len(way.parts) and set(p.id for p in central) != set(p.id for p in largest):
-        yield way.to(central, "central_for_one")
+    for group, size in zip(groups, sizes, strict=True):
+        features = {
+            "group_for_one": 1.0,
+            "group_one": float(len(group) == 1),
+            "group_largest": float(size == max(sizes)),
+            "group_smallest": float(size == min(sizes)),
+            "group_most": float(len(group) == max(map(len, groups)) > 1),
+            "group_central": float(any("central" in part.tags for part in group)),
+        }
+        yield _Way(tuple(group), {**way.features, **{name: value for name, value in features.items() if value}}, way.unchecked)
 
 
 def _has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:
