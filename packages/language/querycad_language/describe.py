@@ -87,6 +87,8 @@ def _anchor(anchor: object) -> str:
             return f"the {side.value} of {noun_phrase(of)}"
         case Boundary(side):
             return f"the {side.value} of the model" if side else "the edge"
+        case Behind():
+            return "the outside behind it"
         case Origin():
             return "the origin"
         case _:

@@ -43,6 +43,11 @@ class Plane:
 
 
 @dataclass(frozen=True, slots=True)
+class Behind:
+    """The outer plane of the model that lies behind a cut, where the material below its floor ends."""
+
+
+@dataclass(frozen=True, slots=True)
 class Origin:
     """The origin of the file's frame."""
 
@@ -66,7 +71,7 @@ class Count:
     measure: Measure | None = None
 
 
-Anchor: TypeAlias = PartQuery | Boundary | Plane | Origin | None
+Anchor: TypeAlias = PartQuery | Boundary | Plane | Behind | Origin | None
 
 
 @dataclass(frozen=True, slots=True)

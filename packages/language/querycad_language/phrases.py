@@ -218,6 +218,8 @@ class Phrases:
             return at  # the nouns of a compound are singular: 'standoffs stand' has a verb
         if noun and not (draft.article and at > 0 and text.find(at - 1, "article", "adjective")) and text.find(at, "reach"):
             noun = None  # 'ring sticks up': a verb, but behind an article
+        if noun and (draft.nouns or draft.unknown) and noun.end == at + 1 and self._ends_do_question(at):
+            return at  # 'does the axis of the bore run?'
         if noun and draft.nouns and text.is_word(at, "inside", "interior") and noun.end == at + 1:
             return at  # 'the board inside'
         if measure and not (noun and noun.end > measure.end) and not (adjective and adjective.end > measure.end):
@@ -256,6 +258,12 @@ class Phrases:
             return at
         draft.unknown.append(at)
         return at + 1
+
+    def _ends_do_question(self, at: int) -> bool:
+        """Is it the last word of a question with 'do', where a verb stands?"""
+        text = self.text
+        last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",")
+        return last and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at)) and text.is_word(at, "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide")
 
     def _is_generic(self, at: int) -> bool:
         """Does a noun follow that adds nothing to the one before it: 'ring body'?"""
@@ -389,7 +397,7 @@ class Phrases:
                     after += 1
                 return after
             span = text.find(at, *_GAP)
-            if span is None or text.find(at, "measure", "scale") or (text.is_word(at, "do", "does", "how", "what", "have", "has") and not text.is_word(at - 1, "that", "which")):
+            if span is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the") or (text.is_word(at, "do", "does", "how", "what", "have", "has") and not text.is_word(at - 1, "that", "which")):
                 return start
             at += 1
         return start
@@ -621,6 +629,9 @@ class Phrases:
         if text.find(at, "relation") and span.end < len(text) and text.tokens[span.end].kind in (Kind.QUANTITY, Kind.NUMBER):
             return at
         start = span.end
+        if span.value == "through" and text.is_word(text.skip(start, "each", "article"), "side", "way", "part", "thickness", "wall"):
+            draft.adjectives.append("through")
+            return text.skip(start, "each", "article") + 1
         inner = text.skip(start, "article", "each")
         piece = text.skip(inner, "side_noun", "edge")
         if piece > inner and text.is_word(piece, "of"):  # 'in the side of the foot' is in the foot

@@ -6,12 +6,13 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
+from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation, Side
 
 from .forms import (
     LONGEST,
     SHORTER,
     Angle,
+    Behind,
     Boundary,
     Check,
     Combine,
@@ -308,6 +309,9 @@ class _Writer:
         if not isinstance(first, PartQuery):
             raise Unwritable
         kind = AnswerType.LENGTHS if form.reduce is Reduce.DIFFERENT else AnswerType.LENGTH
+        if isinstance(second, Behind):
+            second = Boundary(self._behind(self._of(first)))
+            form = replace(form, mode="surfaces")
         if isinstance(second, Boundary | Origin) or second is None:
             return self._to_place(first, second, form), kind
         other = second if isinstance(second, PartQuery) else None
@@ -315,6 +319,13 @@ class _Writer:
         between = self._between(form, parts, other is not None)
         reduce = form.reduce
         return self._pairwise(first, other, between, reduce), kind
+
+    def _behind(self, parts: Sequence[Part]) -> Side:
+        """The side that the openings of these parts look away from; the bottom where they have none."""
+        normal = next((part.normal for part in parts if part.normal is not None), None)
+        if normal is None:
+            return Side.BOTTOM
+        return max(Side, key=lambda side: -sum(a * b for a, b in zip(side.outward, normal, strict=True)))
 
     def _from_plane(self, first: object, second: object) -> str:
         """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""

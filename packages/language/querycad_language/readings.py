@@ -18,6 +18,7 @@ from .forms import (
     SHORTER,
     Anchor,
     Angle,
+    Behind,
     Boundary,
     Check,
     Combine,
@@ -92,7 +93,7 @@ class Reader:
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
         drafts: list[_Draft] = []
-        for frame in (self._counts, self._distances, self._angles, self._combined, self._yes_no, self._gets, self._which, self._exists):
+        for frame in (self._counts, self._distances, self._overhangs, self._angles, self._combined, self._yes_no, self._gets, self._which, self._exists):
             drafts.extend(frame())
         if not drafts:
             drafts.extend(self._bare())
@@ -409,7 +410,11 @@ class Reader:
         if remaining or under:
             for mention in self.mentions:
                 if mention.query is not None:
-                    yield _Draft(Distance(mention.query, Boundary(Side.BOTTOM), "surfaces"), {**features, "material_under": 1.0}, used | remaining | under | mention.used)
+                    cut = mention.query
+                    holder = next((p.what for p in cut.places if p.what is not None and p.relation == "of"), None)
+                    if cut.noun in ("floor", "bottom", "ground", "base") and holder is not None:
+                        cut = holder
+                    yield _Draft(Distance(cut, Behind(), "surfaces"), {**features, "material_under": 1.0}, used | remaining | under | mention.used)
 
     def _with_axis(self, draft: _Draft) -> Iterator[_Draft]:
         """'How long is it in y direction?' is the extent along y."""
@@ -496,7 +501,7 @@ class Reader:
         for span in text.all("count"):
             if text.is_word(span.start, "how") and text.is_word(span.start + 1, "much") and text.find(span.end, "scale"):
                 continue
-            if self._is_unit(span.end):
+            if self._is_unit(span.end) or (text.is_word(span.start + 1, "much") and text.is_word(span.start - 1, "by")):
                 continue
             if text.find(span.start, "measure") and text.words[span.start] not in ("number",):
                 continue
@@ -586,10 +591,39 @@ class Reader:
                 form = Distance(first, second, mode, axis, reduce)  # type: ignore[arg-type]
                 yield _Draft(form, {**base, **features}, used | more | along | extreme | centred)
 
+    def _overhangs(self) -> Iterator[_Draft]:
+        """'By how much does the tube project above the nut?': between the outer planes of both on that side."""
+        text = self.text
+        reach = next((span for span in text.all("reach")), None)
+        nouns = [m for m in self.mentions if m.query is not None and not m.pronoun]
+        word = next((i for i in range(len(text)) if text.is_word(i, "above", "over", "beyond", "past", "below", "proud", "higher", "out")), None)
+        if word is None or len(nouns) < 1 or not (reach or any(text.is_word(i, "projection", "overhang", "protrusion", "much", "far") for i in range(len(text)))):
+            return
+        planes = [one for one in self._planes() if isinstance(one[1], Plane)]
+        plane = next((one for one in planes if one[0] >= word), None)
+        first = nouns[0].query
+        assert first is not None
+        used = set(nouns[0].used) | ({*range(reach.start, reach.end)} if reach else set()) | {word}
+        used |= {i for i in range(len(text)) if text.is_word(i, "how", "much", "far", "projection", "overhang")}
+        if plane is not None and isinstance(plane[1], Plane):
+            yield _Draft(Distance(Plane(plane[1].side, first), plane[1]), {"overhang": 1.0}, used | plane[2])
+        elif len(nouns) > 1 and nouns[1].query is not None and nouns[1].head > word:
+            side = Side.BOTTOM if text.is_word(word, "below") else Side.TOP
+            yield _Draft(Distance(Plane(side, first), Plane(side, nouns[1].query)), {"overhang": 1.0, "overhang_side": 1.0}, used | nouns[1].used)
+        if first.places:
+            for place in first.places:
+                if place.what is not None and place.relation in ("above", "below", "of", "on"):
+                    bare = replace_fields(first, places=tuple(p for p in first.places if p is not place))
+                    side = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
+                    yield _Draft(Distance(Plane(side, bare), Plane(side, place.what)), {"overhang": 1.0, "overhang_side": 1.0}, used)
+
     def _distance_words(self) -> Iterator[tuple[int, int, str, set[int]]]:
         text = self.text
-        if not any(text.find(i, "distance", "gap", "measure", "count") for i in range(len(text))) and any(text.find(i, "center_to_center") for i in range(len(text))):
-            yield 0, 0, "centers", set()
+        named = any(text.find(i, "distance", "gap", "count") or (s := text.find(i, "measure")) and s.value is not Measure.POSITION for i in range(len(text)))
+        centred = any(text.find(i, "center_to_center") for i in range(len(text)))
+        joined = any(text.is_word(i, "to", "above", "from") for i in range(1, len(text) - 1)) and len(self.mentions) > 1
+        if not named and (centred or joined):
+            yield 0, 0, "centers" if centred else "usual", {i for i in range(len(text)) if text.is_word(i, "to", "above", "from")}
         for span in text.all("distance", "gap"):
             if self._in_question(span.start):
                 yield span.start, span.end, "surfaces" if span.category == "gap" else "usual", set(range(span.start, span.end))
@@ -770,9 +804,11 @@ class Reader:
         if start is None:
             return
         asked = [one for one in self._asked() if one.start > start]
-        parts = [m for m in self.mentions if m.start > start and not (m.pronoun and len(self.mentions) > 1)]
+        parts = [m for m in self.mentions if m.start >= start and not (m.pronoun and len(self.mentions) > 1)]
         if text.is_word(start + 1, "there"):
             return
+        if len(parts) > 1 and parts[0].query is not None and parts[1].query is not None and text.is_word(parts[1].start, "a", "an"):
+            yield _Draft(Every(parts[0].query, replace_fields(parts[1].query, plural=True)), {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
         for index, mention in enumerate(parts[:2]):
             target = mention.query
             base: Features = {"check": 1.0, "count_far": float(index)}

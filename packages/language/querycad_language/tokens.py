@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from functools import lru_cache
@@ -34,7 +34,8 @@ _TOKEN = re.compile(
 )
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
-_CONTRACTIONS = (
+_LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness"}
+_CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
     (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
@@ -45,7 +46,7 @@ _CONTRACTIONS = (
     (re.compile(r"\bc['’]sink", re.I), "countersink"),
     (re.compile(r"\ba/f\b", re.I), "across flats"),
     (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
-    (re.compile(r"\bl\s?[x×]\s?w\s?[x×]\s?h\b|\bw\s?[x×]\s?d\s?[x×]\s?h\b|\bl\s?[x×]\s?b\s?[x×]\s?h\b", re.I), "overall dimensions"),
+    (re.compile(r"\b[lwbhdt](?:ength|idth|hk)?(?:\s?[x×]\s?(?:l|w|b|h|d|t|thk)\b)+", re.I), lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s?[x×]\s?", found[0].lower()))),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
     (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
 )
