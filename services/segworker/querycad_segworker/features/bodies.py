@@ -16,10 +16,10 @@ from .frames import outline_of
 from .gears import Gear
 from .hole import Hole
 from .parts import faces_box, millimetres
-from .pipes import Pipe
+from .pipes import Pipe, bent_measures
 from .turned_bodies import COAXIAL, ROUND, TurnedBody
 
-_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips")
+_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips", "outer_diameter", "inner_diameter", "tube_diameter")
 """What a model that is one round body has of it."""
 MOSTLY = 0.5
 """A body with more than this share of its surface in one pipe is that pipe, with flanges or ports."""
@@ -162,8 +162,9 @@ def with_pipe_measures(bodies: Sequence[Part], brep: Brep, pipes: Sequence[Pipe]
             if sum(brep.faces[f].area for f in pipe.faces) > MOSTLY * record.area:
                 update: dict[str, object] = {"radius": outer, "diameter": 2 * outer, "radii": (outer,)}
                 update["tags"] = (*part.tags, "bent", "tube" if inner is not None else "rod")
+                update |= {"outer_diameter": 2 * outer, **bent_measures(pipe)}
                 if inner is not None:
-                    update |= {"radii": (outer, inner), "thickness": outer - inner}
+                    update |= {"radii": (outer, inner), "thickness": outer - inner, "inner_diameter": 2 * inner}
                 part = part.model_copy(update=update)
         result.append(part)
     return result
@@ -212,7 +213,10 @@ def _turned_measures(turned: TurnedBody, tips: tuple[Vector, ...]) -> dict[str, 
         "diameter": 2 * turned.radius,
         "length": turned.length,
         "radii": turned.radii,
+        "outer_diameter": 2 * turned.outer_radius,
     }
+    if turned.bore is not None:
+        measures["inner_diameter"] = 2 * turned.bore.radius
     if turned.slender:
         measures |= {"height": turned.length, "tip": tips[0] if tips else None, "tips": tips}
     return measures

@@ -40,6 +40,7 @@ from .hole_parts import dimple_part, hole_part, hole_section_parts, pattern_part
 from .holes import recognise_holes
 from .hollow_sections import beside_sections, recognise_hollow_sections
 from .knurls import recognise_knurls
+from .own_measures import with_own_measures
 from .pads import recognise_pads
 from .parts import rib_part
 from .patterns import recognise_patterns
@@ -174,7 +175,7 @@ def _parts(
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
-    return with_relations(parts, shape, brep)
+    return with_relations(with_own_measures(parts, brep), shape, brep)
 
 
 D = TypeVar("D", Depression, TurnedGroove)
