@@ -32,6 +32,7 @@ from .depression import Depression
 from .depression_parts import blend_part, depression_part, turned_groove_part
 from .depressions import recognise_depressions
 from .dimples import recognise_dimples
+from .flat_walls import flat_wall_part, recognise_flat_walls
 from .forks import IsClear
 from .gears import Gear, recognise_gears
 from .grooves import TurnedGroove, recognise_turned_grooves
@@ -90,7 +91,7 @@ def recognise(
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
         else:
             volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
-            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness)
+            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness.renumbered(whole.owner))
     left = left_refused(refused, parts)
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
@@ -134,6 +135,7 @@ def _parts(
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
+    flat_walls = recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances)
     standing = beside_pipes(brep, bosses, pipes)
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
@@ -149,6 +151,7 @@ def _parts(
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
         *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
+        *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
         *_numbered(
             [w for w in found_walls if w.kind is SurfaceKind.CYLINDER and w.encloses],
