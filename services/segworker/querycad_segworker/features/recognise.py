@@ -14,6 +14,7 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import box_center, box_extents, dist
 
 from .bearings import recognise_bearings
+from .bent_arcs import bent_arc_part, recognise_bent_arcs
 from .blends import recognise_blends
 from .block_parts import gear_part, hollow_section_part, knurl_part, prism_part, protrusion_part, tooth_parts
 from .bodies import (
@@ -55,6 +56,7 @@ from .ribs import fins, recognise_lugs, recognise_ribs
 from .round_parts import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .thickness import NO_THICKNESS, Thickness
 from .turned_bodies import TurnedBody, tips_of, turned_body, with_free_tips
+from .turned_pieces import crossbars
 from .united import united
 from .volumes import Volumes
 from .walls import walls
@@ -151,6 +153,7 @@ def _parts(
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
         *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
+        *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
         *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
         *_numbered(
@@ -178,7 +181,8 @@ def _parts(
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
-    return with_relations(with_own_measures(parts, brep), shape, brep)
+    parts = with_own_measures(parts, brep)
+    return with_relations([*parts, *crossbars(parts, brep)], shape, brep)
 
 
 D = TypeVar("D", Depression, TurnedGroove)
