@@ -119,6 +119,7 @@ class Shape(Frozen):
     thickness: float | None = Field(None, description="Of sheet or plate material, where most walls share one.")
     bodies: tuple[Body, ...]
     face_count: int
+    edge_count: int = Field(0, description="As the file has them; seams of round faces are none.")
 
 
 class GroundedBy(StrEnum):

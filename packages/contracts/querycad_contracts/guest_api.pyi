@@ -63,6 +63,7 @@ class Shape:
     """Of the sheet or plate material that the model is made of."""
     bodies: list[Body]
     face_count: int
+    edge_count: int
 
 class Part:
     """A part or feature of the model: a hole, a shaft, a slot, a body …"""

@@ -126,6 +126,7 @@ def shape_measures(shape: Shape) -> Measures:
             "area": shape.area,
             "thickness": shape.thickness,
             "face_count": shape.face_count,
+            "edge_count": shape.edge_count,
         }
     )
 

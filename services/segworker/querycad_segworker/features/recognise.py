@@ -10,7 +10,7 @@ from typing import TypeVar
 from querycad_contracts import Face, Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import box_center, box_extents, dist
 
 from .bearings import recognise_bearings
@@ -41,12 +41,14 @@ from .hole import Hole
 from .hole_parts import dimple_part, hole_part, hole_section_parts, pattern_part
 from .holes import recognise_holes
 from .hollow_sections import beside_sections, recognise_hollow_sections
+from .joined_holes import with_joined_counterbores
 from .knurls import recognise_knurls
 from .own_measures import with_own_measures
 from .pads import recognise_pads
 from .parts import rib_part
 from .patterns import recognise_patterns
 from .pipes import beside_pipes, ending_in_bends, recognise_pipes
+from .plane_faces import plane_face_parts
 from .plates import recognise_plates, without_edgewise
 from .prisms import recognise_prisms
 from .protrusions import recognise_protrusions
@@ -114,6 +116,7 @@ def _parts(
     hole_parts = _numbered(holes, lambda hole, n: hole_part(brep, hole, n))
     round_faces = {face for own in (holes, bosses, pipes) for record in own for face in record.faces}
     hole_faces = {face for hole in holes for face in hole.faces}
+    dimples = recognise_dimples(brep, hole_faces)
     blends = recognise_blends(brep, round_faces, tolerances)
     blend_faces = {face for blend in blends for face in blend.faces}
     ribs = recognise_ribs(brep, tolerances)
@@ -122,6 +125,8 @@ def _parts(
     gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
     fin_indices = fins(ribs, tolerances)
     depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
+    balls = [frozenset(dimple.faces) for dimple in dimples]
+    depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
     depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
     toothed = [*(frozenset(gear.faces) for gear in gears), *(frozenset(knurl.faces) for knurl in knurls)]
@@ -143,7 +148,7 @@ def _parts(
     parts = [
         *hole_parts,
         *(part for n, hole in enumerate(holes, start=1) for part in hole_section_parts(brep, hole, n)),
-        *_numbered(recognise_dimples(brep, hole_faces), lambda dimple, n: dimple_part(brep, dimple, n)),
+        *_numbered(dimples, lambda dimple, n: dimple_part(brep, dimple, n)),
         *_numbered(standing, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
         *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
         *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
@@ -181,8 +186,9 @@ def _parts(
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
-    parts = with_own_measures(parts, brep)
-    return with_relations([*parts, *crossbars(parts, brep)], shape, brep)
+    parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
+    parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
+    return with_relations(parts, shape, brep)
 
 
 D = TypeVar("D", Depression, TurnedGroove)
@@ -245,6 +251,7 @@ def _shape(brep: Brep, thickness_m: float | None) -> Shape:
         thickness=thickness_m,
         bodies=tuple(body(brep, record) for record in brep.bodies),
         face_count=len(brep.faces),
+        edge_count=sum(edge.convexity is not EdgeConvexity.SEAM for edge in brep.edges),
     )
 
 

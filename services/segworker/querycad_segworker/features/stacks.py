@@ -194,7 +194,7 @@ def _end(
                 continue
             turn = winding(axis, edge)
             beyond[others[0]] += turn
-            kind = _verdict(brep, edge, others[0])
+            kind = _verdict(brep, edge, others[0], brep.faces[face])
             if kind is not None:
                 score[kind] += turn
     if not any(score.values()):
@@ -206,8 +206,11 @@ def _edge_middle(edge: EdgeRecord) -> Vector:
     return edge.center if edge.center is not None and edge.closed else edge.mid
 
 
-def _verdict(brep: Brep, edge: EdgeRecord, beyond: int) -> End | None:
-    """Does this edge speak for an open or a closed end? Across a smooth edge the blend's own curvature decides."""
+def _verdict(brep: Brep, edge: EdgeRecord, beyond: int, wall: FaceRecord) -> End | None:
+    """Does this edge speak for an open or a closed end? Across a smooth edge the blend's own curvature decides.
+
+    A hollow torus at the end of a bore rounds the corner to its floor.
+    """
     if edge.convexity is EdgeConvexity.CONVEX:
         return End.OPEN
     if edge.convexity is EdgeConvexity.CONCAVE:
@@ -217,6 +220,8 @@ def _verdict(brep: Brep, edge: EdgeRecord, beyond: int) -> End | None:
     face = brep.faces[beyond]
     if face.kind in (SurfaceKind.TORUS, SurfaceKind.SPHERE, SurfaceKind.CYLINDER, SurfaceKind.CONE):
         return End.OPEN if face.outward > 0 else End.CLOSED
+    if wall.kind is SurfaceKind.TORUS and wall.outward < 0 and face.kind is SurfaceKind.PLANE:
+        return End.CLOSED
     return None
 
 
