@@ -33,12 +33,12 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
     round_rim = outline == "circular" and first.kind is EdgeKind.CIRCLE and first.radius is not None
     diameter = 2 * first.radius if round_rim and first.radius is not None else None
     rise = abs(face.axis[2])
-    place = ("lying",) if rise > 1 - UPRIGHT**2 else ("upright",) if rise < UPRIGHT else ("oblique",)
+    place = ("lying",) if rise > 1 - UPRIGHT**2 else ("upright",) if rise < UPRIGHT else ()
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (length, width))
     return Part(
         id=f"face-{number}",
         kind="face",
-        tags=("planar", outline, *place, *(("ring",) if len(face.loops) == 2 and diameter else ())),
+        tags=("planar", outline, *place),
         label=f"plane face, {outlined(outline, 'outline')}, {size} mm",
         faces=(face.id,),
         center=box_center(face.box),
