@@ -54,6 +54,15 @@ def test_a_regular_prism_has_its_widths_across_flats_and_corners(count: int, fac
         assert found.across_corners == pytest.approx(10 * factor * size * MM, rel=1e-4)
 
 
+def test_a_nut_and_a_bolt_have_the_width_across_flats_of_their_hexagon() -> None:
+    bolt = fuse(extruded(polygon(6, 16.0), 0.0, 6.4), cylinder(5, 40, along=DOWN))
+    for shape in (cut(extruded(polygon(6, 16.0), 0.0, 8.0), cylinder(5, 8)), bolt):
+        (body,) = find(shape).of("body")
+        assert body.across_flats == pytest.approx(16 * MM)
+    (block,) = find(box((16, 16, 40))).of("body")
+    assert block.across_flats is None
+
+
 def test_a_hexagon_socket_has_them_and_an_oblong_does_not() -> None:
     (socket,) = find(cut(plate(), extruded(polygon(6, 8.0), -6.0, 7.0))).of("pocket")
     assert socket.across_flats == pytest.approx(8 * MM)
@@ -127,6 +136,14 @@ def test_a_drafted_pocket_has_its_sizes_at_mouth_and_bottom() -> None:
     assert (pocket.mouth_width, pocket.bottom_width) == pytest.approx((20 * MM, bottom * MM))
     (upright_one,) = find(cut(plate(), box((20, 20, 10), (-10, -10, -10)))).of("pocket")
     assert (upright_one.draft, upright_one.mouth_width) == (None, None)
+
+
+def test_a_chamfered_slot_is_as_wide_at_its_mouth_as_at_its_bottom() -> None:
+    ends = [fuse(cone(6, 4, 2, (x, 0, 0.5), DOWN), cylinder(5, 25, (x, 0, -22))) for x in (-12, 12)]
+    lip = prism([(-12, -6, 0.5), (-12, 6, 0.5), (-12, 4, -1.5), (-12, -4, -1.5)], (24, 0, 0))
+    found = find(cut(plate(), fuse(box((24, 10, 25), (-12, -5, -22)), *ends, lip)))
+    (slot,) = found.of("cutout")
+    assert (slot.mouth_width, slot.bottom_width) == (None, None)
 
 
 def test_a_taper_pin_has_its_draft_and_a_plain_one_none() -> None:

@@ -10,6 +10,7 @@ from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import dist
 
+from .parts import faces_area
 from .regular import across_flats_and_corners, flats_on_shaft
 from .tapers import draft_of, mouth_and_bottom
 
@@ -18,7 +19,8 @@ Measured = dict[str, object]
 WHOLE_TUBE = 0.75
 """A torus with more than this share of its surface is a ring or bent bar; less of it is a rounded edge."""
 MOSTLY = 0.5
-"""A body with more than this share of its surface in one ring is that ring, with what is joined to it."""
+"""A body with more than this share of its surface in one ring is that ring, with what is joined to it; an opening with
+more than this share of its surface in leaning walls narrows."""
 LEANING = (SurfaceKind.CONE, SurfaceKind.FREEFORM)
 """Walls of what narrows without one draft: lofts, and square holes that get round."""
 ROUND_ENDS = frozenset(("obround", "curved"))
@@ -43,7 +45,21 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
     rings = [
         part for part in result if part.kind == "torus" and part.tube_diameter is not None and "outer" in part.tags
     ]
-    return [_of_ring(part, rings) if rings and part.kind in ("body", "model") else part for part in result]
+    wrenched = [part for part in result if part.kind == "prism" and part.across_flats and "hexagonal" in part.tags]
+    if not rings and not wrenched:
+        return result
+    bodies = ("body", "model")
+    return [_of_hexagon(_of_ring(part, rings), wrenched) if part.kind in bodies else part for part in result]
+
+
+def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
+    """The same body; one with a single hexagon, as nuts and bolts, has its width across flats."""
+    own = set(body.faces)
+    inside = [prism for prism in hexagons if own.issuperset(prism.faces)]
+    if len(inside) != 1:
+        return body
+    flats, corners = inside[0].across_flats, inside[0].across_corners
+    return body.model_copy(update={"across_flats": flats, "across_corners": corners})
 
 
 def _of_ring(body: Part, rings: Sequence[Part]) -> Part:
@@ -99,8 +115,9 @@ def _tapered(part: Part, brep: Brep, breaks: Set[int]) -> Measured:
         return {}
     draft = draft_of(brep, own, part.normal)
     measures: Measured = {} if draft is None else {"draft": draft}
-    if draft is None and not any(brep.faces[i].kind in LEANING for i in own):
-        return measures
+    leaning = [i for i in own if brep.faces[i].kind in LEANING]
+    if draft is None and faces_area(brep, leaning) <= MOSTLY * faces_area(brep, own):
+        return measures  # its walls stand; cones among them break the edges of round ends
     found = mouth_and_bottom(brep, own, part.normal, draft)
     if found is None:
         return measures
