@@ -30,18 +30,23 @@ class Recovered:
     not most of the model in every view that shows it."""
 
 
+SURFACES = "face"
+
+
 def recovery(
     renderer: Renderer, graph: FaceGraph, face_count: int, parts: Sequence[Part], options: VisionOptions
 ) -> Mapping[str, Recovered]:
     """How each part that is seen comes back, by id. Parts of one kind are looked for together, as for a phrase.
 
-    Only faces that own a pixel in some view count.
+    Only faces that own a pixel in some view count. Plane faces as such are left out: looked for together, they border
+    each other all over the model and are one find.
     """
     views = list(render(renderer, face_count, options))
     shown = np.sum([view.visible for view in views], axis=0) > 0
     kinds: dict[str, list[Part]] = defaultdict(list)
     for part in parts:
-        kinds[part.kind].append(part)
+        if part.kind != SURFACES:
+            kinds[part.kind].append(part)
     found: dict[str, Recovered] = {}
     for alike in kinds.values():
         models = KnownParts(face_count, [part.faces for part in alike], options.color_seed).models

@@ -119,6 +119,7 @@ class Shape(Frozen):
     thickness: float | None = Field(None, description="Of sheet or plate material, where most walls share one.")
     bodies: tuple[Body, ...]
     face_count: int
+    edge_count: int = Field(0, description="As the file has them; seams of round faces are none.")
 
 
 class GroundedBy(StrEnum):
@@ -165,8 +166,11 @@ class PartKind(StrEnum):
     COUNTERSINK = "countersink"
     CUTOUT = "cutout"
     CYLINDER = "cylinder"
+    CROSSBAR = "crossbar"
     DIMPLE = "dimple"
+    FACE = "face"
     FILLET = "fillet"
+    FLOOR = "floor"
     GEAR = "gear"
     GROOVE = "groove"
     HOLE = "hole"
@@ -180,6 +184,7 @@ class PartKind(StrEnum):
     REGION = "region"
     """Faces that were seen to be what the words mean, without a name in geometry."""
     RIB = "rib"
+    RING_SECTOR = "ring_sector"
     ROUND = "round"
     SLOT = "slot"
     SPHERE = "sphere"
@@ -188,7 +193,6 @@ class PartKind(StrEnum):
     TOOTH = "tooth"
     TORUS = "torus"
     WALL = "wall"
-    """Words mean it; recognition names none yet."""
 
     @property
     def stands_out(self) -> bool:
@@ -271,6 +275,38 @@ class Part(Frozen):
         description="Radians. Between the flanks of a V groove, a dovetail's flank and floor, a chamfer and its face; "
         "of a cone, the full angle.",
     )
+    outer_diameter: float | None = Field(
+        None, description="Of what is round about an axis: over all. A sheet's bend: twice its outer bend radius."
+    )
+    inner_diameter: float | None = Field(
+        None,
+        description="Of a ring, tube, pipe, torus or bend: what is free inside. A sheet's bend: twice the inner one.",
+    )
+    tube_diameter: float | None = Field(None, description="Of a torus: across the tube that goes around.")
+    across_flats: float | None = Field(
+        None,
+        description="Between opposite sides of a regular outline: hexagon, octagon, square; of two flats on a shaft.",
+    )
+    across_corners: float | None = Field(None, description="Between opposite corners of a regular outline.")
+    center_length: float | None = Field(
+        None, description="Between the centres of the two round ends of an obround or curved slot, link or plate."
+    )
+    chamfer_size: float | None = Field(
+        None, description="Of a chamfer: how much it takes off the edge, along the axis of a turned one."
+    )
+    draft: float | None = Field(
+        None, description="Radians. Of a cone or a taper's wall to its axis; of the walls of a pocket, pad or rib."
+    )
+    bend_radius: float | None = Field(
+        None, description="Of a pipe's bends along its middle line, where all have one; of a sheet's bends, inside."
+    )
+    bend_angle: float | None = Field(
+        None, description="Radians that a bent pipe or sheet turns by, where it bends once."
+    )
+    mouth_length: float | None = Field(None, description="Of an opening that narrows or widens: at its mouth.")
+    mouth_width: float | None = None
+    bottom_length: float | None = Field(None, description="Of an opening that narrows or widens: at its bottom.")
+    bottom_width: float | None = None
     edge_distance: float | None = Field(
         None, description="From the opening's rim to the outer edge of its face, where recognition measured it."
     )

@@ -63,6 +63,7 @@ class Shape:
     """Of the sheet or plate material that the model is made of."""
     bodies: list[Body]
     face_count: int
+    edge_count: int
 
 class Part:
     """A part or feature of the model: a hole, a shaft, a slot, a body …"""
@@ -116,6 +117,33 @@ class Part:
     angle: float
     """Radians. Between the flanks of a V groove; of a dovetail's flanks to its floor; of a chamfer to its face; of a
     cone or countersink, the full angle."""
+    outer_diameter: float
+    """Over all, of what is round about an axis: rings, tubes, pipes, shafts, tori, bent bars; of a sheet's bend twice
+    its outer radius."""
+    inner_diameter: float
+    """What is free inside of a ring, tube, pipe, torus or bent bar; of a sheet's bend twice its inner radius."""
+    tube_diameter: float
+    """Of a torus: across the tube that goes around."""
+    across_flats: float
+    """Between opposite sides of a hexagon, octagon or square, or of two flats on a shaft: the width of the wrench."""
+    across_corners: float
+    """Between opposite corners of a hexagon, octagon or square."""
+    center_length: float
+    """From centre to centre of the round ends of a slot, link or obround plate."""
+    chamfer_size: float
+    """Of a chamfer: how much it takes off the edge, the '2 mm' of '2 mm x 45 degrees'."""
+    draft: float
+    """Radians, between a taper's wall and its axis: of cones and taper pins, of the walls of pockets and pads."""
+    bend_radius: float
+    """Of a bent pipe or bar along its middle line; of bent sheet, inside."""
+    bend_angle: float
+    """Radians that a pipe or sheet with one bend turns by."""
+    mouth_length: float
+    """Of an opening that gets narrower or wider with depth, at its mouth; `bottom_length` and `bottom_width` at its
+    other end."""
+    mouth_width: float
+    bottom_length: float
+    bottom_width: float
     volume: float
     area: float
 

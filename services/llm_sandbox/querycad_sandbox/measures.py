@@ -53,6 +53,20 @@ def part_measures(part: Part) -> Measures:
             "pitch": part.pitch,
             "count": part.count,
             "angle": part.angle,
+            "outer_diameter": part.outer_diameter,
+            "inner_diameter": part.inner_diameter,
+            "tube_diameter": part.tube_diameter,
+            "across_flats": part.across_flats,
+            "across_corners": part.across_corners,
+            "center_length": part.center_length,
+            "chamfer_size": part.chamfer_size,
+            "draft": part.draft,
+            "bend_radius": part.bend_radius,
+            "bend_angle": part.bend_angle,
+            "mouth_length": part.mouth_length,
+            "mouth_width": part.mouth_width,
+            "bottom_length": part.bottom_length,
+            "bottom_width": part.bottom_width,
             "volume": part.volume,
             "area": part.area,
         }
@@ -112,6 +126,7 @@ def shape_measures(shape: Shape) -> Measures:
             "area": shape.area,
             "thickness": shape.thickness,
             "face_count": shape.face_count,
+            "edge_count": shape.edge_count,
         }
     )
 

@@ -230,7 +230,7 @@ TAGS = {
     ),
 }
 FACTORS = {"a hundredth": 0.01, "a hundredfold": 100.0}
-LEFT_OUT = {"model", "arc", "cylinder"}
+LEFT_OUT = {"model", "arc", "cylinder", "face"}
 """What is no feature."""
 
 Row = tuple[object, ...]

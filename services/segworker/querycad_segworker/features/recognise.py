@@ -10,7 +10,7 @@ from typing import TypeVar
 from querycad_contracts import Face, Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import box_center, box_extents, dist
 
 from .assemblies.bearings import recognise_bearings
@@ -30,9 +30,14 @@ from .depressions.dimples import recognise_dimples
 from .depressions.recognise import recognise_depressions
 from .holes.hole import Hole
 from .holes.recognise import recognise_holes
+from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
 from .parts.depressions import blend_part, depression_part, turned_groove_part
+from .parts.flat_walls import flat_wall_part, recognise_flat_walls
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
+from .parts.joined_holes import with_joined_counterbores
+from .parts.own_measures import with_own_measures
 from .parts.patterns import recognise_patterns
+from .parts.plane_faces import plane_face_parts
 from .parts.protrusions import (
     gear_part,
     hollow_section_part,
@@ -44,6 +49,7 @@ from .parts.protrusions import (
 )
 from .parts.relations import with_relations
 from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
+from .parts.turned_pieces import crossbars
 from .parts.volumes import Volumes
 from .protrusions.pads import recognise_pads
 from .protrusions.prisms import recognise_prisms
@@ -96,7 +102,7 @@ def recognise(
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
         else:
             volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
-            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness)
+            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness.renumbered(whole.owner))
     left = left_refused(refused, parts)
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
@@ -117,6 +123,7 @@ def _parts(
     hole_parts = _numbered(holes, lambda hole, n: hole_part(brep, hole, n))
     round_faces = {face for own in (holes, bosses, pipes) for record in own for face in record.faces}
     hole_faces = {face for hole in holes for face in hole.faces}
+    dimples = recognise_dimples(brep, hole_faces)
     blends = recognise_blends(brep, round_faces, tolerances)
     blend_faces = {face for blend in blends for face in blend.faces}
     ribs = recognise_ribs(brep, tolerances)
@@ -125,6 +132,8 @@ def _parts(
     gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
     fin_indices = fins(ribs, tolerances)
     depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
+    balls = [frozenset(dimple.faces) for dimple in dimples]
+    depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
     depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
     toothed = [*(frozenset(gear.faces) for gear in gears), *(frozenset(knurl.faces) for knurl in knurls)]
@@ -140,12 +149,13 @@ def _parts(
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
+    flat_walls = recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances)
     standing = beside_pipes(brep, bosses, pipes)
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
         *hole_parts,
         *(part for n, hole in enumerate(holes, start=1) for part in hole_section_parts(brep, hole, n)),
-        *_numbered(recognise_dimples(brep, hole_faces), lambda dimple, n: dimple_part(brep, dimple, n)),
+        *_numbered(dimples, lambda dimple, n: dimple_part(brep, dimple, n)),
         *_numbered(standing, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
         *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
         *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
@@ -155,6 +165,8 @@ def _parts(
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
         *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
+        *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
+        *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
         *_numbered(
             [w for w in found_walls if w.kind is SurfaceKind.CYLINDER and w.encloses],
@@ -181,6 +193,8 @@ def _parts(
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts.extend(_patterns(brep, parts))
+    parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
+    parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
     return with_relations(parts, shape, brep)
 
 
@@ -244,6 +258,7 @@ def _shape(brep: Brep, thickness_m: float | None) -> Shape:
         thickness=thickness_m,
         bodies=tuple(body(brep, record) for record in brep.bodies),
         face_count=len(brep.faces),
+        edge_count=sum(edge.convexity is not EdgeConvexity.SEAM for edge in brep.edges),
     )
 
 

@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.frames import outline_of
 from querycad_segworker.features.shared.part_measures import faces_box, millimetres
 from querycad_segworker.features.sheet.body_thickness import is_flat, largest_plane
 from querycad_segworker.features.turned.gears import Gear
-from querycad_segworker.features.turned.pipes import Pipe
+from querycad_segworker.features.turned.pipes import Pipe, bent_measures
 from querycad_segworker.features.turned.round_bodies import COAXIAL, ROUND, TurnedBody
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import BodyRecord, Brep
@@ -19,7 +19,7 @@ from querycad_segworker.vectors import box_center, box_extents
 
 from .bearings import Bearing
 
-_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips")
+_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips", "outer_diameter", "inner_diameter", "tube_diameter")
 """What a model that is one round body has of it."""
 MOSTLY = 0.5
 """A body with more than this share of its surface in one pipe is that pipe, with flanges or ports."""
@@ -162,8 +162,9 @@ def with_pipe_measures(bodies: Sequence[Part], brep: Brep, pipes: Sequence[Pipe]
             if sum(brep.faces[f].area for f in pipe.faces) > MOSTLY * record.area:
                 update: dict[str, object] = {"radius": outer, "diameter": 2 * outer, "radii": (outer,)}
                 update["tags"] = (*part.tags, "bent", "tube" if inner is not None else "rod")
+                update |= {"outer_diameter": 2 * outer, **bent_measures(pipe)}
                 if inner is not None:
-                    update |= {"radii": (outer, inner), "thickness": outer - inner}
+                    update |= {"radii": (outer, inner), "thickness": outer - inner, "inner_diameter": 2 * inner}
                 part = part.model_copy(update=update)
         result.append(part)
     return result
@@ -212,7 +213,10 @@ def _turned_measures(turned: TurnedBody, tips: tuple[Vector, ...]) -> dict[str, 
         "diameter": 2 * turned.radius,
         "length": turned.length,
         "radii": turned.radii,
+        "outer_diameter": 2 * turned.outer_radius,
     }
+    if turned.bore is not None:
+        measures["inner_diameter"] = 2 * turned.bore.radius
     if turned.slender:
         measures |= {"height": turned.length, "tip": tips[0] if tips else None, "tips": tips}
     return measures

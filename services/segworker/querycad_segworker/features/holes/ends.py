@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.coaxial_stacks import Stack, radius_at, wall_range
+from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import dot, parallel, scale, sub, unit
@@ -131,6 +132,45 @@ def drill_point(stack: Stack, opens_high: bool) -> Wall | None:
     if inner.kind is SurfaceKind.CONE and radius_at(stack.axis, inner, not opens_high) <= 0.05 * inner.radius:
         return inner if len(stack.walls) > 1 else None
     return None
+
+
+def is_pointed(stack: Stack, high: bool) -> bool:
+    """Does this end of the stack run to a point, as a cone alone does?"""
+    last = max(stack.walls, key=lambda w: wall_range(stack.axis, w)[1] if high else -wall_range(stack.axis, w)[0])
+    return last.kind is SurfaceKind.CONE and radius_at(stack.axis, last, high) <= 0.05 * last.radius
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """A hollow sphere at the end of a bore, wider than it. `end`: where along the axis it is as narrow as the bore."""
+
+    face: int
+    end: float
+
+
+def ball_below(brep: Brep, stack: Stack, high: bool) -> Ball | None:
+    """Which hollow ball, wider than the bore, closes this end of the stack? Its only rim is that of the bore."""
+    beyond = stack.high_faces if high else stack.low_faces
+    if len(beyond) != 1 or brep.faces[beyond[0]].kind is not SurfaceKind.SPHERE or brep.faces[beyond[0]].outward > 0:
+        return None
+    ball = brep.faces[beyond[0]]
+    own = {face for wall in stack.walls for face in wall.faces}
+    rim = brep.neighbours(ball.id)
+    if not all(other in own and edge.convexity is EdgeConvexity.CONVEX for edge, other in rim):
+        return None
+    wall = max(stack.walls, key=lambda w: wall_range(stack.axis, w)[1] if high else -wall_range(stack.axis, w)[0])
+    radius = radius_at(stack.axis, wall, high)
+    if stack.axis.radius_of(ball.origin) > 0.02 * ball.radius or radius > 1.001 * ball.radius:
+        return None
+    reach = math.sqrt(max(0.0, ball.radius**2 - radius**2))
+    return Ball(ball.id, stack.axis.position(ball.origin) + (reach if high else -reach))
+
+
+def closed_by_balls(brep: Brep, stack: Stack) -> Stack:
+    """The same stack; where it opens into nothing but a hollow ball, it is closed there."""
+    low = End.CLOSED if ball_below(brep, stack, False) is not None else stack.low_end
+    high = End.CLOSED if ball_below(brep, stack, True) is not None else stack.high_end
+    return replace(stack, low_end=low, high_end=high)
 
 
 def bottom_of(brep: Brep, floor: Sequence[int], point: Wall | None) -> Bottom:

@@ -17,12 +17,15 @@ from querycad_segworker.vectors import scale
 
 from .ends import (
     Bores,
+    ball_below,
     bottom_of,
+    closed_by_balls,
     closing_faces,
     core_radius,
     drill_point,
     flats_of,
     is_floor,
+    is_pointed,
     mouth_rounding,
     oblique_mouth,
     opens_high,
@@ -60,7 +63,7 @@ def recognise_holes(
         if stack.low_end is End.CLOSED and stack.high_end is End.CLOSED:
             refuse("hole", _faces_of(stack), "both of its ends are closed")
             continue
-        hole = _hole(brep, stack, bores, tolerances)
+        hole = _hole(brep, closed_by_balls(brep, stack), bores, tolerances)
         if _is_recess(hole):
             refuse("hole", hole.faces, "it is shallow against its width: a round pocket")
             continue
@@ -117,12 +120,18 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         (w.radius for w in cylinders), default=min(min(w.radius_low, w.radius_high) or w.radius for w in inwards)
     )
     floor = () if open_both else closing_faces(brep, stack, not high)
+    ball = ball_below(brep, stack, not high) if not open_both else None
+    if ball is not None:
+        floor, end = (ball.face,), ball.end
     faces = {face for w in stack.walls for face in w.faces} | set(stack.shoulders)
     faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
     faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}
     flats = flats_of(brep, stack)
     faces.update(flats)
     crosses = (inside_low if high else inside_high) or (inside_low and inside_high)
+    pointed = not open_both and not floor and is_pointed(stack, not high)
+    if pointed:
+        floor = inwards[-1].faces
     bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
     oblique = oblique_mouth(brep, stack, high) is not None
     return Hole(

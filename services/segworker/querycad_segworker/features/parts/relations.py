@@ -11,6 +11,7 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import OFF_ROUND, line_distance, line_key
 
 from .hierarchy import carried
+from .turned_pieces import turned_pieces
 
 CENTRAL_SHARE = 0.01
 """A part is central when its axis passes the middle of the model nearer than this share of the model's extent."""
@@ -33,13 +34,15 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     'grounded': it reaches the model's lowest level. 'foot': it does, as one of several bodies or protrusions that do,
     while others do not: what the rest stands on; 'leg': the long part of such a foot. 'head': the wide end of a screw,
     whose body is a 'screw'; 'nut', likewise. 'bolt_circle', 'row', 'grid', 'rectangle': what lies so. 'ringed': a hole
-    with a ring around it. 'vertical', 'horizontal': its axis.
+    with a ring around it. 'vertical', 'horizontal': its axis. 'head', 'shank', 'neck', 'spigot', 'tip', 'eye': what a
+    step is to its turned part.
     """
     tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
     fastened = fasteners(parts, brep)
     structural = [part for part in parts if part.id not in fastened]
     held = {part_id: found.tags for part_id, found in fastened.items()}
-    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape)):
+    pieces = turned_pieces(parts, brep)
+    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape), pieces):
         for part_id, names in found.items():
             tags[part_id].extend(names)
     carried_by = carried(parts, brep)

@@ -11,7 +11,7 @@ from querycad_segworker.features.holes.hole import Section, SectionKind
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.features.turned.bosses import Boss
-from querycad_segworker.features.turned.pipes import Bend, Pipe
+from querycad_segworker.features.turned.pipes import Bend, Pipe, bent_measures
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import OFF_ROUND, binned, box_center, box_extents, mid
 
@@ -55,6 +55,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         pitch=boss.pitch,
         local_size=(2 * boss.radius, 2 * boss.radius, boss.height),
         area=faces_area(brep, boss.faces),
+        draft=boss.lean if "conical" in boss.tags else None,
         radii=(boss.radius,) if boss.bore_radius is None else (boss.radius, boss.bore_radius),
         children=(
             *((bore.id,) if bore is not None else ()),
@@ -223,6 +224,7 @@ def pipe_parts(brep: Brep, pipe: Pipe, number: int) -> list[Part]:
         area=faces_area(brep, pipe.faces),
         radii=radii,
         children=tuple(bend.id for bend in bends),
+        **bent_measures(pipe),
         evidence=geometry(f"{len(bends)} bend(s) and the straight lengths that run into them, of one cross-section"),
     )
     return [part, *bends]
@@ -244,6 +246,8 @@ def _bend_part(brep: Brep, bend: Bend, part_id: str, owner: str) -> Part:
         area=faces_area(brep, (bend.face,)),
         radii=(bend.radius,),
         angle=bend.angle,
+        bend_radius=bend.radius,
+        bend_angle=bend.angle,
         evidence=geometry("part of a torus that whole cross-sections bound"),
     )
 

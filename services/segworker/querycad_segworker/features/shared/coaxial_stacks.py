@@ -63,14 +63,24 @@ def radius_at(axis: Axis, wall: Wall, high: bool) -> float:
     return wall.radius_high if high == same_way else wall.radius_low
 
 
-def stacks(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances, belongs: Callable[[Wall], bool]) -> list[Stack]:
+def stacks(
+    brep: Brep,
+    walls: Sequence[Wall],
+    tolerances: Tolerances,
+    belongs: Callable[[Wall], bool],
+    *,
+    over_roundings: bool = False,
+) -> list[Stack]:
     """Which stacks do those walls form for which `belongs` is true?
 
     Two coaxial walls follow each other when they share an edge, or when a plane ring around the axis joins one
     to the other: a shoulder, whose one boundary is the first wall's rim and whose other boundary is the second's.
+    `over_roundings`: also where fillets and roundings around the axis lead from wall to shoulder.
     """
     members = [wall for wall in walls if belongs(wall)]
     owner = {face: i for i, wall in enumerate(members) for face in wall.faces}
+    if over_roundings:
+        owner |= _roundings(brep, members, owner, tolerances)
     links: dict[int, set[int]] = defaultdict(set)
     shoulders: dict[int, set[int]] = defaultdict(set)
     for edge in brep.edges:
@@ -98,6 +108,27 @@ def stacks(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances, belongs: C
         rings = {face for i in group for face in shoulders[i]}
         result.append(_stack(brep, [members[i] for i in sorted(group)], rings))
     return result
+
+
+def _roundings(brep: Brep, members: Sequence[Wall], owner: dict[int, int], tolerances: Tolerances) -> dict[int, int]:
+    """Tori around a wall's axis that run into it tangentially: each belongs to that wall."""
+    found: dict[int, int] = {}
+    for i, wall in enumerate(members):
+        for face in wall.faces:
+            for other in roundings_beside(brep, face):
+                torus = brep.faces[other]
+                if other not in owner and wall.axis.same_line(Axis(torus.origin, torus.axis), tolerances):
+                    found[other] = i
+    return found
+
+
+def roundings_beside(brep: Brep, face: int) -> list[int]:
+    """Which tori run into a face tangentially, as fillets and rounded rims do?"""
+    return [
+        other
+        for edge, other in brep.neighbours(face)
+        if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.TORUS
+    ]
 
 
 def _coaxial(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
@@ -163,7 +194,7 @@ def _end(
                 continue
             turn = winding(axis, edge)
             beyond[others[0]] += turn
-            kind = _verdict(brep, edge, others[0])
+            kind = _verdict(brep, edge, others[0], brep.faces[face])
             if kind is not None:
                 score[kind] += turn
     if not any(score.values()):
@@ -175,8 +206,11 @@ def _edge_middle(edge: EdgeRecord) -> Vector:
     return edge.center if edge.center is not None and edge.closed else edge.mid
 
 
-def _verdict(brep: Brep, edge: EdgeRecord, beyond: int) -> End | None:
-    """Does this edge speak for an open or a closed end? Across a smooth edge the blend's own curvature decides."""
+def _verdict(brep: Brep, edge: EdgeRecord, beyond: int, wall: FaceRecord) -> End | None:
+    """Does this edge speak for an open or a closed end? Across a smooth edge the blend's own curvature decides.
+
+    A hollow torus at the end of a bore rounds the corner to its floor.
+    """
     if edge.convexity is EdgeConvexity.CONVEX:
         return End.OPEN
     if edge.convexity is EdgeConvexity.CONCAVE:
@@ -186,6 +220,8 @@ def _verdict(brep: Brep, edge: EdgeRecord, beyond: int) -> End | None:
     face = brep.faces[beyond]
     if face.kind in (SurfaceKind.TORUS, SurfaceKind.SPHERE, SurfaceKind.CYLINDER, SurfaceKind.CONE):
         return End.OPEN if face.outward > 0 else End.CLOSED
+    if wall.kind is SurfaceKind.TORUS and wall.outward < 0 and face.kind is SurfaceKind.PLANE:
+        return End.CLOSED
     return None
 
 

@@ -62,13 +62,19 @@ def frame_of_edges(
     u = unit(sub(u, scale(normal, dot(u, normal))))
     v = cross(normal, u)
     points = [p for e in edges for p in edge_points(brep, e)]
-    ranges = [(min(dot(p, d) for p in points), max(dot(p, d) for p in points)) for d in (u, v, normal)]
+    ranges = [_range(points, d) for d in (u, v, normal)]
     if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
-        ranges = [(min(dot(p, d) for p in points), max(dot(p, d) for p in points)) for d in (u, v, normal)]
+        ranges[:2] = [ranges[1], (-ranges[0][1], -ranges[0][0])]
     low = (ranges[0][0], ranges[1][0], ranges[2][0])
     size = tuple(b - a for a, b in ranges)
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
+
+
+def _range(points: Sequence[Vector], direction: Vector) -> tuple[float, float]:
+    x, y, z = direction
+    along = [p[0] * x + p[1] * y + p[2] * z for p in points]
+    return min(along), max(along)
 
 
 def edge_points(brep: Brep, e: int) -> list[Vector]:

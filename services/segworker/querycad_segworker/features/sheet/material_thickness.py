@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +37,15 @@ class Thickness:
 
     model: float | None = None
     bodies: Mapping[int, float] = field(default_factory=dict)
+    opposite_m2: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    """How much of a plane face has another plane face straight behind it, across the material? By ids of both."""
+
+    def renumbered(self, owner: Sequence[int]) -> Thickness:
+        """The same of a model whose face `i` is part of face `owner[i]`."""
+        opposite: dict[tuple[int, int], float] = defaultdict(float)
+        for (a, b), area_m2 in self.opposite_m2.items():
+            opposite[owner[a], owner[b]] += area_m2
+        return replace(self, opposite_m2=opposite)
 
 
 NO_THICKNESS = Thickness()
@@ -46,16 +56,18 @@ NO_THICKNESS = Thickness()
 class _Depths:
     """What lies behind each of N triangles, seen from its middle straight into the material.
 
-    faces: (N,) ids of their faces. areas_m2, walls_m: (N,), the latter `NO_WALL` where no wall lies between.
+    faces, beyond: (N,) ids of their faces, and of those seen. areas_m2, walls_m: (N,), the latter `NO_WALL` where no
+    wall lies between.
     """
 
     faces: NDArray[np.int32]
+    beyond: NDArray[np.int32]
     areas_m2: NDArray[np.float64]
     walls_m: NDArray[np.float64]
 
     def of(self, chosen: NDArray[np.bool_]) -> _Depths:
         """Those of some triangles."""
-        return _Depths(self.faces[chosen], self.areas_m2[chosen], self.walls_m[chosen])
+        return _Depths(self.faces[chosen], self.beyond[chosen], self.areas_m2[chosen], self.walls_m[chosen])
 
 
 def material_thickness(brep: Brep, mesh: Mesh, scene: Scene) -> Thickness:
@@ -69,15 +81,25 @@ def material_thickness(brep: Brep, mesh: Mesh, scene: Scene) -> Thickness:
     owners = np.array([face.body for face in brep.faces], dtype=np.int64)[depths.faces]
     plane = np.array([face.kind is SurfaceKind.PLANE for face in brep.faces], dtype=np.bool_)
     whole = _shared(brep.box, depths, plane)
+    opposite = _opposite(depths, plane)
     if len(brep.bodies) == 1:
-        return Thickness(whole, {} if whole is None else {brep.bodies[0].id: whole})
+        return Thickness(whole, {} if whole is None else {brep.bodies[0].id: whole}, opposite)
     found = {}
     for body in brep.bodies:
         box = box_union(brep.faces[f].box for f in body.faces)
         thickness = _shared(box, depths.of(owners == body.id), plane) if box is not None else None
         if thickness is not None:
             found[body.id] = thickness
-    return Thickness(whole, found)
+    return Thickness(whole, found, opposite)
+
+
+def _opposite(depths: _Depths, plane: NDArray[np.bool_]) -> dict[tuple[int, int], float]:
+    """The areas of `Thickness.opposite_m2`."""
+    chosen = np.isfinite(depths.walls_m) & plane[depths.faces] & plane[depths.beyond]
+    pairs = np.stack([depths.faces[chosen], depths.beyond[chosen]], axis=1)
+    unique, index = np.unique(pairs, axis=0, return_inverse=True)
+    areas = np.bincount(index.ravel(), weights=depths.areas_m2[chosen], minlength=len(unique))
+    return {(int(a), int(b)): float(area) for (a, b), area in zip(unique, areas, strict=True)}
 
 
 def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> _Depths:
@@ -101,7 +123,7 @@ def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> _Depths:
         pairs_of_faces = (divmod(int(pair), len(brep.faces)) for pair in pairs)
         gaps = np.array([_gap(brep.faces[a], brep.faces[b], tolerances) for a, b in pairs_of_faces])[index.ravel()]
         walls = np.where(np.isnan(gaps), distances, gaps)
-    return _Depths(faces, doubled[solid][reached] / 2, walls)
+    return _Depths(faces, beyond, doubled[solid][reached] / 2, walls)
 
 
 def _gap(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> float:

@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
-from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
+from querycad_segworker.features.shared.coaxial_stacks import (
+    End,
+    Stack,
+    radius_at,
+    roundings_beside,
+    stacks,
+    wall_range,
+)
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall
@@ -16,6 +23,8 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel, scale
 
+WIDER = 1.05
+"""A chamfer begins about as wide as the cylinder that it is on."""
 SLENDER = 1.0
 """Longer than its diameter: a shaft, pin or rod rather than a boss or disc."""
 TUBE_RATIO = 0.5
@@ -64,7 +73,7 @@ def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], t
     two sides of a groove turned into it are one step.
     """
     found: list[Boss] = []
-    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses):
+    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses, over_roundings=True):
         steps = _steps(stack, tolerances)
         found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
     for wall in walls:
@@ -99,7 +108,14 @@ def _is_step(wall: Wall, stack: Stack) -> bool:
     if wall.kind is SurfaceKind.CYLINDER:
         return True
     cylinders = [w for w in stack.walls if w.kind is SurfaceKind.CYLINDER]
-    return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in cylinders)
+    low, high = wall_range(stack.axis, wall)
+    near = 0.01 * wall.height
+    touching = [
+        c for c in cylinders for a, b in (wall_range(stack.axis, c),) if abs(a - high) <= near or abs(b - low) <= near
+    ]
+    # Over a rounding nothing touches; what is wider by far is not the cylinder whose edge it breaks.
+    beside = touching or [c for c in cylinders if c.radius <= WIDER * wall.radius]
+    return wall.kind is SurfaceKind.CONE and all(wall.height > 0.5 * c.radius for c in beside)
 
 
 def is_neck(wall: Wall, stack: Stack) -> bool:
@@ -160,6 +176,7 @@ def _boss(
             faces.update(other.faces)
             if other.kind is SurfaceKind.CONE:
                 breaks.append(_break(axis, other, at_high))
+    low, high = _rounded(brep, axis, own, low, high, tolerances)
     low, high = _domed(brep, stack, low, high, faces)
     tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
     free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
@@ -248,6 +265,25 @@ def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
         normal=axis.direction if at_high else scale(axis.direction, -1.0),
         faces=wall.faces,
     )
+
+
+def _rounded(
+    brep: Brep, axis: Axis, own: Collection[int], low: float, high: float, tolerances: Tolerances
+) -> tuple[float, float]:
+    """The step's range up to the planes that its fillet at the foot and its rounded rim run into."""
+    near = 3 * tolerances.length
+    for face in own:
+        for other in roundings_beside(brep, face):
+            torus = brep.faces[other]
+            if not axis.same_line(Axis(torus.origin, torus.axis), tolerances):
+                continue
+            middle = axis.position(torus.origin)
+            ends = [axis.position(brep.edges[e].mid) for e in brep.face_edges[other]]
+            if min(ends) < low - near and abs(max(ends) - low) <= near and abs(middle - low) <= near:
+                low = min(ends)
+            elif max(ends) > high + near and abs(min(ends) - high) <= near and abs(middle - high) <= near:
+                high = max(ends)
+    return low, high
 
 
 def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -> tuple[float, float]:

@@ -162,6 +162,17 @@ def _is_rim(edge: EdgeRecord, bend: Bend) -> bool:
     return level and abs(bend.axis.radius_of(edge.center) - bend.radius) <= NEAR * bend.radius
 
 
+def bent_measures(pipe: Pipe) -> dict[str, object]:
+    """Which radius, along the middle line, do all bends of a pipe share; which angle, in radians, has its only one?"""
+    radii = [bend.radius for bend in pipe.bends]
+    measures: dict[str, object] = {}
+    if max(radii) - min(radii) <= NEAR * max(radii):
+        measures["bend_radius"] = radii[0]
+    if len(pipe.bends) == 1:
+        measures["bend_angle"] = pipe.bends[0].angle
+    return measures
+
+
 def ending_in_bends(holes: Sequence[Hole], pipes: Sequence[Pipe]) -> list[Hole]:
     """The same holes; one that runs on into the bend of a bore has no bottom there."""
     bores = {face for pipe in pipes if pipe.inner is not None for face in pipe.faces}

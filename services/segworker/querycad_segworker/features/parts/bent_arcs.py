@@ -1,0 +1,136 @@
+"""Two coaxial arcs with the material between them: bends of sheet, and sectors of a ring such as bent flat bars."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import Part, SurfaceKind, Vector
+from querycad_segworker.features.shared.axes import Wall
+from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
+from querycad_segworker.vectors import add, box_center, box_extents, dot, scale, sub, unit
+
+ALIKE = 0.1
+"""Both arcs cover the same angle and length but for this share: ends may be cut square or to a point."""
+SAME_WAY = 0.95
+"""Cosine of the angle between the middles of both arcs as seen from their axis."""
+LEAST_RAD = math.radians(10.0)
+"""Less is a crown, not a bend."""
+HALF_RAD = (math.radians(170.0), math.radians(190.0))
+
+
+@dataclass(frozen=True, slots=True)
+class BentArc:
+    """One bend or ring sector. Metres, radians. `length`: along the axis."""
+
+    inner: Wall
+    outer: Wall
+    is_bend: bool
+    """Sheet runs on from it tangentially, on one side at least."""
+
+    @property
+    def thickness(self) -> float:
+        """How thick is it, along the radius?"""
+        return self.outer.radius - self.inner.radius
+
+
+def recognise_bent_arcs(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> list[BentArc]:
+    """Which bends of sheet and sectors of rings does the model have? By lowest face id.
+
+    A hollow arc with a bulging one behind it, on one axis, over the same angle and the same length.
+    """
+    arcs = [
+        wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and not wall.encloses and wall.sweep > LEAST_RAD
+    ]
+    found = []
+    for inner in (wall for wall in arcs if wall.outward < 0):
+        behind = [
+            wall
+            for wall in arcs
+            if wall.outward > 0
+            and wall.body == inner.body
+            and wall.radius > inner.radius
+            and wall.axis.same_line(inner.axis, tolerances)
+            and _same_place(brep, inner, wall)
+        ]
+        outer = min(behind, key=lambda wall: wall.radius, default=None)
+        if outer is not None and _is_free(brep, inner):
+            found.append(BentArc(inner, outer, _runs_on(brep, inner) and _runs_on(brep, outer)))
+    return sorted(found, key=lambda one: one.inner.faces)
+
+
+def _same_place(brep: Brep, inner: Wall, outer: Wall) -> bool:
+    along = [inner.axis.position(outer.axis.at(p)) for p in (outer.low, outer.high)]
+    overlap = min(inner.high, max(along)) - max(inner.low, min(along))
+    alike = abs(inner.sweep - outer.sweep) <= ALIKE * outer.sweep
+    long = overlap >= (1 - ALIKE) * max(inner.height, outer.height)
+    return alike and long and dot(_middle(brep, inner), _middle(brep, outer)) > SAME_WAY
+
+
+def _middle(brep: Brep, wall: Wall) -> Vector:
+    """The direction from the axis to the middle of the arc, from all ends of its straight edges and its faces."""
+    total: Vector = (0.0, 0.0, 0.0)
+    for i in wall.faces:
+        point = brep.faces[i].point
+        out = unit(sub(point, wall.axis.at(wall.axis.position(point))))
+        total = add(total, scale(out, brep.faces[i].area))
+    return unit(total)
+
+
+def _is_free(brep: Brep, wall: Wall) -> bool:
+    """Does it end at nothing that closes it off, as the floor of a box does its rounded corner?"""
+    edges = (edge for i in wall.faces for edge, _ in brep.neighbours(i))
+    return not any(edge.convexity is EdgeConvexity.CONCAVE and edge.kind is not EdgeKind.LINE for edge in edges)
+
+
+def _runs_on(brep: Brep, wall: Wall) -> bool:
+    """Does a plane go on from it tangentially, across an edge along its axis?"""
+    return any(
+        edge.convexity is EdgeConvexity.SMOOTH
+        and edge.kind is EdgeKind.LINE
+        and brep.faces[other].kind is SurfaceKind.PLANE
+        for i in wall.faces
+        for edge, other in brep.neighbours(i)
+    )
+
+
+def bent_arc_part(brep: Brep, found: BentArc, number: int) -> Part:
+    """A bend of sheet, or a sector of a ring; its thickness is radial, its length along the bend line or the arc."""
+    inner, outer = found.inner, found.outer
+    kind = "bend" if found.is_bend else "ring_sector"
+    faces = tuple(sorted({*inner.faces, *outer.faces}))
+    box = faces_box(brep, faces)
+    half = HALF_RAD[0] <= outer.sweep <= HALF_RAD[1]
+    middle = (inner.radius + outer.radius) / 2
+    length = max(inner.height, outer.height) if found.is_bend else middle * outer.sweep
+    tags = ("sheet", "bent") if found.is_bend else ("bent", "arc", *(("semicircular",) if half else ()))
+    name = "bend of sheet" if found.is_bend else "half ring" if half else "sector of a ring"
+    radius = inner.radius if found.is_bend else middle
+    return Part(
+        id=f"sheet-bend-{number}" if found.is_bend else f"ring-sector-{number}",
+        kind=kind,
+        tags=tags,
+        label=f"{name}, radii {millimetres(outer.radius)} and {millimetres(inner.radius)}, "
+        f"{math.degrees(outer.sweep):.4g} degrees",
+        faces=faces,
+        center=box_center(box),
+        extents=box_extents(box),
+        axis=outer.axis.direction,
+        radius=radius,
+        diameter=None if found.is_bend else 2 * outer.radius,
+        radii=(outer.radius, inner.radius),
+        outer_diameter=2 * outer.radius,
+        inner_diameter=2 * inner.radius,
+        thickness=found.thickness,
+        width=found.thickness,
+        height=outer.height,
+        length=length,
+        angle=outer.sweep,
+        bend_radius=radius,
+        bend_angle=outer.sweep,
+        area=faces_area(brep, faces),
+        evidence=geometry("a hollow arc and a bulging one behind it, on one axis, with the material between them"),
+    )

@@ -1,0 +1,233 @@
+"""Flat walls: two plane faces with nothing but material between them, close together against their size."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from querycad_contracts import Part, Vector
+from querycad_segworker.features.depressions.depression import Depression, DepressionKind
+from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
+from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_area, faces_box, geometry, millimetres
+from querycad_segworker.features.shared.walls import Groups
+from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.topology import Brep, EdgeKind, FaceRecord
+from querycad_segworker.vectors import OFF_ROUND, add, box_extents, dist, dot, parallel, scale
+
+MOST = 0.5
+"""More than this share of one of the two faces has the other one straight behind it."""
+FILLED = 0.4
+"""A side that fills less than this share of its box is a rim, or the cross-section of a wall."""
+FLATTER = 0.8
+"""A wall is thinner than it is wide, by this factor at least; else it is a bar."""
+MADE_OF = 0.6
+"""A body of walls, such as an angle bracket, has more than this share of its volume in them; holes and bends are the
+rest."""
+APART = 0.95
+"""Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
+UPRIGHT = 0.05
+"""Sine of the angle by which an upright or lying wall may lean: 3 degrees."""
+HALF_TURN_RAD = math.radians(150.0)
+"""The end of an ear is round by so much at least."""
+
+
+@dataclass(frozen=True, slots=True)
+class FlatWall:
+    """One wall. Metres, frame of the file. `length` and `width` are those of the smaller of its two sides."""
+
+    thickness: float
+    length: float
+    width: float
+    normal: Vector
+    """Square to it, out of the smaller side."""
+    center: Vector
+    faces: tuple[int, ...]
+    body: int
+    tags: tuple[str, ...] = ()
+    is_floor: bool = False
+    is_thin: bool = True
+    """Thinner than a third of its width. What is thicker is a wall only beside a pocket, or on one that is thin."""
+
+    @property
+    def volume(self) -> float:
+        """How much material would a full block of its size have?"""
+        return self.thickness * self.length * self.width
+
+
+def recognise_flat_walls(
+    brep: Brep,
+    opposite_m2: Mapping[tuple[int, int], float],
+    depressions: Sequence[Depression],
+    tolerances: Tolerances,
+) -> list[FlatWall]:
+    """Which flat walls does the model have: sides and floors of boxes, legs of brackets, webs, ears? By lowest face id.
+
+    `opposite_m2`: how much of a plane face has another one straight behind it, across the material. Pieces of one plane
+    that have one face behind them are one side. Floors are those that a pocket or channel ends at.
+    """
+    alike: dict[tuple[int, int], list[tuple[int, int]]] = defaultdict(list)
+    for a, b in _pairs(brep, opposite_m2):
+        thickness = round(_gap(brep, a, b) * OFF_ROUND / (3 * tolerances.length))
+        alike[brep.faces[a].body, thickness].append((a, b))
+    floors = {
+        face: found.normal
+        for found in depressions
+        if found.kind in (DepressionKind.POCKET, DepressionKind.CHANNEL)
+        for face in found.floor
+    }
+    sides = {
+        face
+        for found in depressions
+        if found.kind is DepressionKind.POCKET
+        for face in found.faces
+        if face not in found.floor
+    }
+    thin: list[FlatWall] = []
+    low: list[FlatWall] = []
+    for pairs in alike.values():
+        groups = Groups({i for pair in pairs for i in pair})
+        for a, b in pairs:
+            groups.unite(a, b)
+        for faces in groups.all():
+            wall = _wall(brep, faces)
+            if wall is not None:
+                (thin if wall.is_thin else low).append(_with_place(wall, floors))
+    low = [wall for wall in low if not sides.isdisjoint(wall.faces) or any(_joins(brep, wall, one) for one in thin)]
+    return sorted(_legs(brep, [*thin, *low]), key=lambda wall: (wall.faces, wall.thickness))
+
+
+def _joins(brep: Brep, wall: FlatWall, other: FlatWall) -> bool:
+    """Do two walls meet at an angle, also over a bend or a fillet?"""
+    if wall.body != other.body or abs(dot(wall.normal, other.normal)) > APART:
+        return False
+    own, there = set(wall.faces), set(other.faces)
+    beside = {i for face in own for _, i in brep.neighbours(face)} - own
+    blends = (i for i in beside if is_blend(brep, brep.faces[i]))
+    return not there.isdisjoint(beside) or any(n in there for i in blends for _, n in brep.neighbours(i))
+
+
+def _pairs(brep: Brep, opposite_m2: Mapping[tuple[int, int], float]) -> list[tuple[int, int]]:
+    found = set()
+    for (a, b), area_m2 in opposite_m2.items():
+        if brep.faces[a].body == brep.faces[b].body and area_m2 > MOST * brep.faces[a].area:
+            found.add((min(a, b), max(a, b)))
+    return sorted(found)
+
+
+def _gap(brep: Brep, a: int, b: int) -> float:
+    return abs(dot(brep.faces[a].point, brep.faces[a].axis) - dot(brep.faces[b].point, brep.faces[a].axis))
+
+
+def _wall(brep: Brep, faces: Collection[int]) -> FlatWall | None:
+    """The wall between the faces that look one way and those that look the other; None where it is too thick."""
+    first = brep.faces[min(faces)]
+    sides: dict[bool, list[FaceRecord]] = defaultdict(list)
+    for i in sorted(faces):
+        sides[dot(brep.faces[i].axis, first.axis) > 0].append(brep.faces[i])
+    if len(sides) != 2:
+        return None
+    small, large = sorted(sides.values(), key=lambda side: sum(face.area for face in side))
+    normal = small[0].axis
+    thickness = dot(small[0].point, normal) - dot(large[0].point, normal)
+    frame = _frame(brep, small)
+    length, width, _ = frame.size
+    # The rim of a box is long and wide as a whole, but narrow: there the mean width counts.
+    area = sum(face.area for face in small)
+    clear = width if area > FILLED * length * width else area / length
+    thin = thickness < PLATE_RATIO * clear
+    if thickness <= 0 or not (thin or (thickness < FLATTER * clear and thickness < PLATE_RATIO * length)):
+        return None
+    if any(edge.closed and edge.kind is EdgeKind.CIRCLE for edge in (brep.edges[e] for e in _rims(small))):
+        return None  # a disc
+    return FlatWall(
+        thickness=thickness,
+        length=length,
+        width=width,
+        normal=normal,
+        center=add(frame.point(0.5, 0.5, 1.0), scale(normal, -thickness / 2)),
+        faces=tuple(sorted(faces)),
+        body=first.body,
+        is_thin=thin,
+        tags=("ear",) if any(_is_ear(brep, face) for face in (*small, *large)) else (),
+    )
+
+
+def _frame(brep: Brep, side: Sequence[FaceRecord]) -> LocalFrame:
+    rims = _rims(side)
+    return frame_of_edges(brep, rims or {e for face in side for e in brep.face_edges[face.id]}, side[0].axis, None)
+
+
+def _rims(side: Sequence[FaceRecord]) -> set[int]:
+    return {e for face in side for loop in face.loops if loop.outer for e in loop.edges}
+
+
+def _is_ear(brep: Brep, face: FaceRecord) -> bool:
+    """Does it end round about a hole, as ears and eyes do?"""
+    arcs = [brep.edges[e] for loop in face.loops if loop.outer for e in loop.edges]
+    inner = [brep.edges[e] for loop in face.loops if not loop.outer for e in loop.edges]
+    for arc in arcs:
+        if arc.kind is not EdgeKind.CIRCLE or not arc.radius or arc.center is None or arc.closed:
+            continue
+        if arc.length < HALF_TURN_RAD * arc.radius:
+            continue
+        centers = [edge.center for edge in inner if edge.center is not None]
+        if any(dist(center, arc.center) < 0.02 * arc.radius for center in centers):
+            return True
+    return False
+
+
+def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
+    """The same wall, as a floor where a pocket or channel ends at it; a roof where that opens downwards."""
+    up = abs(wall.normal[2])
+    tags = (*wall.tags, *(("lying",) if up > 1 - UPRIGHT**2 else ("upright",) if up < UPRIGHT else ()))
+    opens = [floors[face] for face in wall.faces if face in floors]
+    if not opens:
+        return replace(wall, tags=tags)
+    roof = ("roof",) if any(normal[2] < UPRIGHT - 1 for normal in opens) else ()
+    return replace(wall, is_floor=True, tags=(*tags, *roof))
+
+
+def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
+    """The same walls; those of a body that is made of walls turned against each other are its legs.
+
+    A body that is one wall as a whole is a plate instead.
+    """
+    own: dict[int, list[FlatWall]] = defaultdict(list)
+    for wall in walls:
+        own[wall.body].append(wall)
+    result = []
+    for body, members in own.items():
+        turned = any(abs(dot(a.normal, b.normal)) < APART for a in members for b in members)
+        made_of = sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
+        if made_of and len(members) == 1 and not members[0].is_floor:
+            continue
+        closed = any(wall.is_floor for wall in members)
+        legs = turned and made_of and not closed
+        result += [replace(wall, tags=(*wall.tags, "leg")) if legs else wall for wall in members]
+    return result
+
+
+def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
+    """A wall or floor as a part; its thickness is between its two sides."""
+    kind = "floor" if wall.is_floor else "wall"
+    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (wall.length, wall.width))
+    return Part(
+        id=f"{kind}-{number}",
+        kind=kind,
+        tags=("planar", *wall.tags),
+        label=f"{kind}, thickness {millimetres(wall.thickness)}, {size} mm",
+        faces=wall.faces,
+        center=wall.center,
+        extents=box_extents(faces_box(brep, wall.faces)),
+        normal=wall.normal,
+        thickness=wall.thickness,
+        length=wall.length,
+        width=wall.width,
+        height=wall.width if parallel(wall.normal, (0.0, 0.0, 1.0), UPRIGHT) else None,
+        local_size=(wall.length, wall.width, wall.thickness),
+        area=faces_area(brep, wall.faces),
+        evidence=geometry(f"plane faces that look away from each other, {millimetres(wall.thickness)} apart"),
+    )

@@ -1,0 +1,204 @@
+"""Measures that some families have beyond their size: across flats, centre to centre, draft, inner diameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence, Set
+from typing import Final
+
+from querycad_contracts import Part, SurfaceKind
+from querycad_segworker.features.shared.part_measures import faces_area
+from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
+from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import dist
+
+Measured = dict[str, object]
+"""Fields of `Part` -> values."""
+WHOLE_TUBE = 0.75
+"""A torus with more than this share of its surface is a ring or bent bar; less of it is a rounded edge."""
+MOSTLY = 0.5
+"""A body with more than this share of its surface in one ring is that ring, with what is joined to it; an opening with
+more than this share of its surface in leaning walls narrows."""
+LEANING = (SurfaceKind.CONE, SurfaceKind.FREEFORM)
+"""Walls of what narrows without one draft: lofts, and square holes that get round."""
+ROUND_ENDS = frozenset(("obround", "curved"))
+
+
+def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
+    """The same parts, each with the measures that its family has beyond its size."""
+    breaks = {face for part in parts if part.kind in ("chamfer", "round", "fillet") for face in part.faces}
+    tori = [part for part in parts if part.kind == "torus"]
+    result = []
+    for part in parts:
+        measures: Measured = {}
+        for measure in _OF_PART.get(part.kind, ()):
+            measures |= measure(part)
+        for look in _OF_FACES.get(part.kind, ()):
+            measures |= look(part, brep)
+        if part.kind == "torus":
+            measures |= _torus(part, tori)
+        elif part.kind in ("pocket", "cutout"):
+            measures |= _tapered(part, brep, breaks)
+        result.append(part.model_copy(update=measures) if measures else part)
+    rings = [
+        part for part in result if part.kind == "torus" and part.tube_diameter is not None and "outer" in part.tags
+    ]
+    wrenched = [part for part in result if part.kind == "prism" and part.across_flats and "hexagonal" in part.tags]
+    if not rings and not wrenched:
+        return result
+    bodies = ("body", "model")
+    return [_of_hexagon(_of_ring(part, rings), wrenched) if part.kind in bodies else part for part in result]
+
+
+def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
+    """The same body; one with a single hexagon, as nuts and bolts, has its width across flats."""
+    own = set(body.faces)
+    inside = [prism for prism in hexagons if own.issuperset(prism.faces)]
+    if len(inside) != 1:
+        return body
+    flats, corners = inside[0].across_flats, inside[0].across_corners
+    return body.model_copy(update={"across_flats": flats, "across_corners": corners})
+
+
+def _of_ring(body: Part, rings: Sequence[Part]) -> Part:
+    """The same body; one whose surface mostly is one ring has that ring's diameters."""
+    for ring in rings:
+        mostly = ring.area is not None and body.area is not None and ring.area > MOSTLY * body.area
+        if mostly and set(ring.faces) <= set(body.faces):
+            names = ("outer_diameter", "inner_diameter", "tube_diameter")
+            return body.model_copy(update={"tags": (*body.tags, "ring")} | {n: getattr(ring, n) for n in names})
+    return body
+
+
+def _regular(part: Part, brep: Brep) -> Measured:
+    """Of prisms, hexagon sockets and other hollows of a regular outline."""
+    if part.normal is None:
+        return {}
+    found = across_flats_and_corners(brep, part.faces, part.normal)
+    return {} if found is None else {"across_flats": found[0], "across_corners": found[1]}
+
+
+def _flats(part: Part, brep: Brep) -> Measured:
+    found = None if part.axis is None else flats_on_shaft(brep, part.faces, part.axis)
+    return {} if found is None else {"across_flats": found}
+
+
+def _round_ends(part: Part) -> Measured:
+    """From centre to centre: the length less the width, whose half both ends are round with."""
+    if part.length is None or part.width is None or ROUND_ENDS.isdisjoint(part.tags):
+        return {}
+    if "open" in part.tags or part.length <= part.width:
+        return {}
+    return {"center_length": part.length - part.width}
+
+
+def _chamfer(part: Part) -> Measured:
+    """Along the axis of a turned one; else the smaller of what it takes off both faces."""
+    if part.depth is not None:
+        return {"chamfer_size": part.depth}
+    if part.width is None or part.angle is None:
+        return {}
+    return {"chamfer_size": part.width * min(math.cos(part.angle), math.sin(part.angle))}
+
+
+def _drafted(part: Part, brep: Brep) -> Measured:
+    found = None if part.normal is None else draft_of(brep, part.faces, part.normal)
+    return {} if found is None else {"draft": found}
+
+
+def _tapered(part: Part, brep: Brep, breaks: Set[int]) -> Measured:
+    """Of pockets and cutouts with leaning walls; `breaks`: faces of chamfers and rounds, which do not count."""
+    own = set(part.faces) - breaks
+    if part.normal is None or "open" in part.tags or not own:
+        return {}
+    draft = draft_of(brep, own, part.normal)
+    measures: Measured = {} if draft is None else {"draft": draft}
+    leaning = [i for i in own if brep.faces[i].kind in LEANING]
+    if draft is None and faces_area(brep, leaning) <= MOSTLY * faces_area(brep, own):
+        return measures  # its walls stand; cones among them break the edges of round ends
+    found = mouth_and_bottom(brep, own, part.normal, draft)
+    if found is None:
+        return measures
+    (mouth_length, mouth_width), (bottom_length, bottom_width) = found
+    return measures | {
+        "mouth_length": mouth_length,
+        "mouth_width": mouth_width,
+        "bottom_length": bottom_length,
+        "bottom_width": bottom_width,
+    }
+
+
+def _cone(part: Part) -> Measured:
+    """A cone leans by half of its angle."""
+    return {} if part.angle is None else {"draft": part.angle / 2}
+
+
+def _tapered_hole(part: Part) -> Measured:
+    """A conical hole has the diameters of both ends as lengths and widths."""
+    if "conical" not in part.tags or part.width is None or part.diameter is None or part.width == part.diameter:
+        return {}
+    mouth, bottom = dict.fromkeys(("mouth_length", "mouth_width"), part.width), part.diameter
+    return {**mouth, "bottom_length": bottom, "bottom_width": bottom}
+
+
+def _round_part(part: Part) -> Measured:
+    """Of a boss, ring, standoff, pipe or bearing: over all, and free inside."""
+    if not part.radii:
+        return {}
+    measures: Measured = {"outer_diameter": 2 * part.radii[0]}
+    return {**measures, "inner_diameter": 2 * part.radii[1]} if len(part.radii) == 2 else measures
+
+
+def _ring_groove(part: Part) -> Measured:
+    """Of a groove in a face around an island: its outer and inner wall."""
+    return _round_part(part) if "annular" in part.tags and "turned" not in part.tags else {}
+
+
+def _torus(part: Part, tori: Sequence[Part]) -> Measured:
+    """Over all, free inside, and across its tube; where another one lies in it, its wall."""
+    if len(part.radii) != 2 or part.area is None:
+        return {}
+    around, tube = part.radii
+    if part.area < WHOLE_TUBE * 4 * math.pi**2 * around * tube or tube >= around:
+        return {}
+    measures: Measured = {
+        "outer_diameter": 2 * (around + tube),
+        "inner_diameter": 2 * (around - tube),
+        "tube_diameter": 2 * tube,
+        "tags": (*part.tags, "ring"),
+    }
+    if "outer" in part.tags:
+        near = 1e-3 * around
+        inner = [t.radii[1] for t in tori if "inner" in t.tags and _is_within(t, part, near)]
+        if inner:
+            measures["thickness"] = tube - max(inner)
+    return measures
+
+
+def _is_within(inner: Part, outer: Part, near: float) -> bool:
+    alike = dist(inner.center, outer.center) <= near and abs(inner.radii[0] - outer.radii[0]) <= near
+    return alike and inner.radii[1] < outer.radii[1]
+
+
+_OF_PART: Final[dict[str, tuple[Callable[[Part], Measured], ...]]] = {
+    "prism": (_round_ends,),
+    "pocket": (_round_ends,),
+    "cutout": (_round_ends,),
+    "slot": (_round_ends,),
+    "protrusion": (_round_ends,),
+    "boss": (_round_part,),
+    "chamfer": (_chamfer,),
+    "cone": (_cone,),
+    "hole": (_tapered_hole,),
+    "pipe": (_round_part,),
+    "bearing": (_round_part,),
+    "groove": (_ring_groove,),
+}
+_OF_FACES: Final[dict[str, tuple[Callable[[Part, Brep], Measured], ...]]] = {
+    "prism": (_regular,),
+    "pocket": (_regular,),
+    "cutout": (_regular,),
+    "protrusion": (_regular, _drafted),
+    "boss": (_flats,),
+}

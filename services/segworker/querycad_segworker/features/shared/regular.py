@@ -1,0 +1,83 @@
+"""Regular outlines: how wide is a hexagon, octagon or square across its flats and across its corners?"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.topology import Brep, EdgeKind
+from querycad_segworker.vectors import cross, dot, parallel, perpendicular
+
+EVEN = 0.01
+"""Sides of a regular outline are at equal distances but for this share."""
+TURN_RAD = math.radians(1.0)
+"""And at equal angles, but for so much."""
+CUT_IN = 0.995
+"""Planes farther out than this share of the radius are tangent to a shaft and no flats on it."""
+UPRIGHT = 0.02
+"""Sine of the angle by which a side may lean."""
+
+
+def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> tuple[float, float] | None:
+    """How wide is the regular outline that the plane faces along `axis` make, in metres? (flats, corners)
+
+    With an even number of sides, all at one distance from the middle and at equal angles; None for anything else.
+    Across corners it is wider by 1 / cos(pi / sides), also where the corners are broken.
+    """
+    sides = _sides(brep, faces, axis)
+    count = len(sides)
+    if count < 4 or count % 2:
+        return None
+    half = count // 2
+    step = 2 * math.pi / count
+    gaps = [b[0] - a[0] for a, b in zip(sides, [*sides[1:], (sides[0][0] + 2 * math.pi, 0.0)], strict=True)]
+    if any(abs(gap - step) > TURN_RAD for gap in gaps):
+        return None
+    widths = [abs(sides[i][1] + sides[i + half][1]) for i in range(half)]
+    if max(widths) - min(widths) > EVEN * max(widths):
+        return None
+    flats = sum(widths) / half
+    return flats, flats / math.cos(math.pi / count)
+
+
+def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, float]]:
+    """The different planes along the axis: (angle of the normal around it, distance of the plane from the origin)."""
+    u = perpendicular(axis)
+    v = cross(axis, u)
+    found: list[tuple[float, float]] = []
+    for i in faces:
+        face = brep.faces[i]
+        if face.kind is not SurfaceKind.PLANE or abs(dot(face.axis, axis)) > UPRIGHT:
+            continue
+        angle = math.atan2(dot(face.axis, v), dot(face.axis, u))
+        if not any(abs(math.remainder(angle - known, 2 * math.pi)) < TURN_RAD for known, _ in found):
+            found.append((angle, dot(face.point, face.axis)))
+    return sorted(found)
+
+
+def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:
+    """How wide is a round step across the flats that a wrench takes hold of, in metres? None without two alike.
+
+    Flats are planes along the axis, bounded by straight edges along it in the round wall, in opposite pairs.
+    """
+    own = [i for i in walls if brep.faces[i].kind is SurfaceKind.CYLINDER]
+    flats = {
+        other
+        for i in own
+        for edge, other in brep.neighbours(i)
+        if edge.kind is EdgeKind.LINE
+        and brep.faces[other].kind is SurfaceKind.PLANE
+        and abs(dot(brep.faces[other].axis, axis)) <= UPRIGHT
+    }
+    if len(flats) < 2:
+        return None
+    origin, radius = brep.faces[own[0]].origin, brep.faces[own[0]].radius
+    planes = [(brep.faces[i].axis, dot(brep.faces[i].point, brep.faces[i].axis)) for i in sorted(flats)]
+    reach = [distance - dot(origin, normal) for normal, distance in planes]
+    for i, (normal, _) in enumerate(planes):
+        for j in range(i + 1, len(planes)):
+            opposite = dot(normal, planes[j][0]) < 0 and parallel(normal, planes[j][0], UPRIGHT)
+            if opposite and 0 < reach[i] < CUT_IN * radius and abs(reach[i] - reach[j]) <= EVEN * reach[i]:
+                return reach[i] + reach[j]
+    return None

@@ -1,0 +1,92 @@
+"""Walls and floors of boxes, legs of brackets, ears: plane faces close together with nothing but material between."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
+from tests.segworker.shapes import (
+    box,
+    cut,
+    cylinder,
+    edges,
+    filleted,
+    find,
+    fuse,
+    plate,
+    scaled,
+    shifted,
+    turned,
+)
+
+MM = 1e-3
+Y = (0.0, 1.0, 0.0)
+
+
+def tray() -> TopoDS_Shape:
+    """Open at the top: walls of 5 mm, a floor of 3 mm."""
+    return cut(box((80, 60, 40)), box((70, 50, 40), (5, 5, 3)))
+
+
+def bracket() -> TopoDS_Shape:
+    """An L: one leg lies and is 6 mm thick, one stands and is 4 mm thick."""
+    return fuse(box((60, 40, 6)), box((4, 40, 50)))
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0, 100.0])
+def test_a_box_has_four_walls_and_a_floor(size: float) -> None:
+    found = find(scaled(turned(tray(), (0.2, 0.4, 0.9), 33.0), size))
+    assert [wall.thickness for wall in found.of("wall")] == pytest.approx([5 * MM * size] * 4, rel=1e-3)
+    (floor,) = found.of("floor")
+    assert floor.thickness == pytest.approx(3 * MM * size, rel=1e-3)
+    assert (floor.length, floor.width) == pytest.approx((70 * MM * size, 50 * MM * size), rel=1e-3)
+
+
+def test_a_block_has_no_walls_and_a_plate_is_none() -> None:
+    assert not find(box((60, 40, 30))).of("wall")
+    assert not find(plate(80, 60, 6)).of("wall")
+
+
+def test_a_cover_has_a_roof() -> None:
+    (roof,) = find(turned(tray(), (1.0, 0.0, 0.0), 180.0)).of("floor")
+    assert {"roof", "lying"} <= set(roof.tags)
+
+
+def test_the_rim_of_a_tray_is_no_wall_as_thick_as_the_tray_is_high() -> None:
+    low = cut(box((80, 60, 10)), box((70, 50, 10), (5, 5, 3)))
+    walls = [*find(low).of("wall"), *find(low).of("floor")]
+    assert 10 * MM not in [pytest.approx(wall.thickness) for wall in walls]
+
+
+def test_the_legs_of_an_angle_have_their_own_thickness() -> None:
+    legs = {wall.thickness or 0.0: wall for wall in find(bracket()).of("wall")}
+    assert sorted(legs) == pytest.approx([4 * MM, 6 * MM])
+    assert all("leg" in wall.tags for wall in legs.values())
+    standing, lying = (legs[thickness] for thickness in sorted(legs))
+    assert "upright" in standing.tags
+    assert "lying" in lying.tags
+
+
+def test_a_short_thick_leg_with_a_rounded_corner_has_its_thickness() -> None:
+    short = fuse(box((80, 40, 7)), box((10, 40, 32), (0, 0, -25)))
+    walls = find(filleted(short, 5.0, *_edges_at(short, 10.0, 0.0))).of("wall")
+    assert sorted(wall.thickness or 0.0 for wall in walls) == pytest.approx([7 * MM, 10 * MM])
+    assert not find(box((80, 22, 10))).of("wall")
+
+
+def _edges_at(shape: TopoDS_Shape, x: float, z: float) -> list[TopoDS_Edge]:
+    """Those whose middle lies there."""
+    middles = [(edge, BRepAdaptor_Curve(edge)) for edge in edges(shape)]
+    points = [(edge, c.Value((c.FirstParameter() + c.LastParameter()) / 2)) for edge, c in middles]
+    return [edge for edge, p in points if abs(p.X() - x) < 1e-6 and abs(p.Z() - z) < 1e-6]
+
+
+def test_an_ear_with_a_round_end_has_its_thickness() -> None:
+    ear = fuse(box((30, 8, 30)), cylinder(15, 8, (15, 0, 30), Y))
+    ear = shifted(cut(ear, cylinder(6, 20, (15, -5, 30), Y)), (0, 16, 6))
+    walls = find(fuse(box((90, 40, 6), (-30, 0, 0)), ear)).of("wall")
+    (found,) = [wall for wall in walls if "ear" in wall.tags]
+    assert found.thickness == pytest.approx(8 * MM)
+    assert "upright" in found.tags
+    plain = fuse(box((90, 40, 6), (-30, 0, 0)), box((30, 8, 50), (0, 16, 6)))
+    assert not [wall for wall in find(plain).of("wall") if "ear" in wall.tags]
