@@ -10,8 +10,8 @@ from querycad_contracts import AnswerType, Measure, Part, Side
 Grade = Literal["own", "derived", "foreign", "missing"]
 """Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
 
-ROUND = frozenset(("hole", "boss", "cylinder", "cone", "sphere", "pipe", "ring", "torus", "counterbore", "countersink", "spotface", "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern"))
-STANDING = frozenset(("boss", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump"))
+ROUND = frozenset(("hole", "boss", "cylinder", "cone", "sphere", "pipe", "ring", "torus", "counterbore", "countersink", "spotface", "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern", "ring_sector", "crossbar"))
+STANDING = frozenset(("boss", "crossbar", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump"))
 CUT = frozenset(("hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink", "spotface", "dimple", "cavity", "recess"))
 WHOLE = frozenset(("model", "body"))
 BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))

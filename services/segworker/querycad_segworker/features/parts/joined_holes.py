@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Vector
+from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import geometry, millimetres
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
@@ -74,7 +74,7 @@ def _counterbore(narrow: Part, wide: Part, number: int) -> Part:
     return wide.model_copy(
         update={
             "id": f"counterbore-j{number}",
-            "kind": "counterbore",
+            "kind": PartKind.COUNTERBORE,
             "tags": ("circular", "inner", "cylindrical", "joined"),
             "label": f"counterbore across two bodies, diameter {millimetres(wide.diameter)}, "
             f"depth {millimetres(wide.depth)}",
