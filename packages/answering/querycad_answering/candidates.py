@@ -16,7 +16,7 @@ from querycad_language.weights import weights
 
 GROUNDINGS = 5
 """Of each query so many ways are followed."""
-OPTIONS = 3
+OPTIONS = 4
 """So many meanings of a measure are followed."""
 RUNS = 6
 """So many programs are run."""
@@ -90,7 +90,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
     form = reading.form
     if isinstance(form, Get):
-        features.update(_of_get(form, grounds))
+        features.update(_of_get(form, grounds, features.get("overall_part", 0.0)))
     if isinstance(form, Count | Exists):
         if not grounds[form.target].parts:
             features["counts_none"] = 1.0
@@ -109,6 +109,8 @@ _NARROW = frozenset(("small", "smaller", "narrow", "narrower", "inner", "inside"
 def _of_steps(form: Form, code: str) -> Features:
     """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?"""
     words = {word for query in queries(form) for name in (*query.adjectives, *query.unknown, query.noun) for word in name.split()}
+    ranks = [rank for query in queries(form) for rank in query.ranks if rank.measure in (Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)]
+    words |= {"large" if rank.most else "small" for rank in ranks}
     if "max(p.radii)" in code or "outer_diameter" in code:
         return {"step_widest": 1.0, "step_widest_said": float(bool(words & _WIDE)), "step_widest_denied": float(bool(words & _NARROW))}
     if "min(p.radii)" in code or "inner_diameter" in code:
@@ -120,7 +122,7 @@ _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDG
 _ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
 
 
-def _of_get(form: Get, grounds: dict[PartQuery, Grounded]) -> Features:
+def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Features:
     """How the number of parts fits to the words, and whether the measure is one of the whole."""
     features: Features = {}
     measure = form.measures[0]
@@ -132,8 +134,9 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded]) -> Features:
         features["get_of_none"] = 1.0
     if form.reduce is Reduce.EACH and len(parts) == 1:
         features["each_of_one"] = 1.0
-    if parts and parts[0].kind == "model":
-        features["whole_as_part"] = 1.0
+    if parts and parts[0].kind in ("model", "body"):
+        features["whole_as_part"] = float(parts[0].kind == "model")
+        features["overall_is_whole"] = overall
     return features
 
 

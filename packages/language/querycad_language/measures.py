@@ -56,7 +56,7 @@ def options(measure: Measure, part: Part) -> list[tuple[str, Grade]]:
     for expression, grade in found:
         if all(expression != known for known, _ in unique):
             unique.append((expression, grade))
-    return unique[:3] or [("{0}." + measure.value, "missing")]
+    return unique[:4] or [("{0}." + measure.value, "missing")]
 
 
 _STEPS = "({0}.radii if {0}.radii else [{0}.radius])"
@@ -98,6 +98,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.HEIGHT:
             if kind in WHOLE:
                 return [("{0}.extents[2]", "own"), ("{0}.height", "own")]
+            if kind in CUT and kind != "hole":  # of a window in a wall how far it reaches upwards
+                return [("{0}.extents[2]", "own"), ("{0}.depth", "derived"), ("{0}.length", "derived")]
             return [("{0}.height", "own" if kind in STANDING else "derived"), ("{0}.depth", "derived"), ("{0}.extents[2]", "derived")]
         case Measure.WIDTH:
             if kind in WHOLE:

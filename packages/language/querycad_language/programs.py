@@ -30,7 +30,7 @@ from .forms import (
     Target,
     Uniform,
 )
-from .measures import Grade, answer_type, is_length, options
+from .measures import WHOLE, Grade, answer_type, is_length, options
 
 MODEL = Part.model_construct  # the whole model stands for itself where a form has no target
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
@@ -105,6 +105,13 @@ class _Writer:
         self._grades.append(grade)
         return expression
 
+    def _beside(self, measure: Measure, others: Sequence[Measure], parts: Sequence[Part]) -> str:
+        """The same where length and width are asked together: of a body they are its longest sides, longest first."""
+        both = Measure.LENGTH in others and Measure.WIDTH in others
+        if both and all(part.kind in WHOLE for part in parts) and measure in (Measure.LENGTH, Measure.WIDTH):
+            return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"
+        return self._read(measure, parts)
+
     # Forms
 
     def _form(self, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
@@ -151,7 +158,7 @@ class _Writer:
             raise Unwritable
         name = self._parts(form.target)
         if len(form.measures) > 1:
-            values = ", ".join(self._read(measure, parts).format("p") for measure in form.measures)
+            values = ", ".join(self._beside(measure, form.measures, parts).format("p") for measure in form.measures)
             kinds = {answer_type(measure) for measure in form.measures}
             kind = answer_type(form.measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
             self._lines.append(f"values = [({values}) for p in {name}]")
@@ -167,6 +174,10 @@ class _Writer:
         if measure in (Measure.SIZE, Measure.MAGNITUDE):
             kind = AnswerType.SIZE if "extents" in expression and "[" not in expression and "(" not in expression else AnswerType.LENGTH
         values = f"[{expression.format('p')} for p in {name}]"
+        every = form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST) and expression == f"{{0}}.{measure.value}"
+        if every and measure in (Measure.RADIUS, Measure.DIAMETER) and any(len(part.radii) > 1 for part in parts):
+            scale = "2 * " if measure is Measure.DIAMETER else ""  # of stepped holes every step has one
+            values = f"[{scale}r for p in {name} for r in (p.radii if hasattr(p, 'radii') else [p.radius])]"
         return self._reduced(values, form.reduce, kind)
 
     def _reduced(self, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
@@ -199,7 +210,7 @@ class _Writer:
             return f"[body.{name} for body in shape.bodies]", AnswerType.TEXTS
         if set(form.measures) == {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT} or set(form.measures) == {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT}:
             return "shape.extents", AnswerType.SIZE
-        values = [self._read(measure, [self._whole]) for measure in form.measures]
+        values = [self._beside(measure, form.measures, [self._whole]) for measure in form.measures]
         known = [self._of_model(value) for value in values]
         if len(values) == 1:
             measure = form.measures[0]

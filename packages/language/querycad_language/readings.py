@@ -440,6 +440,9 @@ class Reader:
         for at in range(len(text) - 1):
             if text.find(at, "axis_preposition") and (side := text.find(text.skip(at + 1, "article"), "measure", "adjective")):
                 words = text.words[side.start : side.end]
+                named = {"width": 0, "depth": 1, "height": 2}.get(words[0] if words else "")
+                if named is not None and text.is_word(at, "along") and at not in taken:
+                    return named, set(range(at, side.end))
                 if words[:1] in (["long"], ["longer"], ["length"]) and at not in taken:
                     return LONGEST, set(range(at, text.skip(side.end, "side_noun")))
                 if words[:1] in (["short"], ["shorter"]) and at not in taken:
@@ -672,6 +675,11 @@ class Reader:
                 continue
             found.append((mention.head, mention.query, set(mention.used), mention.query.plural))
             taken |= mention.used
+            sides = (*mention.query.ends, *mention.query.sides)
+            if mention.query.noun in ("face", "surface", "end face", "side face", "flat face") and sides:
+                holder = next((p.what for p in mention.query.places if p.what is not None), None)
+                plane: Anchor = Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+                found.append((mention.head, plane, set(mention.used), False))
         for at in range(len(text)):
             if at in taken:
                 continue

@@ -95,6 +95,9 @@ def _bases(inventory: Inventory, query: PartQuery) -> Iterator[_Way]:
         yield _Way((inventory.model,), {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)})
     if noun is not None:
         yield from _senses(inventory, noun.senses, noun.product)
+        bare = query.definite and not (query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes)
+        if bare and inventory.alone and inventory.model is not None and not noun.product:
+            yield _Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
         return
     if not query.noun:
         holes = inventory.kinds.get("hole")
