@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test parity check format serve bench openapi examples lock clean
+.PHONY: help setup demo test parity check format serve bench fit openapi examples lock clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -40,6 +40,9 @@ serve: setup ## start all services on this machine; stop with Ctrl-C
 
 bench: setup ## measure accuracy and speed
 	$(BIN)/querycad bench
+
+fit: setup ## fit the weights that rank readings, and print the cross-validated score; about ten minutes
+	$(BIN)/python -m benchmark.understanding fit
 
 openapi: setup ## write openapi.yaml from the code
 	$(BIN)/python -m querycad_api.openapi

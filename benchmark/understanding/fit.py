@@ -21,6 +21,8 @@ from .collect import Row, Tried
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
+CAUTION = 1.5
+"""A wrong answer weighs that much more than a right one in calibration: wrong and sure is the worst outcome."""
 Table = dict[str, float]
 
 
@@ -103,11 +105,13 @@ def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
     matrix = np.array([[1.0, odds(one.probability), *(found[name] for name in names)] for one, found in zip(told, against, strict=True)])
     right = np.array([one.right for one in told], dtype=np.float64)
 
+    weight = np.where(right > 0, 1.0, CAUTION)
+
     def loss(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
         z = matrix @ w
         p = 1 / (1 + np.exp(-z))
-        value = float(np.logaddexp(0, z).sum() - right @ z) + l2 * float((w[1:] ** 2).sum())
-        return value, matrix.T @ (p - right) + 2 * l2 * np.r_[0.0, w[1:]]
+        value = float((weight * (np.logaddexp(0, z) - right * z)).sum()) + l2 * float((w[1:] ** 2).sum())
+        return value, matrix.T @ (weight * (p - right)) + 2 * l2 * np.r_[0.0, w[1:]]
 
     found = minimize(loss, np.zeros(matrix.shape[1]), jac=True, method="L-BFGS-B")
     return dict(zip(("bias", "share", *names), (round(float(v), 3) for v in found.x), strict=True))

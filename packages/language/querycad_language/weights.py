@@ -5,6 +5,12 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
+
+
+def weights_file() -> Path:
+    """Where the table lies in a checkout."""
+    return Path(str(files(__package__).joinpath("data").joinpath("weights.toml")))
 
 
 @cache

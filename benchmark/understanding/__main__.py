@@ -1,0 +1,80 @@
+"""`python -m benchmark.understanding`: collect candidates, fit the weights, print the cross-validated score.
+
+    python -m benchmark.understanding fit              collect, cross-validate, fit, write weights.toml and the figures
+    python -m benchmark.understanding score FILE ...   the score of questions that nothing was fitted on
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import tomllib
+from pathlib import Path
+
+from querycad_language.weights import weights_file
+
+from .collect import Row, collect
+from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
+from .data import Question, asked, questions
+from .fit import Table
+
+PRIOR = Path(__file__).with_name("prior.toml")
+RESULTS = Path(__file__).with_name("results.json")
+STORE = Path("build/understanding")
+
+
+def main() -> int:
+    """Runs one of the two commands; returns the exit code."""
+    parser = argparse.ArgumentParser(prog="python -m benchmark.understanding", description=__doc__)
+    parser.add_argument("command", choices=("fit", "score"))
+    parser.add_argument("files", nargs="*", type=Path, help="of score: files of questions as in benchmark/asked")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights")
+    options = parser.parse_args()
+    return _fit(options.jobs, options.rounds) if options.command == "fit" else _score(options.files, options.jobs)
+
+
+def _fit(jobs: int, rounds: int) -> int:
+    prior: Table = tomllib.loads(PRIOR.read_text(encoding="utf-8"))["weights"]
+    data = questions()
+    for _ in range(rounds):
+        rows = collect(data, STORE, jobs)
+        table, calibration = weights_of(rows, prior)
+        told = cross_validated(rows, prior)
+        text = summary(told)
+        right = sum(one.right for one in told) / len(told)
+        _write(table, calibration, data, right)
+    print(text)
+    curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
+    RESULTS.write_text(json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n", encoding="utf-8")
+    return 0
+
+
+def _score(files: list[Path], jobs: int) -> int:
+    table = tomllib.loads(weights_file().read_text(encoding="utf-8"))
+    data = [one for file in files for one in asked(file)] if files else questions(held_out=True)
+    rows: list[Row] = collect(data, STORE, jobs)
+    print(summary(judged(rows, table["weights"], table["calibration"])))
+    return 0
+
+
+def _hash(data: list[Question]) -> str:
+    """What identifies the questions that the weights were fitted on."""
+    text = json.dumps([[one.model, one.writer, one.question, repr(one.truth)] for one in data])
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _write(table: Table, calibration: Table, data: list[Question], right: float) -> None:
+    """The weights as a readable table, with what they were fitted on."""
+    lines = [
+        "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
+        f"# {len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right.",
+        "", "[weights]", *(f"{name} = {value}" for name, value in sorted(table.items())),
+        "", "[calibration]", *(f"{name} = {value}" for name, value in calibration.items()), "",
+    ]  # fmt: skip
+    weights_file().write_text("\n".join(lines), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
