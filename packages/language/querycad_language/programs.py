@@ -164,6 +164,9 @@ class _Writer:
             self._lines.append(f"values = [({values}) for p in {name}]")
             return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
         measure = form.measures[0]
+        if measure is Measure.COLOR:
+            self._lines.append(f"names = [p.name for p in {name}]")
+            return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
         if measure is Measure.TIP and self._read(measure, parts) == "{0}.tip":
             self._lines.append(f"tips = [tip for p in {name} for tip in p.tips]")
             return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
@@ -291,6 +294,8 @@ class _Writer:
         else:
             loop = f"for a in {parts} for b in {self._parts(second)} if a.id != b.id"
         self._lines.append(f"found = [{expression} {loop}]")
+        if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis, of those that lie apart
+            self._lines.append(f"found = [d for d in found if d > {_SLACK:g}] or found")
         match reduce:
             case Reduce.EACH:
                 return "found"

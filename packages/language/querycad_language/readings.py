@@ -423,7 +423,7 @@ class Reader:
         get = draft.form
         assert isinstance(get, Get)
         along = (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.MAGNITUDE, Measure.SIZE, Measure.THICKNESS)
-        if axis is not None and len(get.measures) == 1:
+        if axis is not None and axis < LONGEST and len(get.measures) == 1:
             if get.measures[0] in along:
                 extent = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis]
                 yield _Draft(replace(get, measures=(extent,)), {**draft.features, "along_axis": 1.0}, draft.used | used)

@@ -25,7 +25,7 @@ _NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3})+(?:\.\d
 _TOKEN = re.compile(
     rf"(?P<thread>\bM\d{{1,2}}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{{1,2}})?)?(?![\w.]\w)|\b\d{{1,2}}/\d{{1,2}}-\d{{2}}\b|(?<![\w#])#?\d{{1,2}}-(?:24|32|40)\b)"
     r"|(?P<times>\b\d{1,4}\s?[x×](?![\w.]))"
-    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>kg\s?/\s?(?:m\^?3|m³)|g\s?/\s?(?:cm\^?3|cm³|cc|ccm)|kg\s?/\s?(?:dm\^?3|dm³|l)))"
+    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>kg\s?(?:/|per)\s?(?:m\^?3|m³|cubic met(?:er|re))|g\s?(?:/|per)\s?(?:cm\^?3|cm³|ccm|cc|cubic centimet(?:er|re))|kg\s?/\s?(?:dm\^?3|dm³|l)))"
     rf"|(?P<number>(?<![\w.])(?:{_NUMBER}))"
     r"|(?P<word>[^\W\d_][\w]*(?:['’](?!s\b)\w+)?)"
     r"|(?P<possessive>['’]s?(?!\w))"
