@@ -55,7 +55,7 @@ class EmbeddedSystem:
 
     def _picture(self, file: Path, record: AnswerRecord) -> bytes | None:
         """The parts that the answer rests on, as PNG; None without an answer or parts."""
-        if record.status is not Status.ANSWERED or not record.parts or record.answer is None:
+        if record.answer is None or not record.parts:
             return None
         from querycad_segworker.mesh import Mesh
         from querycad_segworker.render.pictures import Mark, annotate

@@ -62,12 +62,15 @@ def key(value: Any) -> str:
     return repr(value)
 
 
-def values(tried: Sequence[Candidate]) -> list[Value]:
-    """The different values of the candidates that gave one, the most probable first."""
+def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Value]:
+    """The different values of the candidates that gave one, the most probable first.
+
+    `untried` are the scores of those that were not run: their share of the probability is nobody's.
+    """
     runs = [one for one in tried if one.value is not None and one.value != []]
     if not runs:
         return []
-    shares = softmax([one.score for one in runs])
+    shares = softmax([*(one.score for one in runs), *untried])
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
         groups.setdefault(key(one.value), []).append(i)

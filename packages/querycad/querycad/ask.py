@@ -86,7 +86,7 @@ def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namesp
                 print(record.model_dump_json(), flush=True)
             else:
                 _print_record(record, options)
-            if options.picture and record.status is Status.ANSWERED:
+            if options.picture and record.answer is not None:
                 path = _picture_path(options.picture, number, len(questions))
                 worst = max(worst, _draw(runtime, options, record, path))
     return worst
@@ -108,7 +108,7 @@ def _questions(options: argparse.Namespace) -> list[str]:
 
 
 def _exit_code(record: AnswerRecord) -> int:
-    if record.status is Status.ANSWERED:
+    if record.answer is not None:
         return EXIT_ANSWERED
     category = record.failure.category if record.failure else ""
     return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Self
 
 from querycad_answering.answering import NO_OPTIONS, answer_question
 from querycad_answering.llm import LlmSettings, LlmWriter
+from querycad_answering.understanding import ModelView
 from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelSummary, Program, RunOutcome, RunStatus
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
@@ -82,7 +83,8 @@ class EmbeddedRuntime:
                 return RunOutcome(status=RunStatus.CRASHED, message=str(problem))
 
         told = summary(segcad.model) if self._llm.settings.is_configured else None
-        record = answer_question(question, run, unit, options, summary=told, llm=self._llm)
+        view = ModelView(segcad.ground, segcad.whole, segcad.names, segcad.kinds)
+        record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm)
         warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from querycad_contracts import Face, Grounded, GroundedBy, Grounding, Part, PartQuery, Shape, Side
 
-from .grounding.find import find
+from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
 from .grounding.region import faces_of_id, region
@@ -68,6 +68,21 @@ class LocalSegCad:
     @cached_property
     def _inventory(self) -> Inventory:
         return Inventory(self.model.parts)
+
+    @property
+    def whole(self) -> Part:
+        """The part that stands for the whole model."""
+        return self._inventory.parts[0] if self._inventory.model is None else self._inventory.model
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Words of the product names in the file."""
+        return self._inventory.names
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds of part that the model has, the most frequent first."""
+        return present(self._inventory)
 
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
         """In which ways can each query be grounded on the model, the best first?"""
