@@ -21,7 +21,7 @@ from rich.table import Table
 
 from benchmark.scoring.items import BadBenchmark
 from querycad.client import Client, ClientError
-from querycad_contracts import AnswerRecord, ModelStatus, Status
+from querycad_contracts import AnswerRecord, ModelStatus
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 

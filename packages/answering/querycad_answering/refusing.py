@@ -55,10 +55,11 @@ class Refused:
         noun = query.noun or "part"
         said = noun_phrase(query).removeprefix("the ")
         if "unknown_noun" in grounded.features:
-            return self._not_grounded(f"'{noun}' is not a part that is known here")
-        return self._not_grounded(grounded.reason or f"the model has no '{said}'")
+            return self.not_grounded(f"'{noun}' is not a part that is known here")
+        return self.not_grounded(grounded.reason or f"the model has no '{said}'")
 
-    def _not_grounded(self, message: str) -> Failure:
+    def not_grounded(self, message: str) -> Failure:
+        """The failure, with the kinds of part that there are."""
         return Failure(category="not_grounded", message=message, nearest=self.kinds)
 
 
@@ -110,9 +111,9 @@ def unread(asked: Refused) -> Failure:
         return Failure(category="not_understood", message=message)
     best = asked.readings[0]
     meant = describe(best.form)
-    if "named_only" in best.features or not any(queries(best.form)):
-        return Failure(category="not_understood", message=f"'{meant}' is understood, but nothing that can be answered")
-    return Failure(category="not_grounded", message=f"the model has no '{meant}'", nearest=asked.kinds)
+    if "named_only" in best.features:
+        return Failure(category="not_understood", message=f"nothing is asked that can be answered: '{meant}'")
+    return asked.not_grounded(f"nothing is known here of the '{meant}'")
 
 
 def absent(asked: Refused, best: Candidate | None, grounded: Mapping[PartQuery, Sequence[Grounded]]) -> Failure | None:

@@ -144,7 +144,7 @@ class Understanding:
 
     def _others(self, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
         """The other values that may be meant, the most probable first."""
-        found = []
+        found: list[Alternative] = []
         for value in rest:
             verdict = self._verdict(value.candidate, value.confidence, unit)
             if verdict.answer is not None and value.share >= SHOWN_SHARE and len(found) < SHOWN:

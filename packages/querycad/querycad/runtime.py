@@ -75,15 +75,16 @@ class EmbeddedRuntime:
         segcad = self.model(file, progress)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
 
+        found_by = segcad.grounded_by(options.grounding)
+
         def run(program: Program) -> RunOutcome:
             try:
-                found_by = segcad.grounded_by(options.grounding)
                 return self._sandbox.run(program.code, found_by, expects=program.expects, check=not program.is_checked)
             except FileProblem as problem:  # a measurement that the kernel could not make
                 return RunOutcome(status=RunStatus.CRASHED, message=str(problem))
 
         told = summary(segcad.model) if self._llm.settings.is_configured else None
-        view = ModelView(segcad.ground, segcad.whole, segcad.names, segcad.kinds)
+        view = ModelView(found_by.ground, segcad.whole, segcad.names, segcad.kinds)
         record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm)
         warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})

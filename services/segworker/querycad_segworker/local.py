@@ -86,7 +86,15 @@ class LocalSegCad:
 
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
         """In which ways can each query be grounded on the model, the best first?"""
-        return tuple(tuple(ground(self._inventory, query)) for query in queries)
+        return tuple(self._ways(query) for query in queries)
+
+    def _ways(self, query: PartQuery) -> tuple[Grounded, ...]:
+        """What geometry does not have is looked for, where sight has a say."""
+        ways = tuple(ground(self._inventory, query))
+        if self.grounding is GroundedBy.GEOMETRY or ways[0].parts:
+            return ways
+        seen = self.find_parts(query)
+        return (Grounded(parts=seen.parts, features={}, reason=seen.description), *ways) if seen.parts else ways
 
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""

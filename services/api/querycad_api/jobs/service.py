@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from querycad_api.dependencies import Services
 from querycad_api.problems import JobIsDone, JobNotFound, NothingMore, PictureNotFound
-from querycad_contracts import AnswerRecord, Job, Status
+from querycad_contracts import AnswerRecord, Job
 
 from .records import cancelled
 
