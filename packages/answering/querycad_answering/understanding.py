@@ -92,13 +92,13 @@ class Understanding:
         best = next(iter(self.ranked), None)
         return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
 
-    def tried(self, run: Run) -> list[Candidate]:
-        """The candidates after their runs: as many as it takes until the best value cannot be overtaken."""
+    def tried(self, run: Run, every: bool = False) -> list[Candidate]:
+        """The candidates after their runs: all, or as many as it takes until the best value cannot be overtaken."""
         found: list[Candidate] = []
         scores = [one.score for one in self.ranked]
         for index, candidate in enumerate(self.ranked):
             found.append(self._ran(candidate, run))
-            if _is_settled(values(found, scores[index + 1 :]), found, scores[index + 1 :]):
+            if not every and _is_settled(values(found, scores[index + 1 :]), found, scores[index + 1 :]):
                 break
         return found
 
@@ -125,7 +125,7 @@ class Understanding:
             failure = unread(Refused(self._question, self._view.names, self._view.kinds))
             return Understood(verdict=Verdict(failure=failure))
         first = found[0].candidate if found else tried[0]
-        return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=describe(first.reading.form))
+        return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
         program = _program(candidate, confidence)
@@ -137,7 +137,7 @@ class Understanding:
             program=_program(candidate, best.confidence),
             verdict=verdict,
             confidence=round(best.confidence, 3),
-            understood_as=describe(candidate.reading.form),
+            understood_as=meant(candidate),
             ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
             others=others,
         )
@@ -152,11 +152,18 @@ class Understanding:
                     codegen="parser",
                     code=value.candidate.written.code,
                     answer=verdict.answer,
-                    understood_as=describe(value.candidate.reading.form),
+                    understood_as=meant(value.candidate),
                     confidence=round(value.confidence, 3),
                 )
                 found.append(one)
         return tuple(found)
+
+
+def meant(candidate: Candidate) -> str:
+    """What is asked, in plain words; a noun that is taken for all of the model is said to be."""
+    said = describe(candidate.reading.form)
+    whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
+    return f"{said}, which is the whole model" if whole else said
 
 
 def skipped(candidate: Candidate) -> tuple[str, ...]:
@@ -196,4 +203,4 @@ def _is_settled(found: Sequence[Value], tried: Sequence[Candidate], untried: Seq
     return left <= UNTRIED and found[0].share > second + left
 
 
-__all__ = ["ModelView", "Run", "Understanding", "Understood", "skipped", "unchecked"]
+__all__ = ["ModelView", "Run", "Understanding", "Understood", "meant", "skipped", "unchecked"]
