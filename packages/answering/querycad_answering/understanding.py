@@ -120,7 +120,7 @@ class Understanding:
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
                 rest = [one for i, one in enumerate(found) if i != index]
-                return self._understood(best, verdict, self._others(rest, unit))
+                return self._understood(best, verdict, self._others(best.candidate, rest, unit))
         if not tried:
             failure = unread(Refused(self._question, self._view.names, self._view.kinds))
             return Understood(verdict=Verdict(failure=failure))
@@ -142,7 +142,7 @@ class Understanding:
             others=others,
         )
 
-    def _others(self, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
+    def _others(self, best: Candidate, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
         """The other values that may be meant, the most probable first."""
         found: list[Alternative] = []
         for value in rest:
@@ -152,7 +152,7 @@ class Understanding:
                     codegen="parser",
                     code=value.candidate.written.code,
                     answer=verdict.answer,
-                    understood_as=meant(value.candidate),
+                    understood_as=_told_apart(value.candidate, best),
                     confidence=round(value.confidence, 3),
                 )
                 found.append(one)
@@ -164,6 +164,17 @@ def meant(candidate: Candidate) -> str:
     said = describe(candidate.reading.form)
     whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
     return f"{said}, which is the whole model" if whole else said
+
+
+def _told_apart(candidate: Candidate, best: Candidate) -> str:
+    """What is asked by another reading than the best one; where the words are the same, what of the parts differs."""
+    said = meant(candidate)
+    if said != meant(best):
+        return said
+    count, other = (sum(len(one.parts) for one in each.grounds.values()) for each in (candidate, best))
+    if count != other:
+        return f"{said}, {count} of them"
+    return f"{said}, in another sense of {'the measure' if candidate.written.option else 'the noun'}"
 
 
 def skipped(candidate: Candidate) -> tuple[str, ...]:

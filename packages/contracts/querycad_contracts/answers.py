@@ -107,6 +107,7 @@ class AnswerOptions(Frozen):
         None,
         ge=0.0,
         le=1.0,
+        strict=True,
         description=f"An answer less probable than this is `unsure`; null: {LEAST_CONFIDENCE}. 0: never unsure.",
     )
 
