@@ -42,9 +42,9 @@ def test_each_restriction_has_its_field(phrase: str, fields: dict[str, Any]) -> 
 
 def test_sizes_keep_measure_and_relation() -> None:
     (deep,) = noun_phrase("slots deeper than 11 mm", NONE).sizes
-    assert (deep.measure, deep.relation, deep.low) == (Measure.DEPTH, Relation.MORE, pytest.approx(0.011))
+    assert [deep.measure, deep.relation, deep.low] == [Measure.DEPTH, Relation.MORE, pytest.approx(0.011)]
     (plain,) = noun_phrase("5 mm slots", NONE).sizes
-    assert (plain.measure, plain.relation, plain.low) == (None, Relation.EQUAL, pytest.approx(0.005))
+    assert [plain.measure, plain.relation, plain.low] == [None, Relation.EQUAL, pytest.approx(0.005)]
 
 
 def test_ranks_are_by_measure_or_by_nearness() -> None:

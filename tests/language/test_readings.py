@@ -92,12 +92,12 @@ def test_the_whole_model_is_a_reading_that_passes_over_the_part() -> None:
 def test_a_stated_density_is_kept_for_the_mass() -> None:
     form = best("What does it weigh at 2.7 g/cm3?").form
     assert isinstance(form, Get)
-    assert (form.measures, form.density) == ((Measure.MASS,), pytest.approx(2700.0))
+    assert [form.measures, form.density] == [(Measure.MASS,), pytest.approx(2700.0)]
 
 
 def test_a_check_keeps_relation_and_value() -> None:
     form = next(form for form in forms("Is the slot deeper than 4 mm?") if isinstance(form, Check))
-    assert (form.relation, form.low) == (Relation.MORE, pytest.approx(0.004))
+    assert [form.relation, form.low] == [Relation.MORE, pytest.approx(0.004)]
 
 
 def test_no_words_no_readings() -> None:

@@ -43,7 +43,7 @@ def test_a_symbol_says_what_its_number_is_of(text: str, measure: Measure) -> Non
 
 def test_a_range_shares_its_unit() -> None:
     first, _, second = tokenize("5 to 8 mm")
-    assert (first.value, second.value) == (pytest.approx(0.005), pytest.approx(0.008))
+    assert [first.value, second.value] == [pytest.approx(0.005), pytest.approx(0.008)]
 
 
 @pytest.mark.parametrize(
