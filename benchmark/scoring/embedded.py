@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from querycad.runtime import EmbeddedRuntime
 from querycad.settings import weights_folder
 from querycad_answering.llm import LlmSettings
-from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, LlmOptions, Status
+from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, LlmOptions
 from querycad_segworker.errors import FileProblem
 
 from .systems import Reply, SystemOptions, UnknownSystem, reply_of

@@ -20,7 +20,9 @@ SHOWN = 3
 """So many readings are shown where none is sure: people choose between two or three."""
 
 _DOUBTS: dict[str, tuple[str, ...]] = {
-    "skipped": ("skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective"),
+    "skipped": (
+        "skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
+    ),
     "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown", "unknown_group"),
     "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
     "dropped": (
