@@ -20,7 +20,7 @@ from typing import Any, Final
 
 import httpx
 
-from querycad_contracts import Grounding, RunLimits, RunStatus, Shape, Side
+from querycad_contracts import Grounded, Grounding, PartQuery, RunLimits, RunStatus, Shape, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import RunControl
 
@@ -46,13 +46,17 @@ class NoSegCad:
     def __init__(self, control: RunControl | None = None) -> None:
         self._control = control
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Nothing, after a while in which the run holds no interpreter."""
         del sides
         if self._control is not None:
             self._control.release()
         time.sleep(WAIT_S)
-        return Grounding(description=description, sides=None, parts=(), understood=True, message="there are none")
+        return Grounding(description=str(description), sides=None, parts=(), understood=True, message="there are none")
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        """Never asked."""
+        raise NotImplementedError
 
     def shape(self) -> Shape:
         """Never asked."""

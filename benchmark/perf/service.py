@@ -21,7 +21,7 @@ from rich.table import Table
 
 from benchmark.scoring.items import BadBenchmark
 from querycad.client import Client, ClientError
-from querycad_contracts import AnswerRecord, ModelStatus, Status
+from querycad_contracts import AnswerRecord, ModelStatus
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 
@@ -248,8 +248,8 @@ def hurt(service: Service, model: str, count: int) -> Chaos:
     return Chaos(
         asked=count,
         accepted=len(jobs),
-        answered=sum(record.status is Status.ANSWERED for record in records),
-        failed=sum(record.status is not Status.ANSWERED for record in records),
+        answered=sum(record.answer is not None for record in records),
+        failed=sum(record.answer is None for record in records),
         lost=len(jobs) - len(records),
         changed=sum(first[job] != second[job] for job in jobs) + _told_twice(service, jobs),
         blows=tuple(name for name, _ in blows),

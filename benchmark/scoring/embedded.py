@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from querycad.runtime import EmbeddedRuntime
 from querycad.settings import weights_folder
 from querycad_answering.llm import LlmSettings
-from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, LlmOptions, Status
+from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, LlmOptions
 from querycad_segworker.errors import FileProblem
 
 from .systems import Reply, SystemOptions, UnknownSystem, reply_of
@@ -55,7 +55,7 @@ class EmbeddedSystem:
 
     def _picture(self, file: Path, record: AnswerRecord) -> bytes | None:
         """The parts that the answer rests on, as PNG; None without an answer or parts."""
-        if record.status is not Status.ANSWERED or not record.parts or record.answer is None:
+        if record.answer is None or not record.parts:
             return None
         from querycad_segworker.mesh import Mesh
         from querycad_segworker.render.pictures import Mark, annotate

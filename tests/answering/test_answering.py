@@ -5,20 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+from tests.made import hole, view
 
 from querycad_answering.answering import answer_question
-from querycad_contracts import AnswerRecord, Evidence, Grounding, Part, Program, RunOutcome, RunStatus, Status
+from querycad_contracts import AnswerRecord, Grounding, Part, Program, RunOutcome, RunStatus, Status
 
-HOLE = Part(
-    id="hole-1",
-    kind="hole",
-    label="through hole",
-    faces=(3,),
-    center=(0.0, 0.0, 0.0),
-    extents=(0.01, 0.01, 0.01),
-    radius=0.005,
-    evidence=Evidence(source="geometry", confidence=1.0, reason="built by hand"),
-)
+HOLE = hole(1)
 
 
 def grounding(*parts: Part, understood: bool = True, **more: Any) -> Grounding:
@@ -26,7 +18,10 @@ def grounding(*parts: Part, understood: bool = True, **more: Any) -> Grounding:
 
 
 def ask(question: str, **outcome: Any) -> AnswerRecord:
-    return answer_question(question, lambda program: RunOutcome(**{"status": RunStatus.OK, **outcome}))
+    def run(_: Program) -> RunOutcome:
+        return RunOutcome(**{"status": RunStatus.OK, **outcome})
+
+    return answer_question(question, run, view(hole(1)))
 
 
 def test_an_answer_carries_its_parts_program_and_timings() -> None:
@@ -96,7 +91,7 @@ def test_an_empty_question_runs_nothing(question: str) -> None:
     def never(_: Program) -> RunOutcome:
         raise AssertionError("a program was run")
 
-    record = answer_question(question, never)
+    record = answer_question(question, never, view())
     assert record.status is Status.FAILED
     assert record.failure is not None
     assert record.failure.category == "bad_input"

@@ -9,7 +9,7 @@ from typing import Any
 import httpx
 import pytest
 from redis import Redis
-from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
+from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox, FakeSegcad
 
 from querycad_api.app import make_app
 from querycad_api.questions.tasks import Questions
@@ -47,7 +47,7 @@ def sandbox() -> FakeSandbox:
 
 @pytest.fixture
 def worker(settings: ApiSettings, ledger: Ledger, sandbox: FakeSandbox) -> Questions:
-    return Questions(settings, ledger, sandbox)  # type: ignore[arg-type]
+    return Questions(settings, ledger, sandbox, FakeSegcad())  # type: ignore[arg-type]
 
 
 @pytest.fixture

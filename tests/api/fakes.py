@@ -3,9 +3,29 @@
 from __future__ import annotations
 
 import hashlib
+import json
+import threading
+from base64 import b64decode
 from collections.abc import Callable
 
-from querycad_contracts import Grounding, ModelSummary, Program, RunOutcome, RunStatus, Shape
+from redis import Redis
+from tests.made import view
+
+from querycad_answering.understanding import ModelView
+from querycad_contracts import (
+    GroundedIds,
+    GroundedParts,
+    Grounding,
+    GroundTask,
+    ModelSummary,
+    Program,
+    Queue,
+    RunOutcome,
+    RunStatus,
+    Shape,
+    TaskOutcome,
+    reply_key,
+)
 
 STEP = b"ISO-10303-21;\n"
 MODEL = hashlib.sha256(STEP).hexdigest()
@@ -28,3 +48,43 @@ class FakeSandbox:
         if self.error is not None:
             raise self.error
         return RunOutcome(status=RunStatus.OK, value=0, groundings=(NO_HOLE,))
+
+
+class FakeSegcad:
+    """Knows a plate without a hole."""
+
+    def view(self, model: str, *_: object) -> ModelView:
+        return view()
+
+
+class FakeSegworker(threading.Thread):
+    """Takes what is sent to the segworkers, and knows a plate without a hole."""
+
+    def __init__(self, redis_url: str) -> None:
+        super().__init__(daemon=True)
+        self._redis = Redis.from_url(redis_url)
+        self._ended = threading.Event()
+        self.asked: list[GroundTask] = []
+
+    def run(self) -> None:
+        plate = view()
+        while not self._ended.is_set():
+            taken = self._redis.brpop([Queue.SEGCAD.value], 0.1)
+            if taken is None:
+                continue
+            message = json.loads(taken[1])
+            (payload,), *_ = json.loads(b64decode(message["body"]))
+            task = GroundTask.model_validate(payload)
+            self.asked.append(task)
+            ways = tuple(
+                tuple(GroundedIds(parts=(), features=way.features) for way in each)
+                for each in plate.ground(task.queries)
+            )
+            value = GroundedParts(whole=plate.whole, names=(), kinds=plate.kinds, parts=(), ways=ways)
+            outcome = TaskOutcome[GroundedParts](value=value).model_dump_json()
+            self._redis.rpush(reply_key(message["headers"]["id"]), outcome)
+        self._redis.close()
+
+    def stop(self) -> None:
+        self._ended.set()
+        self.join()

@@ -14,7 +14,7 @@ from typing import Any
 
 import httpx
 import pytest
-from tests.api.fakes import NO_HOLE
+from tests.api.fakes import NO_HOLE, FakeSegworker
 
 from querycad_api.settings import ApiSettings
 from querycad_contracts import RunOutcome, RunStatus
@@ -63,7 +63,15 @@ def slow() -> Iterator[SlowSandbox]:
 
 
 @pytest.fixture
-def real_worker(settings: ApiSettings, slow: SlowSandbox, tmp_path: Path) -> Iterator[Path]:
+def segworker(settings: ApiSettings) -> Iterator[FakeSegworker]:
+    thread = FakeSegworker(settings.redis_url)
+    thread.start()
+    yield thread
+    thread.stop()
+
+
+@pytest.fixture
+def real_worker(settings: ApiSettings, slow: SlowSandbox, segworker: FakeSegworker, tmp_path: Path) -> Iterator[Path]:
     """A worker with one process; its log."""
     environment = os.environ | {
         "QUERYCAD_REDIS_URL": settings.redis_url,

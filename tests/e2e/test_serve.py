@@ -291,7 +291,9 @@ def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client,
 def test_the_events_of_a_question_are_told_as_they_happen(client: Client, model: str) -> None:
     job = client.submit(model, QUESTION)
     kinds = [event.kind for event in client.events(job.id)]
-    assert kinds == ["queued", "started", "program", "ran", "done"]
+    assert [kinds[0], kinds[1], kinds[-1]] == ["queued", "started", "done"]
+    assert kinds[2:-1] == ["program", "ran"] * (len(kinds[2:-1]) // 2)
+    assert len(kinds) > 3
 
 
 def test_questions_are_answered_after_a_segworker_s_child_was_killed(

@@ -34,8 +34,10 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
+    Grounded,
     Grounding,
     Part,
+    PartQuery,
     Queue,
     RunLimits,
     RunOutcome,
@@ -67,19 +69,23 @@ class FakeSegCad:
         self.calls.append(("shape", None))
         return make_shape()
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         self.calls.append(("find_parts", (description, sides)))
-        kind = next((kind for word, kind in KNOWN.items() if word in description), None)
+        words = description if isinstance(description, str) else description.noun
+        kind = next((kind for word, kind in KNOWN.items() if word in words), None)
         found = [part for part in self.parts if part.kind == kind and (not sides or set(sides) & set(part.sides))]
         nearest = () if kind else ("hole", "boss")
         return Grounding(
-            description=description,
+            description=words,
             sides=None if sides is None else tuple(sides),
             parts=tuple(found),
             understood=kind is not None,
             nearest=nearest,
-            message="" if kind else f"no such word: {description}.",
+            message="" if kind else f"no such word: {words}.",
         )
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        return tuple((Grounded(parts=self.find_parts(query).parts, features={}),) for query in queries)
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         self.calls.append(("faces", tuple(ids)))

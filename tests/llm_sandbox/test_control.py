@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import Grounding, GuestAnswer, GuestCall, Printed, RunLimits, RunStatus, Side
+from querycad_contracts import Grounding, GuestAnswer, GuestCall, PartQuery, Printed, RunLimits, RunStatus, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import Heard, RunControl
 
@@ -103,7 +103,7 @@ def test_a_run_in_segcad_is_cancelled_when_the_call_can_be(sandbox: Sandbox) -> 
     control = RunControl()
 
     class Stoppable(FakeSegCad):
-        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             woken = threading.Event()
             with control.stopped_by(woken.set):
                 threading.Thread(target=control.cancel).start()

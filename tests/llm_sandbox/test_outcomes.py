@@ -13,7 +13,7 @@ from time import sleep
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import AnswerType, Grounding, MissingAttribute, RunLimits, RunStatus, Side
+from querycad_contracts import AnswerType, Grounding, MissingAttribute, PartQuery, RunLimits, RunStatus, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.guest import DESCRIPTIONS
 
@@ -97,7 +97,7 @@ def test_too_many_different_descriptions_are_refused(sandbox: Sandbox, segcad: F
 
 def test_the_time_that_segcad_takes_is_not_the_programs(sandbox: Sandbox) -> None:
     class Slow(FakeSegCad):
-        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             sleep(1.5)
             return super().find_parts(description, sides)
 
@@ -236,7 +236,7 @@ def test_runs_of_two_models_at_once_see_their_own_parts(sandbox: Sandbox) -> Non
 
 def test_a_worker_killed_in_a_run_is_a_crash_and_is_replaced(own_workers: OwnWorkers) -> None:
     class Killer(FakeSegCad):
-        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             own_workers.kill()
             return super().find_parts(description, sides)
 

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import Grounding, RunLimits, RunOutcome, RunStatus, Side
+from querycad_contracts import Grounding, PartQuery, RunLimits, RunOutcome, RunStatus, Side
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import RunControl
 
@@ -29,7 +29,7 @@ class Waiting(FakeSegCad):
         self._control.release()
         self._meanwhile()
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         self._wait()
         return super().find_parts(description, sides)
 
@@ -176,7 +176,7 @@ def test_a_run_that_waits_for_an_interpreter_is_ended_in_time(narrow: Sandbox) -
         assert late.status is RunStatus.TIMED_OUT
 
     class Holding(FakeSegCad):
-        def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+        def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
             meanwhile()
             return super().find_parts(description, sides)
 

@@ -17,7 +17,10 @@ from redis import Redis
 from querycad_contracts import (
     AnswerRecord,
     FolderStore,
+    GroundedParts,
+    GroundTask,
     Part,
+    PartQuery,
     Status,
     TaskName,
     models_name,
@@ -91,6 +94,22 @@ def test_calls_answer_as_the_model_itself_does(settings: SegworkerSettings, tabl
     assert table[TaskName.SHAPE]({"model": model})["value"] == local.shape().model_dump(mode="json")
     faces = table[TaskName.FACES]({"model": model, "ids": [3, 1]})["value"]
     assert [face["id"] for face in faces] == [3, 1]
+
+
+def test_groundings_come_back_as_the_model_itself_has_them(
+    settings: SegworkerSettings, table: Table, model: str
+) -> None:
+    local = make_tasks(settings).cache.segcad(model)
+    queries = (PartQuery(noun="hole", plural=True), PartQuery(noun="banana", known=False))
+    payload = GroundTask(model=model, queries=queries).model_dump(mode="json")
+    found = GroundedParts.model_validate(table[TaskName.GROUND](payload)["value"])
+    assert found.whole.kind == "model"
+    for mine, theirs in zip(local.ground(queries), found.grounded, strict=True):
+        assert [way.features for way in mine] == [way.features for way in theirs]
+        assert [[part.id for part in way.parts] for way in mine] == [[part.id for part in way.parts] for way in theirs]
+    holes = found.grounded[0][0].parts
+    assert len(holes) == 11
+    assert all(part.faces == () and part.diameter for part in holes)
 
 
 class Bucket(FolderStore):

@@ -11,8 +11,10 @@ from typing import TypeVar
 from querycad_contracts import (
     Agreement,
     Alternative,
+    Answer,
     AnswerOptions,
     AnswerRecord,
+    AnswerType,
     Attempt,
     Codegen,
     Expectation,
@@ -24,23 +26,26 @@ from querycad_contracts import (
     Status,
     TokenUse,
 )
-from querycad_language.old import EmptyQuestion, NotUnderstood, parse
+from querycad_contracts.answers import LEAST_CONFIDENCE
 
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Task
+from .ranking import SHOWN
 from .typed import same_value
+from .understanding import ModelView, Run, Understanding, Understood
 
 T = TypeVar("T")
-Run = Callable[[Program], RunOutcome]
-"""Runs a program against the model that the question is about."""
 
 NO_OPTIONS = AnswerOptions()
 NO_LLM = LlmWriter(LlmSettings())
+SURE = 0.8
+"""An answer of the parser that is at least as probable goes before a language model's."""
 
 
 def answer_question(
     question: str,
     run: Run,
+    view: ModelView,
     unit: LengthUnit = LengthUnit.MM,
     options: AnswerOptions = NO_OPTIONS,
     *,
@@ -49,32 +54,40 @@ def answer_question(
 ) -> AnswerRecord:
     """What is the answer? Never raises for what is wrong with a question or program: the record's `failure` says it.
 
-    `unit` is the one that `answer.text` is written in; `answer.value` is SI whatever it is. `summary` is what a
-    language model is told of the model.
+    `unit` is the one that `answer.text` is written in; `answer.value` is SI whatever it is. `view` is what readings are
+    ranked on, `summary` what a language model is told of the model.
     """
     clock = _Clock()
     expect = options.expect or Expectation()
+    least = LEAST_CONFIDENCE if options.least_confidence is None else options.least_confidence
+
+    def timed_run(program: Program) -> RunOutcome:
+        return clock.timed("run", partial(run, program))
 
     def judged(program: Program) -> Verdict:
-        outcome = clock.timed("run", partial(run, program))
-        return judge(program, outcome, unit, expect)
+        return judge(program, timed_run(program), unit, expect)
 
     try:
         writer = llm.chosen(options.llm)
-        parsed = clock.timed("codegen", partial(_parsed, question))
-    except (EmptyQuestion, LlmOptionRefused) as error:
-        outcome = _Outcome(failure=Failure(category="bad_input", message=str(error)))
-        return outcome.record(question, clock)
+    except LlmOptionRefused as error:
+        return _refused(question, str(error), clock, least)
+    if not question.strip():
+        return _refused(question, "the question is empty", clock, least)
+    understanding = Understanding(question, view, expect)
     codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
-        asked = parsed.expects if isinstance(parsed, Program) else None
+        asked = clock.timed("codegen", partial(_asked_type, understanding))
         task = Task(question, judged, summary, expect, asked)
-        outcome = _with_llm(task, codegen, writer, parsed, clock)
+        outcome = _with_llm(task, codegen, writer, lambda: understanding.answered(timed_run, unit), clock)
     else:
-        outcome = _by_parser(parsed, judged)
+        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
-    return outcome.record(question, clock)
+    return outcome.record(question, clock, least)
+
+
+def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
+    return _Outcome(failure=Failure(category="bad_input", message=message)).record(question, clock, least)
 
 
 def _codegen(options: AnswerOptions, settings: LlmSettings) -> Codegen:
@@ -82,21 +95,23 @@ def _codegen(options: AnswerOptions, settings: LlmSettings) -> Codegen:
     return options.codegen or settings.codegen or (Codegen.BOTH if settings.is_configured else Codegen.PARSER)
 
 
-def _parsed(question: str) -> Program | Failure:
-    """The parser's program, or why it has none. Raises EmptyQuestion."""
-    try:
-        return parse(question)
-    except NotUnderstood as error:
-        return Failure(category="not_understood", message=error.message, nearest=error.nearest)
+def _asked_type(understanding: Understanding) -> AnswerType | None:
+    """The type that the best reading asks for; None where the question's words are not known well enough."""
+    best = next(iter(understanding.ranked), None)
+    if best is None or understanding.refused is not None or "named_only" in best.features:
+        return None
+    return best.written.expects
 
 
-def _by_parser(parsed: Program | Failure, judged: Callable[[Program], Verdict]) -> _Outcome:
-    if isinstance(parsed, Failure):
-        return _Outcome(failure=parsed)
-    return _Outcome(chosen=Candidate(parsed, judged(parsed)))
+def _by_parser(found: Understood) -> _Outcome:
+    if found.program is None:
+        return _Outcome(failure=found.verdict.failure, understood=found)
+    return _Outcome(chosen=Candidate(found.program, found.verdict), understood=found)
 
 
-def _with_llm(task: Task, codegen: Codegen, writer: LlmWriter, parsed: Program | Failure, clock: _Clock) -> _Outcome:
+def _with_llm(
+    task: Task, codegen: Codegen, writer: LlmWriter, parsed: Callable[[], Understood], clock: _Clock
+) -> _Outcome:
     """What comes of the language model's programs, and of the parser's where both answer or the model has none."""
     written = clock.timed("llm", partial(writer.write, task))
     answered = [candidate for candidate in written.candidates if candidate.verdict.answer is not None]
@@ -104,21 +119,16 @@ def _with_llm(task: Task, codegen: Codegen, writer: LlmWriter, parsed: Program |
     if written.error is not None:
         outcome.notes.append(str(written.error))
     if codegen is Codegen.BOTH or not answered:
-        by_parser = _by_parser(parsed, task.judge)
-        outcome.failure = by_parser.failure
+        by_parser = _by_parser(clock.timed("codegen", parsed))
+        outcome.failure, outcome.understood = by_parser.failure, by_parser.understood
         if by_parser.chosen is not None and by_parser.chosen.verdict.answer is not None:
             if not answered:
                 outcome.notes.append("the language model wrote no program that answers: the parser answered")
-            answered.insert(0 if _is_sure(by_parser.chosen) else len(answered), by_parser.chosen)
+            answered.insert(0 if by_parser.chosen.program.confidence >= SURE else len(answered), by_parser.chosen)
         outcome.chosen = next(iter(written.candidates), by_parser.chosen)
     if answered:
         _vote(answered, outcome)
     return outcome
-
-
-def _is_sure(candidate: Candidate) -> bool:
-    """Has the parser used every word as it stands? Then it is right more often than a language model."""
-    return candidate.program.confidence == 1.0
 
 
 def _vote(answered: Sequence[Candidate], outcome: _Outcome) -> None:
@@ -148,34 +158,71 @@ class _Outcome:
 
     chosen: Candidate | None = None
     failure: Failure | None = None
+    understood: Understood | None = None
+    """What the parser made of the question, where it was asked."""
     others: list[Candidate] = field(default_factory=list)
     agreement: Agreement | None = None
     attempts: tuple[Attempt, ...] = ()
     notes: list[str] = field(default_factory=list)
 
-    def record(self, question: str, clock: _Clock) -> AnswerRecord:
-        """The outcome as the contract has it."""
+    def record(self, question: str, clock: _Clock, least: float) -> AnswerRecord:
+        """The outcome as the contract has it. An answer less probable than `least` is unsure."""
         verdict = self.chosen.verdict if self.chosen is not None else Verdict(failure=self.failure)
         program = self.chosen.program if self.chosen is not None else None
+        understood = self._understood()
+        alternatives = self._alternatives(understood)
+        status, answer = verdict.status, verdict.answer
+        confidence = understood.confidence if understood is not None else None
+        if answer is not None and confidence is not None and confidence < least:
+            status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(
             question=question,
-            status=verdict.status if self.chosen is not None else Status.FAILED,
-            answer=verdict.answer,
+            status=status,
+            answer=answer,
             code=program.code if program is not None else None,
             codegen=program.codegen if program is not None else None,
             parts=verdict.parts,
             timings_ms=clock.timings_ms,
             warnings=tuple(dict.fromkeys((*self.notes, *self._disagreement(), *verdict.warnings))),
             failure=verdict.failure,
+            confidence=confidence,
+            understood_as=understood.understood_as if understood is not None else "",
+            ignored=understood.ignored if understood is not None else (),
             attempts=self.attempts,
             agreement=self.agreement,
-            alternatives=tuple(_alternative(other) for other in self.others),
+            alternatives=alternatives,
             tokens=sum((attempt.tokens for attempt in self.attempts), TokenUse()) if self.attempts else None,
         )
+
+    def _understood(self) -> Understood | None:
+        """What the parser made of it, where the answer is its own, or the same."""
+        found = self.understood
+        if found is None or self.chosen is None or found.program is None:
+            return found if self.chosen is None else None
+        return found if self.chosen.program is found.program or _agree(self.chosen, self._parsed(found)) else None
+
+    def _parsed(self, found: Understood) -> Candidate:
+        assert found.program is not None
+        return Candidate(found.program, found.verdict)
+
+    def _alternatives(self, understood: Understood | None) -> tuple[Alternative, ...]:
+        """Programs that disagree, then the other readings, each value once."""
+        found = [_alternative(other, self.understood) for other in self.others]
+        readings = understood.others if understood is not None and self.chosen is not None else ()
+        answers = [one.answer for one in found]
+        return (*found, *(one for one in readings if not any(same_value(one.answer, known) for known in answers)))
 
     def _disagreement(self) -> list[str]:
         others = [f"the program of the {_writer(other)} gives {_text(other)}" for other in self.others]
         return [f"programs disagree: {', '.join(others)}"] if others else []
+
+
+def _perhaps(answer: Answer, understood: Understood | None, alternatives: Sequence[Alternative]) -> Answer:
+    """The answer with a text that says what else may be meant."""
+    meant = understood.understood_as if understood is not None else ""
+    shown = [(answer.text, meant), *((one.answer.text, one.understood_as) for one in alternatives)][:SHOWN]
+    texts = [f"{text} ({said})" if said else text for text, said in shown]
+    return answer.model_copy(update={"text": "perhaps " + ", or ".join(texts)})
 
 
 def _writer(candidate: Candidate) -> str:
@@ -187,10 +234,18 @@ def _text(candidate: Candidate) -> str:
     return candidate.verdict.answer.text if candidate.verdict.answer is not None else "none"
 
 
-def _alternative(candidate: Candidate) -> Alternative:
+def _alternative(candidate: Candidate, understood: Understood | None) -> Alternative:
     answer = candidate.verdict.answer
     assert answer is not None
-    return Alternative(codegen=candidate.program.codegen, code=candidate.program.code, answer=answer)
+    program = candidate.program
+    own = understood is not None and program is understood.program
+    return Alternative(
+        codegen=program.codegen,
+        code=program.code,
+        answer=answer,
+        understood_as=understood.understood_as if understood is not None and own else "",
+        confidence=understood.confidence if understood is not None and own else None,
+    )
 
 
 class _Clock:

@@ -20,7 +20,9 @@ SHOWN = 3
 """So many readings are shown where none is sure: people choose between two or three."""
 
 _DOUBTS: dict[str, tuple[str, ...]] = {
-    "skipped": ("skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective"),
+    "skipped": (
+        "skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
+    ),
     "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown", "unknown_group"),
     "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
     "dropped": (
@@ -62,12 +64,15 @@ def key(value: Any) -> str:
     return repr(value)
 
 
-def values(tried: Sequence[Candidate]) -> list[Value]:
-    """The different values of the candidates that gave one, the most probable first."""
+def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Value]:
+    """The different values of the candidates that gave one, the most probable first.
+
+    `untried` are the scores of those that were not run: their share of the probability is nobody's.
+    """
     runs = [one for one in tried if one.value is not None and one.value != []]
     if not runs:
         return []
-    shares = softmax([one.score for one in runs])
+    shares = softmax([*(one.score for one in runs), *untried])
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
         groups.setdefault(key(one.value), []).append(i)

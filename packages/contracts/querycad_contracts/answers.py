@@ -74,6 +74,10 @@ class Expectation(Frozen):
     frame: Frame | None = Field(None, description="Of points, directions and sizes: the file's axes or the part's own.")
 
 
+LEAST_CONFIDENCE = 0.5
+"""Below it another reading than the best one is likelier to be meant: then both are shown."""
+
+
 class Codegen(StrEnum):
     """Who writes the program?"""
 
@@ -99,6 +103,13 @@ class AnswerOptions(Frozen):
     expect: Expectation | None = None
     llm: LlmOptions | None = None
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
+    least_confidence: float | None = Field(
+        None,
+        ge=0.0,
+        le=1.0,
+        strict=True,
+        description=f"An answer less probable than this is `unsure`; null: {LEAST_CONFIDENCE}. 0: never unsure.",
+    )
 
 
 class Answer(Frozen):
@@ -119,7 +130,7 @@ class Program(Frozen):
     expects: AnswerType | None = Field(
         None, description="The type the answer must have; None when the writer did not say."
     )
-    confidence: float = Field(1.0, ge=0.0, le=1.0)
+    confidence: float = Field(1.0, ge=0.0, le=1.0, description="Of the parser's: that its answer is right.")
     unused_words: tuple[str, ...] = Field((), description="Words of the question that the program does not reflect.")
     notes: tuple[str, ...] = Field(
         (), description="Readings chosen where the question was ambiguous, said to the user."
@@ -135,6 +146,8 @@ class Status(StrEnum):
     """How a question ended."""
 
     ANSWERED = "answered"
+    UNSURE = "unsure"
+    """The answer is the most probable of several; the others are the alternatives."""
     NOT_GROUNDED = "not_grounded"
     FAILED = "failed"
 
@@ -191,11 +204,13 @@ class Agreement(Frozen):
 
 
 class Alternative(Frozen):
-    """Another program for the same question, which gives another answer."""
+    """Another reading of the question, or another program for it, which gives another answer."""
 
     codegen: str
     code: str
     answer: Answer
+    understood_as: str = Field("", description="What was asked, by this reading; empty of a language model's program.")
+    confidence: float | None = Field(None, description="Probability that this answer is right; null as above.")
 
 
 class AnswerRecord(Frozen):
@@ -210,7 +225,14 @@ class AnswerRecord(Frozen):
     timings_ms: dict[str, float]
     warnings: tuple[str, ...]
     failure: Failure | None = None
+    confidence: float | None = Field(
+        None, description="Probability that the answer is right; null of a language model's alone."
+    )
+    understood_as: str = Field("", description="What was asked, in plain words: 'depth of the 4 blind holes'.")
+    ignored: tuple[str, ...] = Field(
+        (), description="Words that carry meaning and were skipped, and what could not be checked on the model."
+    )
     attempts: tuple[Attempt, ...] = Field((), description="Every program that a language model wrote, in order.")
     agreement: Agreement | None = Field(None, description="Null where only one program was written.")
-    alternatives: tuple[Alternative, ...] = Field((), description="Programs with another answer.")
+    alternatives: tuple[Alternative, ...] = Field((), description="Readings, and programs, with another answer.")
     tokens: TokenUse | None = Field(None, description="Of all attempts; null where no language model was asked.")

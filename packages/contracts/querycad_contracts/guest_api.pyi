@@ -6,7 +6,7 @@ Extents are full lengths unless the name says `half_`. The result is whatever th
 A measure that a part does not have raises AttributeError with a message that names the measures it has.
 """
 
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypedDict
 
 Vector: TypeAlias = tuple[float, float, float]
 Side: TypeAlias = Literal["top", "bottom", "left", "right", "front", "back"]
@@ -167,9 +167,77 @@ class Part:
         """How far is the part's surface from the outer edge of the face it lies in?"""
         ...
 
+class SizeFilter(TypedDict, total=False):
+    """A stated size that the part has: 'a diameter of 5 mm', 'deeper than 11 mm'."""
+
+    measure: str | None
+    """Such as 'diameter'; without it, whatever size a part of that kind is named by."""
+    relation: Literal["equal", "unequal", "about", "less", "at_most", "more", "at_least", "between"]
+    low: float
+    """What it is compared with, or the lower end of a range."""
+    high: float | None
+
+class Rank(TypedDict, total=False):
+    """Which of several, by a measure, towards a side, or by nearness."""
+
+    measure: str | None
+    side: Side | None
+    near: "PartQuery | None"
+    edge: bool
+    """Nearest to the model's edge."""
+    most: bool
+    nth: int
+    count: int
+
+class Place(TypedDict, total=False):
+    """Where the part is, as seen from another one."""
+
+    relation: str
+    """'in', 'on', 'of', 'through', 'near', 'around', 'between', 'above', 'with' …"""
+    what: "PartQuery | None"
+    side: Side | None
+    negated: bool
+
+class PartQuery(TypedDict, total=False):
+    """Which parts are meant: a noun with all that restricts it, as the parser writes it. All of it is optional."""
+
+    noun: str
+    """'hole', 'boss', 'counterbore' … Empty: any part."""
+    known: bool
+    words: list[str]
+    """All words of the phrase, for the names of bodies."""
+    adjectives: list[str]
+    lacking: list[str]
+    """Attributes that it must not have."""
+    sizes: list[SizeFilter]
+    threads: list[str]
+    """'m6' …"""
+    colors: list[str]
+    count: int | None
+    """How many there are said to be."""
+    plural: bool
+    definite: bool
+    sample: bool
+    """Any one of them stands for all."""
+    ranks: list[Rank]
+    places: list[Place]
+    sides: list[Side]
+    """Visible from any of these."""
+    unseen: list[Side]
+    """Visible from none of these."""
+    ends: list[Side]
+    """Said like an adjective: 'the left leg'."""
+    excluded: list["PartQuery"]
+    also: list["PartQuery"]
+    unknown: list[str]
+    ids: list[str]
+    """'hole-4'; nothing else counts then."""
+    sense: int
+    """Which of the ways to ground it on the model, the best first."""
+
 shape: Shape
 
-def find_parts(description: str, sides: list[Side] | None = None) -> list[Part]:
+def find_parts(description: str | PartQuery, sides: list[Side] | None = None) -> list[Part]:
     """Which parts does `description` mean, seen from any of `sides` (every side when None)?
 
     `description` is free text: 'hole', 'blind hole', 'rectangular pocket', 'M5 threaded hole', 'circular base',

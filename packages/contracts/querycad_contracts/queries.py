@@ -148,7 +148,7 @@ class Grounded(Frozen):
 
     parts: tuple[Part, ...]
     features: dict[str, float] = Field(description="Name to number; docs/understanding.md explains each.")
-    unchecked: tuple[str, ...] = Field((), description="What restricts but could not be checked: \"in the rim\".")
+    unchecked: tuple[str, ...] = Field((), description='What restricts but could not be checked: "in the rim".')
     reason: str = Field("", description="In plain words: 'counterbored holes visible from the top'.")
 
 

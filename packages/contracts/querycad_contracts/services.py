@@ -12,6 +12,7 @@ from pydantic import Field
 from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
 from .geometry import Frozen, GroundedBy, Part, Shape, Side
 from .logs import current_request
+from .queries import Grounded, PartQuery
 from .runs import RunId, RunLimits, RunStatus
 
 T = TypeVar("T")
@@ -41,6 +42,7 @@ class TaskName(StrEnum):
     INGEST = "querycad.ingest"  # IngestTask -> TaskOutcome[ModelSummary]
     SHAPE = "querycad.shape"  # ModelTask -> TaskOutcome[Shape]
     FIND_PARTS = "querycad.find_parts"  # FindPartsTask -> TaskOutcome[Grounding]
+    GROUND = "querycad.ground"  # GroundTask -> TaskOutcome[GroundedParts]
     FACES = "querycad.faces"  # FacesTask -> TaskOutcome[tuple[Face, ...]]
     DISTANCE = "querycad.distance"  # DistanceTask -> TaskOutcome[float]
     EDGE_DISTANCE = "querycad.edge_distance"  # EdgeDistanceTask -> TaskOutcome[float]
@@ -92,10 +94,53 @@ class IngestTask(ModelTask):
     file_name: str
 
 
-class FindPartsTask(ModelTask):
-    """Which parts does the description mean?"""
+class GroundTask(ModelTask):
+    """In which ways can each of the queries of a question be grounded on the model?"""
 
-    description: str
+    queries: tuple[PartQuery, ...]
+    grounding: GroundedBy = GroundedBy.GEOMETRY
+
+
+class GroundedIds(Frozen):
+    """`Grounded`, with the ids of its parts in place of the parts."""
+
+    parts: tuple[str, ...]
+    features: dict[str, float]
+    unchecked: tuple[str, ...] = ()
+    reason: str = ""
+
+
+class GroundedParts(Frozen):
+    """What a question's readings are ranked on: all groundings, and every part in them once."""
+
+    whole: Part = Field(description="The part that stands for the whole model.")
+    names: tuple[str, ...] = Field(description="Words of the product names in the file.")
+    kinds: tuple[str, ...] = Field(description="Kinds of part that the model has, the most frequent first.")
+    parts: tuple[Part, ...] = Field(description="Without their faces, which nothing here reads.")
+    ways: tuple[tuple[GroundedIds, ...], ...] = Field(description="Of each query, the best first.")
+
+    @property
+    def grounded(self) -> tuple[tuple[Grounded, ...], ...]:
+        """The groundings of each query, with their parts."""
+        known = {part.id: part for part in self.parts}
+        return tuple(
+            tuple(
+                Grounded(
+                    parts=tuple(known[part] for part in way.parts),
+                    features=way.features,
+                    unchecked=way.unchecked,
+                    reason=way.reason,
+                )
+                for way in ways
+            )
+            for ways in self.ways
+        )
+
+
+class FindPartsTask(ModelTask):
+    """Which parts does the description mean, or the query?"""
+
+    description: str | PartQuery
     sides: tuple[Side, ...] | None = None
     grounding: GroundedBy = GroundedBy.GEOMETRY
 
@@ -121,7 +166,7 @@ class EdgeDistanceTask(ModelTask):
 
 def queue_of(name: TaskName, task: ModelTask) -> Queue:
     """On which queue is this very task sent? Looking takes seconds: what takes milliseconds does not wait for it."""
-    looks = isinstance(task, FindPartsTask) and task.grounding is not GroundedBy.GEOMETRY
+    looks = isinstance(task, FindPartsTask | GroundTask) and task.grounding is not GroundedBy.GEOMETRY
     return Queue.PICTURES if looks else name.queue
 
 

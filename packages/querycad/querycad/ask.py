@@ -86,7 +86,7 @@ def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namesp
                 print(record.model_dump_json(), flush=True)
             else:
                 _print_record(record, options)
-            if options.picture and record.status is Status.ANSWERED:
+            if options.picture and record.answer is not None:
                 path = _picture_path(options.picture, number, len(questions))
                 worst = max(worst, _draw(runtime, options, record, path))
     return worst
@@ -108,7 +108,7 @@ def _questions(options: argparse.Namespace) -> list[str]:
 
 
 def _exit_code(record: AnswerRecord) -> int:
-    if record.status is Status.ANSWERED:
+    if record.answer is not None:
         return EXIT_ANSWERED
     category = record.failure.category if record.failure else ""
     return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED
@@ -120,6 +120,8 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
         print(record.question)
     if record.answer is not None:
         print(f"{'  ' if many else ''}{record.answer.text}")
+        if record.understood_as and record.confidence is not None:
+            print(f"  understood as: {record.understood_as} (confidence {record.confidence:.2f})")
         for part in record.parts:
             sides = ", ".join(part.sides) or "hidden"
             print(f"  {part.id}: {part.label} (faces {_faces(part.faces)}; visible from: {sides})")
@@ -134,7 +136,8 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
     if options.show_code and record.code is not None:
         _print_program(record.codegen, record.code)
         for other in record.alternatives:
-            _print_program(other.codegen, other.code, f", which gives {other.answer.text}")
+            meant = f"; understood as: {other.understood_as}" if other.understood_as else ""
+            _print_program(other.codegen, other.code, f", which gives {other.answer.text}{meant}")
     if options.show_code:
         print("  timings: " + ", ".join(f"{step} {ms:.1f} ms" for step, ms in record.timings_ms.items()))
 

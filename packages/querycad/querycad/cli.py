@@ -16,6 +16,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_ask(commands)
+    _add_explain(commands)
     _add_prompt(commands)
     _add_run(commands)
     _add_features(commands)
@@ -47,6 +48,9 @@ def _add_ask(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
     ask.add_argument("--picture", metavar="OUT.png", help="draw the parts that the answer rests on")
     ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
     ask.add_argument("--server", metavar="URL", help="let a running service answer, such as http://127.0.0.1:8000")
+    ask.add_argument(
+        "--least-confidence", type=float, metavar="P", help="an answer less probable than this is unsure (default: 0.5)"
+    )
     add_codegen(ask)
     add_expect(ask)
     add_grounding(ask)
@@ -58,6 +62,21 @@ def _ask(options: argparse.Namespace) -> int:
     from .ask import ask  # here, so that `querycad --help` needs no service
 
     return ask(options)
+
+
+def _add_explain(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    explain = commands.add_parser("explain", help="print what a question can mean on a model, and what speaks for it")
+    explain.add_argument("file", metavar="FILE", help="a STEP file")
+    explain.add_argument("question", metavar="QUESTION", help="the question, in English")
+    explain.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    explain.add_argument("--unit", choices=["mm", "m", "in"], default="mm", help="unit of lengths in text")
+    explain.set_defaults(run=_explain)
+
+
+def _explain(options: argparse.Namespace) -> int:
+    from .explain import explain
+
+    return explain(options)
 
 
 def _add_prompt(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

@@ -70,7 +70,11 @@ def answer_options(options: argparse.Namespace) -> AnswerOptions:
     model = options.llm_model if options.server else None  # in this process it is among the settings
     llm = LlmOptions(model=model, samples=options.llm_samples, repairs=options.llm_repairs)
     return AnswerOptions(
-        codegen=options.codegen, expect=expect if asked else None, llm=llm, grounding=options.grounding
+        codegen=options.codegen,
+        expect=expect if asked else None,
+        llm=llm,
+        grounding=options.grounding,
+        least_confidence=getattr(options, "least_confidence", None),
     )
 
 

@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING, Self
 
 from querycad_answering.answering import NO_OPTIONS, answer_question
 from querycad_answering.llm import LlmSettings, LlmWriter
-from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelSummary, Program, RunOutcome, RunStatus
+from querycad_answering.understanding import ModelView, Run
+from querycad_contracts import (
+    AnswerOptions,
+    AnswerRecord,
+    GroundedBy,
+    LengthUnit,
+    ModelSummary,
+    Program,
+    RunOutcome,
+    RunStatus,
+)
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.sight import networks_in
@@ -73,18 +83,30 @@ class EmbeddedRuntime:
         start = time.perf_counter()
         segcad = self.model(file, progress)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
+        view, run = _view(segcad, options.grounding), self._runner(segcad, options.grounding)
+        told = summary(segcad.model) if self._llm.settings.is_configured else None
+        record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm)
+        warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
+        return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
+
+    def view(self, file: Path | str) -> ModelView:
+        """What the readings of a question are ranked on. Raises FileProblem."""
+        return _view(self.model(file))
+
+    def runner(self, file: Path | str) -> Run:
+        """What runs programs against this file. Raises FileProblem."""
+        return self._runner(self.model(file))
+
+    def _runner(self, segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> Run:
+        found_by = segcad.grounded_by(grounding)
 
         def run(program: Program) -> RunOutcome:
             try:
-                found_by = segcad.grounded_by(options.grounding)
                 return self._sandbox.run(program.code, found_by, expects=program.expects, check=not program.is_checked)
             except FileProblem as problem:  # a measurement that the kernel could not make
                 return RunOutcome(status=RunStatus.CRASHED, message=str(problem))
 
-        told = summary(segcad.model) if self._llm.settings.is_configured else None
-        record = answer_question(question, run, unit, options, summary=told, llm=self._llm)
-        warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
-        return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
+        return run
 
     def model(self, file: Path | str, progress: Callable[[str], None] | None = None) -> LocalSegCad:
         """The recognised model of this file, read now if its content is not known yet. Raises FileProblem."""
@@ -111,3 +133,7 @@ class EmbeddedRuntime:
         from querycad_segworker.render.evidence import draw_evidence
 
         draw_evidence(self.artefacts(file), record, path)
+
+
+def _view(segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
+    return ModelView(segcad.grounded_by(grounding).ground, segcad.whole, segcad.names, segcad.kinds)

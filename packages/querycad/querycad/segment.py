@@ -8,7 +8,8 @@ from pathlib import Path
 
 from querycad_contracts import Face
 from querycad_segworker.errors import FileProblem
-from querycad_segworker.grounding.old.ground import ground
+from querycad_segworker.grounding.find import find
+from querycad_segworker.grounding.inventory import Inventory
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, Model, ModelStore
 
@@ -54,7 +55,7 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
     )
     absent = ""
     if options.known:
-        meant = ground(model.parts, options.phrase, None)
+        meant = find(Inventory(model.parts), options.phrase)
         if not meant.parts:
             print(f"querycad: not grounded: {meant.message}", file=sys.stderr)
             return EXIT_BAD_INPUT

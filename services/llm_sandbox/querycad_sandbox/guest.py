@@ -140,9 +140,7 @@ class Guest:
         bodies = [View(self, body, body_measures(body)) for body in shape.bodies]
         return View(self, shape, {**shape_measures(shape), "bodies": bodies})
 
-    def find_parts(
-        self, description: str | dict[str, Any], sides: Sequence[str] | str | None = None
-    ) -> list[PartView]:
+    def find_parts(self, description: str | dict[str, Any], sides: Sequence[str] | str | None = None) -> list[PartView]:
         """The function `find_parts`. A call made before is answered from the first."""
         key = (_description(description), _sides(sides))
         if key not in self._found:

@@ -23,9 +23,13 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
+    Grounded,
     GroundedBy,
+    GroundedParts,
     Grounding,
+    GroundTask,
     ModelTask,
+    PartQuery,
     Queue,
     Shape,
     Side,
@@ -54,6 +58,7 @@ log = logging.getLogger(__name__)
 
 _SHAPE = TypeAdapter(TaskOutcome[Shape])
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
+_GROUNDED = TypeAdapter(TaskOutcome[GroundedParts])
 _FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
 _FLOAT = TypeAdapter(TaskOutcome[float])
 
@@ -162,12 +167,17 @@ class RemoteSegCad:
         """What is the whole model?"""
         return self._ask(TaskName.SHAPE, ModelTask(model=self._model), _SHAPE)
 
-    def find_parts(self, description: str, sides: Sequence[Side] | None = None) -> Grounding:
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""
         asked = None if sides is None else tuple(sides)
         task = FindPartsTask(model=self._model, description=description, sides=asked, grounding=self._grounding)
         long_s = None if self._grounding is GroundedBy.GEOMETRY else self._settings.measure_s
         return self._ask(TaskName.FIND_PARTS, task, _GROUNDING, long_s)
+
+    def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
+        """In which ways can each query be grounded on the model, the best first?"""
+        task = GroundTask(model=self._model, queries=tuple(queries))
+        return self._ask(TaskName.GROUND, task, _GROUNDED).grounded
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""

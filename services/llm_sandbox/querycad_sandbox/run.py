@@ -5,6 +5,7 @@ While SegCAD works on a call for long, the program is kept as a snapshot and its
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -300,6 +301,8 @@ def _text(argument: object) -> str:
         return argument.id
     if isinstance(argument, list | tuple) and all(isinstance(each, str) for each in argument[:TOLD_CHARS]):
         argument = ", ".join(argument[:TOLD_CHARS])
+    if isinstance(argument, dict):
+        argument = json.dumps(argument, default=str)
     return (argument if isinstance(argument, str) else type(argument).__name__)[:TOLD_CHARS]
 
 

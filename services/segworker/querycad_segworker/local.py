@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from querycad_contracts import Face, Grounded, GroundedBy, Grounding, Part, PartQuery, Shape, Side
 
-from .grounding.find import find
+from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
 from .grounding.region import faces_of_id, region
@@ -69,9 +69,32 @@ class LocalSegCad:
     def _inventory(self) -> Inventory:
         return Inventory(self.model.parts)
 
+    @property
+    def whole(self) -> Part:
+        """The part that stands for the whole model."""
+        return self._inventory.parts[0] if self._inventory.model is None else self._inventory.model
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Words of the product names in the file."""
+        return self._inventory.names
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """Kinds of part that the model has, the most frequent first."""
+        return present(self._inventory)
+
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
         """In which ways can each query be grounded on the model, the best first?"""
-        return tuple(tuple(ground(self._inventory, query)) for query in queries)
+        return tuple(self._ways(query) for query in queries)
+
+    def _ways(self, query: PartQuery) -> tuple[Grounded, ...]:
+        """What geometry does not have is looked for, where sight has a say."""
+        ways = tuple(ground(self._inventory, query))
+        if self.grounding is GroundedBy.GEOMETRY or ways[0].parts:
+            return ways
+        seen = self.find_parts(query)
+        return (Grounded(parts=seen.parts, features={}, reason=seen.description), *ways) if seen.parts else ways
 
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`?"""

@@ -22,11 +22,16 @@ from querycad_contracts import (
     Face,
     FacesTask,
     FindPartsTask,
+    Grounded,
     GroundedBy,
+    GroundedIds,
+    GroundedParts,
     Grounding,
+    GroundTask,
     IngestTask,
     ModelSummary,
     ModelTask,
+    Part,
     PartsPage,
     PartsTask,
     PictureTask,
@@ -163,6 +168,21 @@ class Tasks:
             self.cache.drop_if_deleted(task.model)
         return found
 
+    def ground(self, task: GroundTask) -> GroundedParts:
+        """In which ways can the queries of a question be grounded on the model?"""
+        segcad = self.cache.segcad(task.model).grounded_by(task.grounding)
+        ways = segcad.ground(task.queries)
+        if task.grounding is not GroundedBy.GEOMETRY:  # else nothing is written
+            self.cache.drop_if_deleted(task.model)
+        parts = {part.id: _bare(part) for each in ways for way in each for part in way.parts}
+        return GroundedParts(
+            whole=_bare(segcad.whole),
+            names=tuple(sorted(segcad.names)),
+            kinds=segcad.kinds,
+            parts=tuple(parts.values()),
+            ways=tuple(tuple(_by_ids(way) for way in each) for each in ways),
+        )
+
     def faces(self, task: FacesTask) -> tuple[Face, ...]:
         """What are these faces?"""
         return self.cache.segcad(task.model).faces(task.ids)
@@ -215,6 +235,7 @@ class Tasks:
             TaskName.INGEST: _as_data(IngestTask, self.ingest),
             TaskName.SHAPE: _as_data(ModelTask, self.shape),
             TaskName.FIND_PARTS: _as_data(FindPartsTask, self.find_parts),
+            TaskName.GROUND: _as_data(GroundTask, self.ground),
             TaskName.FACES: _as_data(FacesTask, self.faces),
             TaskName.DISTANCE: _as_data(DistanceTask, self.distance),
             TaskName.EDGE_DISTANCE: _as_data(EdgeDistanceTask, self.edge_distance),
@@ -223,6 +244,16 @@ class Tasks:
             TaskName.VIEW: _as_data(ViewTask, self.view),
             TaskName.GLB: _as_data(ModelTask, self.glb),
         }
+
+
+def _bare(part: Part) -> Part:
+    """The part without its lists of faces and children, which a large model has thousands of."""
+    return part.model_copy(update={"faces": (), "children": ()})
+
+
+def _by_ids(way: Grounded) -> GroundedIds:
+    ids = tuple(part.id for part in way.parts)
+    return GroundedIds(parts=ids, features=way.features, unchecked=way.unchecked, reason=way.reason)
 
 
 def make_tasks(settings: SegworkerSettings) -> Tasks:

@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 from tests.answering.llm.conftest import FakeModel, program
+from tests.made import hole, view
 
 from querycad_answering.answering import answer_question
 from querycad_answering.llm import LlmSettings, LlmWriter
@@ -15,7 +16,6 @@ from querycad_contracts import (
     AnswerRecord,
     AnswerType,
     Codegen,
-    Evidence,
     Expectation,
     Frame,
     Grounding,
@@ -28,15 +28,7 @@ from querycad_contracts import (
     Unit,
 )
 
-HOLE = Part(
-    id="hole-1",
-    kind="hole",
-    label="hole",
-    faces=(1,),
-    center=(0, 0, 0),
-    extents=(1, 1, 1),
-    evidence=Evidence(source="geometry", confidence=1, reason="made by hand"),
-)
+HOLE = hole(1)
 FOUND = Grounding(description="hole", sides=None, parts=(HOLE,), understood=True)
 QUESTION = "How many holes are there?"
 COUNT = "solution = 1 * len(find_parts('hole'))"
@@ -51,12 +43,16 @@ def ask(
     expect: Expectation | None = None,
     llm: LlmOptions | None = None,
     set_codegen: Codegen | None = None,
+    *,
+    parts: tuple[Part, ...] = (HOLE,),
     **settings: Any,
 ) -> AnswerRecord:
     """The record, where programs of the parser give one value and those of the language model another."""
     values = list(by_llm) if isinstance(by_llm, tuple) else [by_llm]
 
     def run(written: Program) -> RunOutcome:
+        if written.codegen == "parser" and callable(by_parser):
+            return RunOutcome(status=RunStatus.OK, value=by_parser(written), groundings=(FOUND,))
         value = by_parser if written.codegen == "parser" else values.pop(0) if len(values) > 1 else values[0]
         if isinstance(value, Exception):
             return RunOutcome(status=RunStatus.RAISED, message=str(value), groundings=(FOUND,))
@@ -65,7 +61,7 @@ def ask(
     base = {"llm_base_url": "http://127.0.0.1:1/v1", "llm_model": "m"} if model is not None else {}
     writer = LlmWriter(LlmSettings.model_validate({**base, **settings, "codegen": set_codegen}), model)
     options = AnswerOptions(codegen=codegen, expect=expect, llm=llm)
-    return answer_question(question, run, options=options, llm=writer)
+    return answer_question(question, run, view(*parts), options=options, llm=writer)
 
 
 def value_of(record: AnswerRecord) -> Any:
@@ -141,9 +137,19 @@ def test_both_disagreeing_shows_both_programs() -> None:
 
 
 def test_a_parser_that_is_not_sure_gives_way() -> None:
-    record = ask(FakeModel(program(COUNT)), Codegen.BOTH, "How many hols are visable from the top?", by_llm=5)
-    assert len(record.alternatives) == 1
-    assert (record.codegen, value_of(record)) == ("llm:m", 5)
+    told: dict[str, float] = {}
+
+    def another_each(written: Program) -> float:
+        return told.setdefault(written.code, 0.01 + 0.001 * len(told))
+
+    sizes = (hole(1), hole(2, 20, diameter=0.008), hole(3, -20, diameter=0.012))
+    question = "What is the diameter of the hole?"
+    reply = program("solution = find_parts('hole')[0].diameter")
+    record = ask(FakeModel(reply), Codegen.BOTH, question, by_llm=0.005, by_parser=another_each, parts=sizes)
+    assert (record.codegen, value_of(record)) == ("llm:m", 0.005)
+    assert record.alternatives[0].codegen == "parser"
+    assert record.alternatives[0].understood_as
+    assert record.confidence is None
 
 
 def test_samples_outvote_a_single_program() -> None:

@@ -8,7 +8,7 @@ import httpx
 import pytest
 from redis import Redis
 from tests.answering.llm.conftest import Script, program, said, scripted
-from tests.api.fakes import FakeSandbox
+from tests.api.fakes import FakeSandbox, FakeSegcad
 
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
@@ -69,7 +69,7 @@ def test_the_services_own_language_model_is_asked_with_the_models_facts(
 ) -> None:
     script = Script([said(program('solution = len(find_parts("hole"))'))])
     with_llm = settings.model_copy(update={"llm_base_url": scripted(script), "llm_model": "m"})
-    worker = Questions(with_llm, ledger, FakeSandbox())  # type: ignore[arg-type]
+    worker = Questions(with_llm, ledger, FakeSandbox(), FakeSegcad())  # type: ignore[arg-type]
     record = answered(client, redis, worker, ask(client, model))
     assert record.agreement is not None
     assert (record.agreement.agreeing, record.agreement.programs) == (2, 2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from querycad_api.dependencies import Services
 from querycad_api.problems import JobIsDone, JobNotFound, NothingMore, PictureNotFound
-from querycad_contracts import AnswerRecord, Job, Status
+from querycad_contracts import AnswerRecord, Job
 
 from .records import cancelled
 
@@ -32,6 +32,6 @@ async def answered(services: Services, model: str, job: str) -> AnswerRecord:
     found = await services.job(job)
     if found.model != model:
         raise JobNotFound("the model has no answer with this id")
-    if found.record is None or found.record.status is not Status.ANSWERED:
+    if found.record is None or found.record.answer is None:
         raise PictureNotFound("the question has no answer to draw")
     return found.record

@@ -34,6 +34,7 @@ from querycad_contracts import (
 )
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
+from .segcad import SegcadClient
 
 ATTEMPTS = 2
 """A question that has taken its worker with it twice will do so again."""
@@ -66,21 +67,35 @@ class Questions:
     """Answers questions, in one process. Connects when it is first used, which is after the fork."""
 
     def __init__(
-        self, settings: ApiSettings, ledger: Ledger | None = None, sandbox: SandboxClient | None = None
+        self,
+        settings: ApiSettings,
+        ledger: Ledger | None = None,
+        sandbox: SandboxClient | None = None,
+        segcad: SegcadClient | None = None,
     ) -> None:
         self._settings = settings
         self._ledger = ledger
         self._sandbox = sandbox
+        self._segcad = segcad
         self._llm = LlmWriter(settings)
 
     @property
     def ledger(self) -> Ledger:
         """Where models and jobs are finished."""
         if self._ledger is None:
-            patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
-            redis = Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
-            self._ledger = Ledger(redis, self._settings.answers_days)
+            self._ledger = Ledger(self._redis(), self._settings.answers_days)
         return self._ledger
+
+    def _redis(self) -> Redis:
+        patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
+        return Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
+
+    @property
+    def segcad(self) -> SegcadClient:
+        """Who knows what words mean on a model."""
+        if self._segcad is None:
+            self._segcad = SegcadClient(self._redis())
+        return self._segcad
 
     @property
     def sandbox(self) -> SandboxClient:
@@ -143,7 +158,8 @@ class Questions:
             return outcome
 
         try:
-            record = answer_question(task.question, run, task.unit, task, summary=model.summary, llm=self._llm)
+            view = self.segcad.view(task.model, task.grounding)
+            record = answer_question(task.question, run, view, task.unit, task, summary=model.summary, llm=self._llm)
         except RunRefused as refused:
             return failed(task.question, refused.failure)
         except (SoftTimeLimitExceeded, SandboxUnavailable):

@@ -124,13 +124,19 @@ function entry(job) {
   return item;
 }
 
+function notes(record) {
+  const sure = record.confidence == null ? "" : ` (confidence ${record.confidence.toFixed(2)})`;
+  const understood = record.answer && record.understood_as ? [`understood as: ${record.understood_as}${sure}`] : [];
+  return [...understood, ...(record.warnings ?? [])];
+}
+
 function fill(item, job, record, fresh = true) {
   item.querySelector(".cancel").hidden = true;
   const answer = item.querySelector(".answer");
   const nearest = record.failure?.nearest?.length ? ` Known here: ${record.failure.nearest.join(", ")}.` : "";
   answer.textContent = record.answer?.text ?? `${record.failure.message.replace(/\.?$/, ".")}${nearest}`;
   answer.classList.toggle("failed", !record.answer);
-  item.querySelector(".notes").replaceChildren(...(record.warnings ?? []).map((text) => line(text)));
+  item.querySelector(".notes").replaceChildren(...notes(record).map((text) => line(text)));
   const spent = Object.entries(record.timings_ms ?? {}).map(([step, ms]) => `${step} ${ms.toFixed(0)} ms`);
   item.querySelector(".steps").textContent = spent.join(" · ");
   if (record.code) {

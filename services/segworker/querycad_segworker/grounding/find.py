@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from querycad_contracts import Grounding, Part, PartQuery, Side
+from querycad_contracts import Grounded, Grounding, Part, PartQuery, Side
 from querycad_language.phrases import noun_phrase
 
-from .ground import ground
+from .ground import ground, score
 from .inventory import Inventory
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
@@ -21,12 +21,15 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
     Of several ways to ground a query the best is taken, or the one that its `sense` says.
     """
     query = asked if isinstance(asked, PartQuery) else noun_phrase(asked, inventory.names)
-    if isinstance(asked, str) and not query.plural and not query.definite:
+    unnumbered = isinstance(asked, str) and not query.plural and not query.definite
+    if unnumbered:
         query = query.model_copy(update={"plural": True})  # 'hole' means all of them, 'the hole' one
     if sides is not None:
         query = query.model_copy(update={"sides": tuple(Side(side) for side in sides)})
     said = asked if isinstance(asked, str) else " ".join(query.words) or query.noun or "part"
     ways = ground(inventory, query)
+    if unnumbered:
+        ways.sort(key=_by_score, reverse=True)
     way = ways[min(query.sense, len(ways) - 1)]
     unknown = [name for name in UNDERSTOOD_NOT if name in way.features]
     message = way.reason
@@ -47,6 +50,11 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         message="" if way.parts else message,
         warnings=warnings,
     )
+
+
+def _by_score(way: Grounded) -> tuple[float, float]:
+    """Without a number one part is as good as several; of equals what the file itself calls so comes first."""
+    return round(score({**way.features, "one_for_plural": 0.0}), 1), way.features.get("name_share", 0.0)
 
 
 def _order(part: Part) -> tuple[str, int]:

@@ -6,7 +6,8 @@ from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import DOWN, Found, box, compound, cut, cylinder, find, fuse, plate, turned
 
 from querycad_contracts import Part
-from querycad_segworker.grounding.old.ground import ground
+from querycad_segworker.grounding.find import find as named
+from querycad_segworker.grounding.inventory import Inventory
 
 MM = 1e-3
 
@@ -75,8 +76,8 @@ def test_words_for_a_place_are_answered_by_faces() -> None:
         fuse(cylinder(30, 8), cylinder(15, 60)),
         *(cylinder(12, 60), cylinder(2, 20, (23, 0, -5)), cylinder(1, 20, (0, 0, 40), (1, 0, 0))),
     )
-    parts = find(tube).seen_parts
-    in_flange = ground(parts, "holes in the flange", None).parts
-    in_tube = ground(parts, "holes in the tube", None).parts
+    inventory = Inventory(find(tube).seen_parts)
+    in_flange = named(inventory, "holes in the flange").parts
+    in_tube = named(inventory, "holes in the tube").parts
     assert sorted(round((part.radius or 0) / MM) for part in in_flange) == [2, 12]
     assert sorted(round((part.radius or 0) / MM) for part in in_tube) == [1, 12]

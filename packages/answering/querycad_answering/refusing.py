@@ -1,0 +1,146 @@
+"""Why a question is not answered: it asks for what no STEP file holds, for nothing, or for a part that is not there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from querycad_contracts import Failure, Grounded, PartQuery
+from querycad_language.describe import describe, noun_phrase
+from querycad_language.forms import Count, Every, Exists, queries
+from querycad_language.readings import Reader, Reading
+from querycad_language.tokens import DENSITY
+from querycad_language.weights import weights
+
+from .candidates import Candidate
+
+MARGIN = 0.5
+"""By so much the reading of a part that is not there must be better than one that has a value."""
+BEHIND_ASKING = 4
+"""So far before what is asked for may the word that asks stand: 'how much does it cost'."""
+_MEASURED = ("measure", "count", "exists", "distance", "gap")
+
+_CANNOT_KNOW = {
+    "price": "a STEP file holds no price",
+    "tolerance": "a STEP file of this kind holds no tolerance and no surface finish: it is the nominal shape",
+    "material": "a STEP file does not say which material the part is made of",
+    "strength": "a STEP file holds no load and no strength",
+    "author": "who designed the part is not read from the file",
+    "process": "a STEP file does not say how the part is to be made",
+}
+
+
+@dataclass(frozen=True)
+class Refused:
+    """A question that may have to be refused, read again."""
+
+    question: str
+    names: frozenset[str]
+    kinds: tuple[str, ...]
+
+    @cached_property
+    def reader(self) -> Reader:
+        """The words, and which sentence asks."""
+        return Reader(self.question, self.names)
+
+    @cached_property
+    def readings(self) -> list[Reading]:
+        """All that can be meant."""
+        return self.reader.readings()
+
+    def absent(self, query: PartQuery, grounded: Grounded) -> Failure:
+        """The part is not there: which word is missing, and which kinds of part there are?"""
+        noun = query.noun or "part"
+        said = noun_phrase(query).removeprefix("the ")
+        if "unknown_noun" in grounded.features:
+            return self.not_grounded(f"'{noun}' is not a part that is known here")
+        return self.not_grounded(grounded.reason or f"the model has no '{said}'")
+
+    def not_grounded(self, message: str) -> Failure:
+        """The failure, with the kinds of part that there are."""
+        return Failure(category="not_grounded", message=message, nearest=self.kinds)
+
+
+def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
+    """Does the question ask for what no STEP file holds? Not where a density is stated, or another thing is asked."""
+    text = asked.reader.text
+    if any(token.power == DENSITY for token in text.tokens):
+        return None
+    start, end = asked.reader.asking
+    unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]
+    inside = {i for span in unknowable for i in range(span.start, span.end)}
+    measured = any(text.find(i, *_MEASURED) for i in range(start, end) if i not in inside)
+    for span in unknowable:
+        is_used = best is not None and span.start in best.reading.used and "noun" in _categories(asked, span.start)
+        if not is_used and (not measured or _asks_for(asked, span.start, start)):
+            return Failure(category="not_grounded", message=_CANNOT_KNOW[span.value])
+    return None
+
+
+def _asks_for(asked: Refused, at: int, start: int) -> bool:
+    """Does a word that asks lead to this one, with no measure in between: 'what is the usual tolerance'?"""
+    text = asked.reader.text
+    for i in range(at, max(start, at - BEHIND_ASKING) - 1, -1):
+        if text.find(i, "measure", "distance", "gap"):
+            return False
+        if text.find(i, "ask") or text.is_word(i, "how"):
+            return True
+    return False
+
+
+def _categories(asked: Refused, at: int) -> set[str]:
+    return {span.category for span in asked.reader.text.spans[at]}
+
+
+def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:
+    """Is nothing asked, or of nothing that is known at all?"""
+    if best is None:
+        return None if asked.readings else unread(asked)
+    if "named_only" not in best.features:
+        return None
+    unknown = any({"unknown_whole", "unknown_noun"} & set(grounded.features) for grounded in best.grounds.values())
+    return unread(asked) if unknown else None
+
+
+def unread(asked: Refused) -> Failure:
+    """What is said where there is no reading, or none that makes sense of the model's parts."""
+    if not asked.readings:
+        message = "no question is recognised in this: ask for a measure, a number or a place of a part"
+        return Failure(category="not_understood", message=message)
+    best = asked.readings[0]
+    meant = describe(best.form)
+    if "named_only" in best.features:
+        return Failure(category="not_understood", message=f"nothing is asked that can be answered: '{meant}'")
+    return asked.not_grounded(f"nothing is known here of the '{meant}'")
+
+
+def absent(asked: Refused, best: Candidate | None, grounded: Mapping[PartQuery, Sequence[Grounded]]) -> Failure | None:
+    """Is a reading of a part that is not there better than all that have a value?
+
+    How many there are, and whether there is one, is answered: none.
+    """
+    if best is not None and not _passes_over(best):
+        return None
+    table = weights()
+    found: tuple[float, Failure] | None = None
+    for reading in asked.readings:
+        if isinstance(reading.form, Count | Exists | Every):
+            continue
+        for query in queries(reading.form):
+            ways = grounded.get(query, ())
+            if not ways or ways[0].parts:
+                continue
+            features = (*reading.features.items(), *ways[0].features.items())
+            score = math.fsum(table.get(name, 0.0) * value for name, value in features)
+            if found is None or score > found[0]:
+                found = score, asked.absent(query, ways[0])
+    if found is None or (best is not None and found[0] < best.score + MARGIN):
+        return None
+    return found[1]
+
+
+def _passes_over(best: Candidate) -> bool:
+    """Does the best candidate leave out a part that is named?"""
+    return any(name in best.features for name in ("parts_passed", "owner_passed", "skip_noun", "link_whole"))

@@ -1,0 +1,217 @@
+"""A question without a language model: its readings are grounded and ranked, and the best few programs are run."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from querycad_contracts import (
+    Alternative,
+    Expectation,
+    Failure,
+    Grounded,
+    LengthUnit,
+    Part,
+    PartQuery,
+    Program,
+    RunOutcome,
+    RunStatus,
+)
+from querycad_language.describe import describe
+
+from .candidates import Candidate, Ground, candidates, with_value
+from .judging import Verdict, judge
+from .ranking import SHOWN, Value, softmax, values
+from .refusing import Refused, absent, cannot_know, nothing_asked, unread
+from .typed import is_like
+
+UNTRIED = 0.2
+"""Share of the probability that programs may hold which are never run: what they would give counts as another value."""
+SAY_NOTHING = ("chatter", "function", "courtesy")
+"""Classes of words that may be skipped without a word about it."""
+SHOWN_SHARE = 0.02
+"""A reading with less of the probability is no alternative."""
+
+Run = Callable[[Program], RunOutcome]
+"""Runs a program against the model that the question is about."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModelView:
+    """What the ranking of readings looks at: how queries are grounded on the model, and what stands for the whole."""
+
+    ground: Ground
+    whole: Part
+    names: frozenset[str] = frozenset()
+    """Words of the product names in the file."""
+    kinds: tuple[str, ...] = ()
+    """Kinds of part that the model has, the most frequent first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Understood:
+    """The best reading with its answer, or why there is none: `failure`, or the verdict's own."""
+
+    program: Program | None = None
+    verdict: Verdict = field(default_factory=Verdict)
+    confidence: float | None = None
+    understood_as: str = ""
+    ignored: tuple[str, ...] = ()
+    others: tuple[Alternative, ...] = ()
+
+
+class Understanding:
+    """One question on one model. Nothing is read before it is asked for, and nothing run before `answered`."""
+
+    def __init__(self, question: str, view: ModelView, expect: Expectation) -> None:
+        self._question = question
+        self._view = view
+        self._expect = expect
+        self._outcomes: dict[str, RunOutcome] = {}
+        self.grounded: dict[PartQuery, Sequence[Grounded]] = {}
+
+    @cached_property
+    def ranked(self) -> list[Candidate]:
+        """The programs that may answer, the best first; those of the expected type where any is."""
+        found = candidates(self._question, self._ground, self._view.whole, self._view.names)
+        wanted = self._expect.type
+        fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
+        return fitting or found
+
+    def _ground(self, queries: Sequence[PartQuery]) -> Sequence[Sequence[Grounded]]:
+        ways = self._view.ground(queries)
+        self.grounded.update(zip(queries, ways, strict=True))
+        return ways
+
+    @cached_property
+    def refused(self) -> Failure | None:
+        """Why is no program run at all?"""
+        asked = Refused(self._question, self._view.names, self._view.kinds)
+        best = next(iter(self.ranked), None)
+        return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
+
+    def tried(self, run: Run, every: bool = False) -> list[Candidate]:
+        """The candidates after their runs: all, or as many as it takes until the best value cannot be overtaken."""
+        found: list[Candidate] = []
+        scores = [one.score for one in self.ranked]
+        for index, candidate in enumerate(self.ranked):
+            found.append(self._ran(candidate, run))
+            if not every and _is_settled(values(found, scores[index + 1 :]), found, scores[index + 1 :]):
+                break
+        return found
+
+    def _ran(self, candidate: Candidate, run: Run) -> Candidate:
+        outcome = run(_program(candidate))
+        self._outcomes[candidate.written.code] = outcome
+        if outcome.status is not RunStatus.OK:
+            return with_value(candidate, None, self._view.whole.extents)
+        return with_value(candidate, outcome.value, self._view.whole.extents)
+
+    def answered(self, run: Run, unit: LengthUnit) -> Understood:
+        """What is the most probable answer, and what else may be meant?"""
+        if self.refused is not None:
+            return Understood(verdict=Verdict(failure=self.refused))
+        tried = self.tried(run)
+        untried = [one.score for one in self.ranked[len(tried) :]]
+        found = values(tried, untried)
+        for index, best in enumerate(found):
+            verdict = self._verdict(best.candidate, best.confidence, unit)
+            if verdict.answer is not None:
+                rest = [one for i, one in enumerate(found) if i != index]
+                return self._understood(best, verdict, self._others(best.candidate, rest, unit))
+        if not tried:
+            failure = unread(Refused(self._question, self._view.names, self._view.kinds))
+            return Understood(verdict=Verdict(failure=failure))
+        first = found[0].candidate if found else tried[0]
+        return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
+
+    def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
+        program = _program(candidate, confidence)
+        return judge(program, self._outcomes[candidate.written.code], unit, self._expect)
+
+    def _understood(self, best: Value, verdict: Verdict, others: tuple[Alternative, ...]) -> Understood:
+        candidate = best.candidate
+        return Understood(
+            program=_program(candidate, best.confidence),
+            verdict=verdict,
+            confidence=round(best.confidence, 3),
+            understood_as=meant(candidate),
+            ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
+            others=others,
+        )
+
+    def _others(self, best: Candidate, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
+        """The other values that may be meant, the most probable first."""
+        found: list[Alternative] = []
+        for value in rest:
+            verdict = self._verdict(value.candidate, value.confidence, unit)
+            if verdict.answer is not None and value.share >= SHOWN_SHARE and len(found) < SHOWN:
+                one = Alternative(
+                    codegen="parser",
+                    code=value.candidate.written.code,
+                    answer=verdict.answer,
+                    understood_as=_told_apart(value.candidate, best),
+                    confidence=round(value.confidence, 3),
+                )
+                found.append(one)
+        return tuple(found)
+
+
+def meant(candidate: Candidate) -> str:
+    """What is asked, in plain words; a noun that is taken for all of the model is said to be."""
+    said = describe(candidate.reading.form)
+    whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
+    return f"{said}, which is the whole model" if whole else said
+
+
+def _told_apart(candidate: Candidate, best: Candidate) -> str:
+    """What is asked by another reading than the best one; where the words are the same, what of the parts differs."""
+    said = meant(candidate)
+    if said != meant(best):
+        return said
+    count, other = (sum(len(one.parts) for one in each.grounds.values()) for each in (candidate, best))
+    if count != other:
+        return f"{said}, {count} of them"
+    return f"{said}, in another sense of {'the measure' if candidate.written.option else 'the noun'}"
+
+
+def skipped(candidate: Candidate) -> tuple[str, ...]:
+    """The words that carry meaning and that the reading passes over."""
+    return tuple(dict.fromkeys(word for kind, word in candidate.reading.skipped if kind not in SAY_NOTHING))
+
+
+def unchecked(candidate: Candidate) -> tuple[str, ...]:
+    """What restricts, by the words, and could not be checked on the model; what is only taken for the whole model."""
+    found = [said for grounded in candidate.grounds.values() for said in grounded.unchecked]
+    for query, grounded in candidate.grounds.items():
+        if "unknown_whole" in grounded.features:
+            found.append(f"'{query.noun}', taken for the whole model")
+    return tuple(dict.fromkeys(found))
+
+
+def _program(candidate: Candidate, confidence: float = 0.0) -> Program:
+    return Program(
+        code=candidate.written.code,
+        codegen="parser",
+        expects=candidate.written.expects,
+        confidence=confidence,
+        unused_words=skipped(candidate),
+        notes=tuple(f"not checked: {said}" for said in unchecked(candidate)),
+    )
+
+
+def _is_settled(found: Sequence[Value], tried: Sequence[Candidate], untried: Sequence[float]) -> bool:
+    """Can no program that is left make another value the best?"""
+    if not untried:
+        return True
+    if not found:
+        return False
+    runs = [one.score for one in tried if one.value is not None and one.value != []]
+    left = math.fsum(softmax([*runs, *untried])[len(runs) :])
+    second = found[1].share if len(found) > 1 else 0.0
+    return left <= UNTRIED and found[0].share > second + left
+
+
+__all__ = ["ModelView", "Run", "Understanding", "Understood", "meant", "skipped", "unchecked"]

@@ -1,0 +1,78 @@
+"""What the segworkers say of a model before a program runs: how the queries of a question can be grounded on it."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Sequence
+from typing import cast
+from uuid import uuid4
+
+from pydantic import TypeAdapter
+from redis import Redis
+from redis.exceptions import RedisError
+
+from querycad_answering.understanding import ModelView
+from querycad_contracts import (
+    Failure,
+    Grounded,
+    GroundedBy,
+    GroundedParts,
+    GroundTask,
+    PartQuery,
+    TaskFailureKind,
+    TaskName,
+    TaskOutcome,
+    queue_of,
+    reply_key,
+    task_message,
+)
+
+from .sandbox import RunRefused, SandboxUnavailable
+
+CALL_S, LOOK_S = 20.0, 120.0
+VIEWS_KEPT = 256
+"""Models whose names and whole are remembered: a few kilobytes each."""
+_OUTCOME = TypeAdapter(TaskOutcome[GroundedParts])
+
+
+class SegcadClient:
+    """Asks segworkers over the queue; for one process, one question at a time."""
+
+    def __init__(self, redis: Redis) -> None:
+        self._redis = redis
+        self._known: OrderedDict[str, GroundedParts] = OrderedDict()
+
+    def view(self, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
+        """What readings are ranked on. Raises SandboxUnavailable and RunRefused, as its `ground` does."""
+        known = self._known.get(model)
+        if known is None:
+            known = self._known[model] = self._ask(GroundTask(model=model, queries=()))
+        self._known.move_to_end(model)
+        while len(self._known) > VIEWS_KEPT:
+            self._known.popitem(last=False)
+
+        def ground(queries: Sequence[PartQuery]) -> Sequence[Sequence[Grounded]]:
+            return self._ask(GroundTask(model=model, queries=tuple(queries), grounding=grounding)).grounded
+
+        return ModelView(ground, known.whole, frozenset(known.names), known.kinds)
+
+    def _ask(self, task: GroundTask) -> GroundedParts:
+        sent = uuid4().hex
+        wait_s = CALL_S if task.grounding is GroundedBy.GEOMETRY else LOOK_S
+        queue = queue_of(TaskName.GROUND, task)
+        try:
+            with self._redis.pipeline(transaction=False) as pipe:  # sent and waited for in one
+                pipe.lpush(queue.value, task_message(TaskName.GROUND, task, sent, wait_s))
+                pipe.blpop([reply_key(sent)], wait_s)
+                reply = cast("tuple[str, str] | None", pipe.execute()[1])
+        except RedisError as error:
+            raise SandboxUnavailable(str(error)) from error
+        if reply is None:
+            raise SandboxUnavailable("no segworker answered")
+        outcome = _OUTCOME.validate_json(reply[1])
+        if outcome.value is not None:
+            return outcome.value
+        failure = outcome.failure
+        if failure is None or failure.kind is not TaskFailureKind.FILE:
+            raise RunRefused(Failure(category="internal", message="the segworker could not do this; its log says why"))
+        raise RunRefused(Failure(category="bad_input", message=failure.message, retryable=failure.retryable))

@@ -1,0 +1,172 @@
+"""Readings are ranked on the model; the answer says how probable it is, and what else may be meant."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from tests.made import body, hole, inventory, part, view, whole
+
+from querycad_answering.answering import answer_question
+from querycad_answering.candidates import candidates
+from querycad_answering.ranking import confidence, key, values
+from querycad_answering.understanding import ModelView, Understanding
+from querycad_contracts import (
+    AnswerOptions,
+    AnswerRecord,
+    Expectation,
+    Program,
+    RunOutcome,
+    RunStatus,
+    Status,
+)
+from querycad_sandbox import Sandbox
+from querycad_segworker.grounding.find import find
+
+THREE = (hole(1, -20, faces=(1,)), hole(2, 0, diameter=0.012, depth=0.004, faces=(2,)), hole(3, 20, 9, faces=(3,)))
+
+
+class Counted:
+    """Gives each program another value, or the ones that it is told; counts the runs."""
+
+    def __init__(self, *told: Any) -> None:
+        self.told = list(told)
+        self.programs: list[Program] = []
+
+    def __call__(self, program: Program) -> RunOutcome:
+        self.programs.append(program)
+        number = len(self.programs) - 1
+        value = self.told[number] if number < len(self.told) else 0.001 * (number + 1)
+        return RunOutcome(status=RunStatus.OK, value=value)
+
+
+def ask(question: str, run: Any, model: ModelView, **options: Any) -> AnswerRecord:
+    return answer_question(question, run, model, options=AnswerOptions(**options))
+
+
+def test_candidates_are_ranked_and_each_program_is_one() -> None:
+    model = view(*THREE)
+    found = candidates("What is the depth of the largest hole?", model.ground, model.whole)
+    scores = [one.score for one in found]
+    assert scores == sorted(scores, reverse=True)
+    assert len({one.written.code for one in found}) == len(found)
+    assert [part.id for grounded in found[0].grounds.values() for part in grounded.parts] == ["hole-2"]
+
+
+def test_equal_values_are_one_value_and_what_was_not_run_is_nobodys() -> None:
+    model = view(*THREE)
+    understanding = Understanding("What is the depth of the hole?", model, Expectation())
+    tried = understanding.tried(Counted(*[0.01] * 9), every=True)
+    (alone,) = values(tried)
+    assert alone.share == pytest.approx(1.0)
+    (less,) = values(tried, [tried[0].score] * 3)
+    assert less.share < alone.share
+    assert key([0.01, 0.0100000001]) == key(0.01)
+
+
+def test_confidence_grows_with_the_share() -> None:
+    low, high = (confidence(share, {}, 1.0, {"bias": 0.0, "share": 1.0}) for share in (0.2, 0.9))
+    assert [low, high] == [pytest.approx(0.2), pytest.approx(0.9)]
+
+
+def test_a_plain_question_is_sure_after_few_runs() -> None:
+    run = Counted(3)
+    record = ask("How many holes are there?", run, view(*THREE))
+    assert record.status is Status.ANSWERED
+    assert record.confidence is not None
+    assert record.confidence > 0.5
+    assert record.understood_as == "number of the holes"
+    assert len(run.programs) <= 3
+
+
+def test_below_the_threshold_the_readings_are_shown_and_the_best_one_stays_the_answer() -> None:
+    record = ask("What is the depth of the hole?", Counted(), view(*THREE), least_confidence=1.0)
+    assert record.status is Status.UNSURE
+    assert record.answer is not None
+    assert record.failure is None
+    assert record.answer.text.startswith("perhaps ")
+    assert record.alternatives
+    assert all(other.understood_as and other.confidence is not None for other in record.alternatives)
+    assert record.alternatives[0].answer.text in record.answer.text
+    sure = ask("What is the depth of the hole?", Counted(), view(*THREE), least_confidence=0.0)
+    assert (sure.status, sure.answer and sure.answer.value) == (Status.ANSWERED, record.answer.value)
+
+
+def test_words_that_carry_meaning_are_never_skipped_without_a_word() -> None:
+    record = ask("What is the depth of the blue hole near the zorb?", Counted(), view(*THREE), least_confidence=0.0)
+    assert record.ignored
+    assert any("not checked" in said or "not taken into account" in said for said in record.warnings)
+    plain = ask("Please, what is the depth of the largest hole? Thanks", Counted(0.004), view(*THREE))
+    assert plain.ignored == ()
+
+
+@pytest.mark.parametrize(
+    ("question", "says"),
+    [
+        ("What is the depth of the keyway?", "the model has no 'keyway'"),
+        ("How many zorbs are there?", "zorb"),
+        ("What does it cost?", "price"),
+        ("What material is it made of?", "material"),
+        ("Which tolerance has the hole?", "tolerance"),
+        ("Who designed this part?", "designed"),
+    ],
+)
+def test_what_the_model_or_any_file_lacks_is_refused_in_one_sentence(question: str, says: str) -> None:
+    made = inventory(*THREE)
+
+    def run(program: Program) -> RunOutcome:
+        found = find(made, "zorb")
+        return RunOutcome(status=RunStatus.RAISED, message="not grounded", groundings=(found,))
+
+    record = ask(question, run, view(*THREE))
+    assert record.status is Status.NOT_GROUNDED
+    assert record.answer is None
+    assert record.failure is not None
+    assert says in record.failure.message
+    assert "\n" not in record.failure.message
+
+
+def test_a_missing_part_comes_with_the_kinds_that_there_are_and_no_words_spelt_alike() -> None:
+    record = ask(
+        "What is the depth of the keyway?", Counted(), view(*THREE, part("boss-1", height=0.003, tags=("cylindrical",)))
+    )
+    assert record.failure is not None
+    assert set(record.failure.nearest) == {"hole", "boss", "body"}
+
+
+@pytest.mark.parametrize("question", ["qwertz uiop", "The weather is nice.", "???"])
+def test_where_nothing_is_asked_nothing_is_run(question: str) -> None:
+    run = Counted()
+    record = ask(question, run, view(*THREE))
+    assert record.failure is not None
+    assert record.failure.category == "not_understood"
+    assert run.programs == []
+
+
+def test_a_stated_density_makes_a_mass() -> None:
+    record = ask("What does it weigh in steel at 7.85 g/cm3?", Counted(0.5), view(*THREE))
+    assert record.status is Status.ANSWERED
+    assert record.code is not None
+    assert "7850" in record.code
+
+
+def test_the_programs_run_in_the_sandbox_on_the_same_query() -> None:
+    """What candidates say of a model is what their programs find there."""
+    made = inventory(*THREE, body(9, "zorb", (0.2, 0.0, 0.0), faces=(60,)), whole(), body(1, "plate", faces=(1, 2, 3)))
+    model = view(*made.parts)
+
+    class Made:
+        def find_parts(self, description: Any, sides: Any = None) -> Any:
+            return find(made, description, sides)
+
+    with Sandbox(workers=1) as sandbox:
+        for question, value in (
+            ("How many holes are there?", 3),
+            ("What is the depth of the largest hole?", 0.004),
+            ("Is there a slot?", False),
+            ("How many slots are there?", 0),
+        ):
+            record = ask(question, lambda program: sandbox.run(program.code, Made(), expects=program.expects), model)  # type: ignore[arg-type]
+            assert record.status is Status.ANSWERED
+            assert record.answer is not None
+            assert record.answer.value == value

@@ -1,0 +1,124 @@
+"""A question has readings: what they ask, which words they use, and what of the rest carries meaning."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, Relation
+from querycad_language.describe import describe
+from querycad_language.forms import (
+    Angle,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Parallel,
+    Parts,
+    Reduce,
+    Uniform,
+    queries,
+)
+from querycad_language.readings import Reading, read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def best(question: str) -> Reading:
+    return read(question)[0]
+
+
+@pytest.mark.parametrize(
+    ("question", "kind"),
+    [
+        ("How many slots are there?", Count),
+        ("Is there a slot?", Exists),
+        ("What is the depth of the slot?", Get),
+        ("How far apart are the slots?", Distance),
+        ("What is the angle between the pin and the plate?", Angle),
+        ("How much longer is the pin than the bolt?", Combine),
+        ("Is the slot 25 mm wide?", Check),
+        ("Are the two pins parallel?", Parallel),
+        ("Is the slot blind?", Every),
+        ("Which slots are deeper than 11 mm?", Parts),
+        ("Do all slots have the same depth?", Uniform),
+    ],
+)
+def test_every_form_is_among_the_readings_of_its_question(question: str, kind: type) -> None:
+    assert any(isinstance(form, kind) for form in forms(question))
+
+
+def test_what_becomes_of_several_values_is_said_by_a_word_before_the_measure() -> None:
+    for word, reduce in (("average", Reduce.MEAN), ("total", Reduce.TOTAL)):
+        found = [form for form in forms(f"What is the {word} length of the slots?") if isinstance(form, Get)]
+        assert any(form.reduce is reduce for form in found)
+
+
+def test_several_measures_of_one_part_are_one_reading() -> None:
+    form = best("width and depth of the slot").form
+    assert isinstance(form, Get)
+    assert form.measures == (Measure.WIDTH, Measure.DEPTH)
+
+
+@pytest.mark.parametrize("question", ["slot depth?", "The slot: its depth?", "There is a slot. How deep is it?"])
+def test_telegrams_brackets_and_pronouns_find_their_owner(question: str) -> None:
+    asked = [form for form in forms(question) if isinstance(form, Get) and form.target is not None]
+    assert any(
+        form.target is not None and form.target.noun == "slot" and form.measures == (Measure.DEPTH,) for form in asked
+    )
+
+
+def test_courtesy_costs_nothing_and_what_carries_meaning_is_told() -> None:
+    plain = best("What is the depth of the slot?")
+    polite = best("Please, what is the depth of the slot? Thank you.")
+    assert polite.form == plain.form
+    assert not [kind for kind, _ in polite.skipped if kind not in ("chatter", "function", "courtesy")]
+    odd = [
+        reading for reading in read("What is the depth of the slot at 30 mm?") if ("number", "30 mm") in reading.skipped
+    ]
+    assert all(any(name.endswith("_number") for name in reading.features) for reading in odd)
+
+
+def test_the_whole_model_is_a_reading_that_passes_over_the_part() -> None:
+    whole = next(r for r in read("What is the depth of the slot?") if isinstance(r.form, Get) and r.form.target is None)
+    assert ("noun", "slot") in whole.skipped
+
+
+def test_a_stated_density_is_kept_for_the_mass() -> None:
+    form = best("What does it weigh at 2.7 g/cm3?").form
+    assert isinstance(form, Get)
+    assert [form.measures, form.density] == [(Measure.MASS,), pytest.approx(2700.0)]
+
+
+def test_a_check_keeps_relation_and_value() -> None:
+    form = next(form for form in forms("Is the slot deeper than 4 mm?") if isinstance(form, Check))
+    assert [form.relation, form.low] == [Relation.MORE, pytest.approx(0.004)]
+
+
+def test_no_words_no_readings() -> None:
+    assert read("") == read("???") == read("   ") == []
+
+
+@pytest.mark.parametrize(
+    ("question", "text"),
+    [
+        ("How many blind slots are there?", "number of the blind slots"),
+        ("What is the depth of the slot?", "depth of the slot"),
+        ("Is there a slot?", "whether there is the slot"),
+    ],
+)
+def test_a_reading_is_told_in_plain_words(question: str, text: str) -> None:
+    assert any(describe(form) == text for form in forms(question))
+
+
+def test_every_reading_can_be_told_and_its_queries_are_listed_once() -> None:
+    for question in ("How far is the slot from the left edge?", "How many slots and pockets are in the flange?"):
+        for form in forms(question):
+            assert describe(form)
+            asked = list(queries(form))
+            assert len(asked) == len({query.model_dump_json() for query in asked})

@@ -1,0 +1,102 @@
+"""Words are folded, numbers carry SI values and what they are of, and no text takes long."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import pytest
+
+from querycad_contracts import Measure
+from querycad_language.readings import read
+from querycad_language.tokens import DENSITY, MAX_TOKENS, Kind, tokenize
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "power"),
+    [
+        ("12 mm", 0.012, 1),
+        ("1,5 mm", 0.0015, 1),
+        ("1,250 mm", 1.25, 1),
+        ('3/8"', 0.009525, 1),
+        ("1-1/2 in", 0.0381, 1),
+        ("90 deg", math.pi / 2, 0),
+        ("45°", math.pi / 4, 0),
+        ("7.85 g/cm3", 7850.0, DENSITY),
+        ("2700 kg/m3", 2700.0, DENSITY),
+    ],
+)
+def test_a_number_with_its_unit_is_one_quantity_in_si(text: str, value: float, power: int) -> None:
+    (token,) = tokenize(text)
+    assert (token.kind, token.power) == (Kind.QUANTITY, power)
+    assert token.value == pytest.approx(value)
+
+
+@pytest.mark.parametrize(
+    ("text", "measure"), [("Ø8", Measure.DIAMETER), ("⌀ 8 mm", Measure.DIAMETER), ("R8", Measure.RADIUS)]
+)
+def test_a_symbol_says_what_its_number_is_of(text: str, measure: Measure) -> None:
+    (token,) = tokenize(text)
+    assert (token.kind, token.measure) == (Kind.QUANTITY, measure)
+    assert token.value == pytest.approx(0.008)
+
+
+def test_a_range_shares_its_unit() -> None:
+    first, _, second = tokenize("5 to 8 mm")
+    assert [first.value, second.value] == [pytest.approx(0.005), pytest.approx(0.008)]
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "word"),
+    [("M6x1", Kind.THREAD, "m6x1"), ("1/4-20", Kind.THREAD, "1/4-20"), ("4x", Kind.TIMES, "x")],
+)
+def test_threads_and_how_many_are_tokens_of_their_own(text: str, kind: Kind, word: str) -> None:
+    (token,) = tokenize(text)
+    assert (token.kind, token.word) == (kind, word)
+
+
+def test_words_are_folded_to_one_form() -> None:
+    words = [(token.word, token.plural) for token in tokenize("Holes' centres, grey BUSHES")]
+    assert ("hole", True) in words
+    assert ("center", True) in words
+    assert ("gray", False) in words
+
+
+def test_a_slip_is_corrected_and_counted_and_a_name_of_the_file_is_none() -> None:
+    (slip,) = tokenize("countrbore")
+    assert (slip.word, slip.corrected) == ("counterbore", 1)
+    (name,) = tokenize("countrbore", frozenset(("countrbore",)))
+    assert (name.word, name.corrected) == ("countrbore", 0)
+
+
+@pytest.mark.parametrize(
+    "piece",
+    [
+        " ",
+        "a ",
+        "(",
+        "the hole ",
+        "x",
+        "5 ",
+        "1/2-",
+        "0,",
+        "M1",
+        "of the hole in the plate on the ",
+        "how deep and ",
+        "'",
+        "1 ",
+        "Ø",
+    ],
+)
+def test_no_text_of_any_length_takes_long(piece: str) -> None:
+    text = (piece * 2000)[:2000]
+    read("How deep is it?")  # the lexicon is read once
+    start = time.perf_counter()
+    read(text)
+    assert time.perf_counter() - start < 1.0
+    assert len(tokenize(text)) <= MAX_TOKENS
+
+
+def test_leading_spaces_say_nothing() -> None:
+    assert tokenize(" " * 480 + "hole") == tokenize("hole")
+    assert read(" " * 480) == []

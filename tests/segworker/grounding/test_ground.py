@@ -1,0 +1,173 @@
+"""Queries on small made inventories: each restriction holds, fails, or is said not to be checked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from tests.made import body, hole, inventory, part, whole
+
+from querycad_contracts import Grounded, Measure, Part, PartQuery, Place, Rank, Relation, Side, SizeFilter
+from querycad_segworker.grounding.find import find
+from querycad_segworker.grounding.ground import ground
+from querycad_segworker.grounding.inventory import Inventory
+
+BLIND: dict[str, Any] = {"tags": ("blind", "circular", "vertical"), "sides": (Side.TOP,), "bottom": "flat"}
+SMALL, LARGE, DEAD = hole(1, -20), hole(2, 0, diameter=0.012), hole(3, 20, **BLIND)
+SLOT = part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.02, depth=0.003, sides=(Side.TOP,), tags=("open",))
+PLATE = inventory(SMALL, LARGE, DEAD, SLOT)
+HOLES = PartQuery(noun="hole", words=("hole",), plural=True)
+
+
+def best(query: PartQuery, of: Inventory = PLATE) -> Grounded:
+    return ground(of, query)[0]
+
+
+def ids(grounded: Grounded) -> set[str]:
+    return {one.id for one in grounded.parts}
+
+
+def asked(**fields: Any) -> PartQuery:
+    return HOLES.model_copy(update=fields)
+
+
+def test_a_noun_finds_its_kind_and_one_that_the_model_lacks_nothing() -> None:
+    assert ids(best(HOLES)) == {"hole-1", "hole-2", "hole-3"}
+    none = best(PartQuery(noun="gear", words=("gear",), plural=True))
+    assert none.parts == ()
+    assert "nothing" in none.features
+
+
+def test_an_unknown_noun_is_told_and_finds_nothing() -> None:
+    none = best(PartQuery(noun="gronk", known=False, words=("gronk",), plural=True))
+    assert none.parts == ()
+    assert none.features["unknown_noun"] == 1.0
+    assert none.unchecked == ("'gronk'",)
+
+
+def test_an_adjective_that_agrees_narrows_and_one_that_none_has_is_not_dropped_in_silence() -> None:
+    agrees = best(asked(adjectives=("blind",)))
+    assert ids(agrees) == {"hole-3"}
+    assert "adjective_agrees" in agrees.features
+    ways = ground(PLATE, asked(adjectives=("counterbored",)))
+    assert all("adjective_dropped" in way.features or not way.parts for way in ways)
+    assert all(way.unchecked for way in ways if way.parts)
+
+
+def test_what_must_be_lacking_leaves_the_others() -> None:
+    assert ids(best(asked(lacking=("blind",)))) == {"hole-1", "hole-2"}
+
+
+@pytest.mark.parametrize(
+    ("size", "found"),
+    [
+        (SizeFilter(measure=Measure.DIAMETER, low=0.012), {"hole-2"}),
+        (SizeFilter(low=0.005), {"hole-1", "hole-3"}),
+        (SizeFilter(measure=Measure.DIAMETER, relation=Relation.MORE, low=0.006), {"hole-2"}),
+        (SizeFilter(measure=Measure.DIAMETER, relation=Relation.BETWEEN, low=0.004, high=0.006), {"hole-1", "hole-3"}),
+    ],
+)
+def test_a_size_that_agrees_narrows(size: SizeFilter, found: set[str]) -> None:
+    grounded = best(asked(sizes=(size,)))
+    assert ids(grounded) == found
+    assert "size_agrees" in grounded.features
+
+
+def test_a_size_that_none_has_empties_or_is_unchecked() -> None:
+    ways = ground(PLATE, asked(sizes=(SizeFilter(measure=Measure.DIAMETER, low=0.033),)))
+    assert {"size_empties", "size_dropped"} <= {name for way in ways for name in way.features}
+    assert all(way.unchecked for way in ways if way.parts)
+
+
+def test_a_side_keeps_what_is_seen_from_there() -> None:
+    assert ids(best(asked(sides=(Side.BOTTOM,)))) == {"hole-1", "hole-2"}
+    away = ground(PLATE, asked(sides=(Side.LEFT,)))
+    assert any("side_empties" in way.features and not way.parts for way in away)
+    assert ids(best(asked(unseen=(Side.BOTTOM,)))) == {"hole-3"}
+
+
+def test_a_place_holds_where_parts_are_and_is_unchecked_where_there_is_none() -> None:
+    carrier = part(
+        "boss-1",
+        (-0.02, 0.0, 0.005),
+        tags=("cylindrical",),
+        children=("hole-1", "hole-2"),
+        extents=(0.02, 0.02, 0.01),
+        faces=(50,),
+    )
+    of = inventory(SMALL, LARGE, DEAD, carrier)
+    in_boss = asked(places=(Place(relation="in", what=PartQuery(noun="boss", words=("boss",))),))
+    assert ids(best(in_boss, of)) == {"hole-1", "hole-2"}
+    ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="gear", words=("gear",))),)))
+    assert any("place_unknown" in way.features and way.unchecked for way in ways)
+
+
+def test_a_count_agrees_chooses_a_group_or_differs() -> None:
+    assert "count_agrees" in best(asked(count=3)).features
+    pair = best(asked(count=2))
+    assert ids(pair) == {"hole-1", "hole-3"}
+    assert "count_group" in pair.features
+    assert all("count_differs" in way.features for way in ground(PLATE, asked(count=9)) if way.parts)
+
+
+def test_a_rank_takes_the_first_of_an_order() -> None:
+    largest = Rank(measure=Measure.DIAMETER)
+    assert ids(best(asked(plural=False, ranks=(largest,)))) == {"hole-2"}
+    assert ids(best(asked(plural=False, ranks=(Rank(side=Side.RIGHT),)))) == {"hole-3"}
+    near = Rank(near=PartQuery(noun="slot", words=("slot",)), most=False)
+    assert ids(best(asked(plural=False, ranks=(near,)))) == {"hole-3"}
+
+
+def test_one_of_several_is_every_way_to_choose() -> None:
+    ways = ground(PLATE, PartQuery(noun="hole", words=("hole",), definite=True))
+    chosen = {name for way in ways for name in way.features}
+    assert {"largest_for_one", "several_for_one"} <= chosen
+
+
+def test_exceptions_are_taken_away_and_further_kinds_added() -> None:
+    assert ids(best(asked(excluded=(asked(adjectives=("blind",)),)))) == {"hole-1", "hole-2"}
+    slots = PartQuery(noun="slot", words=("slot",), plural=True)
+    assert "slot-1" in ids(best(asked(also=(slots,))))
+
+
+def test_an_id_is_that_part_or_none() -> None:
+    assert ids(best(PartQuery(noun="hole", ids=("hole-2",)))) == {"hole-2"}
+    missing = best(PartQuery(noun="hole", ids=("hole-99",)))
+    assert missing.parts == ()
+    assert "hole-99" in missing.reason
+
+
+def test_names_of_bodies_are_words_for_them() -> None:
+    screw, post = body(1, "Gronk_M8x25", faces=(1,)), body(2, "Post", (0.05, 0.0, 0.0), faces=(2,))
+    of = Inventory((whole("stand"), screw, post))
+    named = best(PartQuery(noun="gronk", known=False, words=("gronk",)), of)
+    assert ids(named) == {"body-1"}
+    assert "by_name" in named.features
+    other = best(PartQuery(noun="frobnicator", known=False, words=("frobnicator",), plural=True), of)
+    assert other.parts == ()
+
+
+def test_free_text_without_a_number_means_all() -> None:
+    assert len(find(PLATE, "hole").parts) == 3
+    assert len(find(PLATE, "slot").parts) == 1
+
+
+@pytest.mark.parametrize(("text", "understood", "says"), [("gronk", False, "'gronk'"), ("gear", True, "no 'gear'")])
+def test_what_is_not_found_is_said_with_the_kinds_that_there_are(text: str, understood: bool, says: str) -> None:
+    found = find(PLATE, text)
+    assert (found.parts, found.understood) == ((), understood)
+    assert says in found.message
+    assert set(found.nearest) == {"hole", "slot", "body"}
+
+
+def test_parts_that_are_elsewhere_are_counted_in_the_message() -> None:
+    found = find(PLATE, "slots", [Side.BOTTOM])
+    assert found.parts == ()
+    assert "1 x" in found.message
+
+
+def test_ways_are_ranked_and_never_none() -> None:
+    for query in (HOLES, asked(adjectives=("counterbored",)), PartQuery()):
+        ways = ground(PLATE, query)
+        assert ways
+        assert all(isinstance(one, Part) for way in ways for one in way.parts)
