@@ -78,9 +78,9 @@ def answer_question(
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
         task = Task(question, judged, summary, expect, asked)
-        outcome = _with_llm(task, codegen, writer, lambda: understanding.answered(timed_run, unit), clock)
+        outcome = _with_llm(task, codegen, writer, lambda: understanding.answered(timed_run, unit, least), clock)
     else:
-        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
+        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
     return outcome.record(question, clock, least)

@@ -10,6 +10,7 @@ from functools import cached_property
 from querycad_contracts import Failure, Grounded, PartQuery
 from querycad_language.describe import describe, noun_phrase
 from querycad_language.forms import Count, Every, Exists, queries
+from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader, Reading
 from querycad_language.tokens import DENSITY
 from querycad_language.weights import weights
@@ -20,6 +21,10 @@ MARGIN = 0.5
 """By so much the reading of a part that is not there must be better than one that has a value."""
 BEHIND_ASKING = 4
 """So far before what is asked for may the word that asks stand: 'how much does it cost'."""
+TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
+"""Features of a noun that the model has no part for, and that may stand for the whole of it."""
+PART_AS_WHOLE = 0.8
+"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model."""
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
 _CANNOT_KNOW = {
@@ -57,6 +62,11 @@ class Refused:
         if "unknown_noun" in grounded.features:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
         return self.not_grounded(grounded.reason or f"the model has no '{said}'")
+
+    def instead_of(self, query: PartQuery, least: float) -> float:
+        """How probable must it be that the whole model is meant by a part that it lacks?"""
+        noun = lexicon().nouns.get(query.noun) if query.known else None
+        return max(least, PART_AS_WHOLE) if noun is not None and not noun.product else least
 
     def not_grounded(self, message: str) -> Failure:
         """The failure, with the kinds of part that there are."""

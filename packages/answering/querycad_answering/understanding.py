@@ -24,7 +24,7 @@ from querycad_language.describe import describe
 from .candidates import Candidate, Ground, candidates, with_value
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
-from .refusing import Refused, absent, cannot_know, nothing_asked, unread
+from .refusing import TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 from .typed import is_like
 
 UNTRIED = 0.2
@@ -109,8 +109,11 @@ class Understanding:
             return with_value(candidate, None, self._view.whole.extents)
         return with_value(candidate, outcome.value, self._view.whole.extents)
 
-    def answered(self, run: Run, unit: LengthUnit) -> Understood:
-        """What is the most probable answer, and what else may be meant?"""
+    def answered(self, run: Run, unit: LengthUnit, least: float = 0.0) -> Understood:
+        """What is the most probable answer, and what else may be meant?
+
+        A noun that the model has no part for is taken for the whole model only with a confidence of at least `least`.
+        """
         if self.refused is not None:
             return Understood(verdict=Verdict(failure=self.refused))
         tried = self.tried(run)
@@ -119,6 +122,8 @@ class Understanding:
         for index, best in enumerate(found):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
+                if (missing := self._missing(best, least)) is not None:
+                    return Understood(verdict=Verdict(failure=missing))
                 rest = [one for i, one in enumerate(found) if i != index]
                 return self._understood(best, verdict, self._others(best.candidate, rest, unit))
         if not tried:
@@ -126,6 +131,16 @@ class Understanding:
             return Understood(verdict=Verdict(failure=failure))
         first = found[0].candidate if found else tried[0]
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
+
+    def _missing(self, best: Value, least: float) -> Failure | None:
+        """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""
+        asked = Refused(self._question, self._view.names, self._view.kinds)
+        for query, taken in best.candidate.grounds.items():
+            if any(taken.features.get(name) for name in TAKEN_FOR_WHOLE):
+                empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
+                if empty is not None and best.confidence < asked.instead_of(query, least):
+                    return asked.absent(query, empty)
+        return None
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
         program = _program(candidate, confidence)
@@ -186,7 +201,7 @@ def unchecked(candidate: Candidate) -> tuple[str, ...]:
     """What restricts, by the words, and could not be checked on the model; what is only taken for the whole model."""
     found = [said for grounded in candidate.grounds.values() for said in grounded.unchecked]
     for query, grounded in candidate.grounds.items():
-        if "unknown_whole" in grounded.features:
+        if any(grounded.features.get(name) for name in TAKEN_FOR_WHOLE):
             found.append(f"'{query.noun}', taken for the whole model")
     return tuple(dict.fromkeys(found))
 
