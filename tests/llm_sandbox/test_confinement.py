@@ -14,9 +14,9 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_sandbox.confinement import LIMITS, Confinement, landlock_ruleset, seccomp_program
+from querycad_sandbox.walls.confinement import LIMITS, Confinement, landlock_ruleset, seccomp_program
 
-LAUNCHER = files("querycad_sandbox").joinpath("launcher.py").read_text(encoding="utf-8")
+LAUNCHER = files("querycad_sandbox.walls").joinpath("launcher.py").read_text(encoding="utf-8")
 TRIES = """
 import errno, json, os, signal, socket, sys
 def attempt(name, call):

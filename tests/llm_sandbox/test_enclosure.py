@@ -16,7 +16,7 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="these are walls
 
 TRIES = """
 import json, os, socket, sys
-from querycad_sandbox.enclosure import clean_environment, enclose
+from querycad_sandbox.walls.enclosure import clean_environment, enclose
 from querycad_sandbox.settings import SandboxSettings
 settings = SandboxSettings.read()
 clean_environment(settings)

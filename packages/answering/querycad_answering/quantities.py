@@ -11,6 +11,8 @@ _SCALARS = {
     "area": AnswerType.AREA,
     "angle_to": AnswerType.ANGLE,
     "angle": AnswerType.ANGLE,
+    "draft": AnswerType.ANGLE,
+    "bend_angle": AnswerType.ANGLE,
     "acos": AnswerType.ANGLE,
     "asin": AnswerType.ANGLE,
     "atan": AnswerType.ANGLE,
@@ -111,6 +113,10 @@ def _assigned(code: str) -> dict[str, ast.expr]:
     return found
 
 
-_LENGTHS = ("radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch")
+_LENGTHS = (
+    "radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch", "outer_diameter", "inner_diameter",
+    "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius", "mouth_length", "mouth_width",
+    "bottom_length", "bottom_width",
+)  # fmt: skip
 _DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance")
 _KNOWN = frozenset({*_SCALARS, *_TRIPLES, *_LENGTHS, *_DISTANCES})

@@ -13,12 +13,12 @@ from pydantic_monty import MontyCrashedError, MontyError
 from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad
 
 from .check import TypeChecker
-from .confinement import Confinement
 from .control import CANCELLED, RunControl, RunEndedError
 from .guest import Guest
 from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
 from .run import Run
+from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
 

@@ -6,8 +6,8 @@ import socket
 
 from querycad_contracts import start_logging
 
-from .enclosure import clean_environment, enclose
 from .settings import SandboxSettings
+from .walls.enclosure import clean_environment, enclose
 
 
 def main() -> None:

@@ -18,9 +18,9 @@ from typing import Final
 from urllib.parse import urlsplit
 
 import querycad_contracts
+from querycad_sandbox.settings import SandboxSettings
 
 from .confinement import NOBODY, interpreter
-from .settings import SandboxSettings
 
 KEPT: Final = frozenset(
     ("PATH", "LANG", "LC_ALL", "LC_CTYPE", "TZ", "VIRTUAL_ENV", "MONTY_BIN", "HOME", "HOSTNAME", "PWD", "OLDPWD")
@@ -122,7 +122,7 @@ def _landlock(settings: SandboxSettings) -> bool:
 
 def _readable() -> Iterable[Path]:
     """The installation, and what the system's libraries read."""
-    own: tuple[str | Path, ...] = (sys.prefix, sys.base_prefix, Path(__file__).parent, CONTRACTS, interpreter())
+    own: tuple[str | Path, ...] = (sys.prefix, sys.base_prefix, Path(__file__).parents[1], CONTRACTS, interpreter())
     listed = (path for path in sys.path if Path(path).name in ("site-packages", "dist-packages"))
     found = (Path(path) for path in (*own, *listed, *SYSTEM_FOLDERS, *(f"/etc/{name}" for name in SYSTEM_FILES)))
     return [path for path in found if path.exists()]

@@ -1,0 +1,1 @@
+"""The walls around an interpreter: another user, limits, Landlock, seccomp, a clean environment."""
