@@ -27,6 +27,7 @@ from querycad_contracts import (
     TokenUse,
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
+from querycad_language.units import asked_unit
 
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Task
@@ -54,10 +55,11 @@ def answer_question(
 ) -> AnswerRecord:
     """What is the answer? Never raises for what is wrong with a question or program: the record's `failure` says it.
 
-    `unit` is the one that `answer.text` is written in; `answer.value` is SI whatever it is. `view` is what readings are
+    `unit` is the one that `answer.text` is written in, unless the words ask for another; `answer.value` is SI whatever it is. `view` is what readings are
     ranked on, `summary` what a language model is told of the model.
     """
     clock = _Clock()
+    unit = asked_unit(question) or unit
     expect = options.expect or Expectation()
     least = LEAST_CONFIDENCE if options.least_confidence is None else options.least_confidence
 

@@ -1,0 +1,22 @@
+"""Which unit does a question want its answer in?"""
+
+from __future__ import annotations
+
+import re
+
+from querycad_contracts import LengthUnit
+
+_ASKED = re.compile(
+    r"\bin (mm|millimet(?:er|re)s?|inch(?:es)?|met(?:er|re)s?|m)\b(?! (?:dia|hole|bore|thick|wide|long|deep))",
+    re.IGNORECASE,
+)
+_UNITS = {"mm": LengthUnit.MM, "mi": LengthUnit.MM, "in": LengthUnit.IN, "me": LengthUnit.M, "m": LengthUnit.M}
+
+
+def asked_unit(question: str) -> LengthUnit | None:
+    """The unit of lengths that the words ask for: 'in inches', 'in mm'; None where they name none.
+
+    A unit behind a number belongs to that number: '5 in' asks for nothing.
+    """
+    found = list(_ASKED.finditer(" ".join(question[:2000].split())))
+    return _UNITS[found[-1][1].lower()[:2]] if found else None
