@@ -1,0 +1,89 @@
+"""Weights are learned from answers alone, and judged on writers and models that they have not seen."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from benchmark.understanding.collect import Row, Tried
+from benchmark.understanding.cross_validation import (
+    Told,
+    calibration_error,
+    cross_validated,
+    fold_of,
+    risk_and_coverage,
+    weights_of,
+)
+from benchmark.understanding.data import Question, is_right
+from benchmark.understanding.fit import answered, fit
+
+
+def question(writer: str = "w", model: str = "own:a", truth: object = 1.0, kind: str = "length") -> Question:
+    return Question(model, Path("a.step"), writer, "?", truth, kind)
+
+
+def row(writer: str, model: str, *, misleading: bool = False) -> Row:
+    """The candidate with the telling feature is right, unless the row misleads."""
+    right = Tried({"telling": 1.0, "common": 1.0}, 1.0, not misleading, "a")
+    wrong = Tried({"common": 1.0, "noise": 1.0}, 2.0, misleading, "b")
+    return Row(question(writer, model), (right, wrong))
+
+
+def test_what_tells_right_values_from_wrong_ones_gets_the_weight() -> None:
+    rows = [row("w", f"own:{i}", misleading=i % 10 == 0) for i in range(50)]
+    table = fit(rows, {})
+    assert table["telling"] > 0.5 > abs(table.get("common", 0.0))
+    assert table["noise"] < 0
+    assert answered(rows[1], table).right
+
+
+def test_several_programs_with_one_value_add_up() -> None:
+    tried = [Tried({"a": 1.0}, 1.0, True, "a"), Tried({"b": 1.0}, 1.0, True, "b"), Tried({"c": 1.0}, 2.0, False, "c")]
+    told = answered(Row(question(), tuple(tried)), {"a": 0.0, "b": 0.0, "c": 0.5})
+    assert told.right
+    assert told.probability == pytest.approx(2 / (2 + 1.6487), abs=1e-3)
+
+
+def test_no_question_is_judged_by_weights_that_saw_its_writer_or_model() -> None:
+    """One writer means the opposite of all others: seen, its questions would be right; left out, none is."""
+    rows = [row(f"w{i % 4}", f"own:{i}") for i in range(40)]
+    odd = [row("odd", f"own:odd{i}", misleading=True) for i in range(400)]
+    assert answered(odd[0], weights_of([*rows, *odd], {})[0]).right
+    told = cross_validated([*rows, *odd], {})
+    assert not any(one.right for one in told if one.writer == "odd")
+
+
+def test_writers_are_folds_and_the_first_questions_are_parted_by_model() -> None:
+    assert fold_of(row("cad_chat", "own:a")) == "cad_chat"
+    assert fold_of(row("facts:nist", "own:a")) == fold_of(row("facts:ttt", "own:b")) == "facts"
+    assert fold_of(row("own", "own:a")).startswith("own-")
+
+
+def test_confidence_that_is_honest_has_no_calibration_error() -> None:
+    honest = [Told("f", "w", i < 7, True, False, 0.7) for i in range(10)]
+    boasting = [Told("f", "w", i < 5, True, False, 0.95) for i in range(10)]
+    assert calibration_error(honest) == pytest.approx(0.0, abs=1e-9)
+    assert calibration_error(boasting) == pytest.approx(0.45)
+    assert risk_and_coverage(honest)[0] == (0.0, 1.0, pytest.approx(0.3))
+
+
+@pytest.mark.parametrize(
+    ("value", "truth", "kind", "right"),
+    [
+        (0.01005, 0.01, "length", True),
+        (0.0102, 0.01, "length", False),
+        ([0.01, 0.01], 0.01, "length", True),
+        ([0.01, 0.02], 0.01, "length", False),
+        ([0.02, 0.01], [0.01, 0.02], "lengths", True),
+        (4, 4, "count", True),
+        (5, 4, "count", False),
+        (True, True, "boolean", True),
+        (1, True, "boolean", False),
+        ([0.03, 0.02, 0.01], [0.01, 0.02, 0.03], "size", True),
+        ([0.03, 0.02, 0.01], [0.01, 0.02, 0.03], "point", False),
+        ("Front", "front", "text", True),
+        (None, 0.01, "length", False),
+    ],
+)
+def test_a_value_is_right_within_what_drawings_mean(value: object, truth: object, kind: str, right: bool) -> None:
+    assert is_right(value, question(truth=truth, kind=kind)) is right
