@@ -1,4 +1,4 @@
-"""The candidates for an answer: every reading of a question on every way to ground it, as a program with its features."""
+"""The candidates for an answer: every reading of a question on every grounding, as a program with its features."""
 
 from __future__ import annotations
 
@@ -42,7 +42,9 @@ class Candidate:
         return math.fsum(table.get(name, 0.0) * value for name, value in self.features.items())
 
 
-def candidates(question: str, ground: Ground, whole: Part, names: Iterable[str] = (), limit: int = RUNS) -> list[Candidate]:
+def candidates(
+    question: str, ground: Ground, whole: Part, names: Iterable[str] = (), limit: int = RUNS
+) -> list[Candidate]:
     """The candidates that are worth running, the best first. `whole`: the part that stands for the model."""
     readings = read(question, names)
     asked: list[PartQuery] = []
@@ -63,7 +65,9 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
     each = GROUNDINGS if len(own) < 2 else 3
     for ways in itertools.product(*(list(enumerate(grounded[query]))[:each] for query in own)):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
-        if isinstance(reading.form, Every) and any(name.endswith("_dropped") for name in grounds[reading.form.among].features):
+        if isinstance(reading.form, Every) and any(
+            name.endswith("_dropped") for name in grounds[reading.form.among].features
+        ):
             continue  # what is to be shown cannot be left unchecked
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
         for option in range(OPTIONS):
@@ -71,13 +75,13 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
                 written = write(reading.form, senses, whole, option)
             except Unwritable:
                 continue
-            features = _features(reading, grounds, written, whole)
+            features = _features(reading, grounds, written)
             yield Candidate(reading, grounds, written, features)
             if not written.grades:
                 break
 
 
-def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written, whole: Part) -> Features:
+def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
     for grounded in grounds.values():
@@ -102,19 +106,54 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     return features
 
 
-_WIDE = frozenset(("big", "large", "larger", "bigger", "wide", "wider", "outer", "outside", "external", "major", "enlarged", "upper"))
-_NARROW = frozenset(("small", "smaller", "narrow", "narrower", "inner", "inside", "internal", "minor", "pilot", "tap", "tapped", "threaded"))
+_WIDE = frozenset(
+    ("big", "large", "larger", "bigger", "wide", "wider", "outer", "outside", "external", "major", "enlarged", "upper")
+)
+_NARROW = frozenset(
+    (
+        "small",
+        "smaller",
+        "narrow",
+        "narrower",
+        "inner",
+        "inside",
+        "internal",
+        "minor",
+        "pilot",
+        "tap",
+        "tapped",
+        "threaded",
+    )
+)
 
 
 def _of_steps(form: Form, code: str) -> Features:
     """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?"""
-    words = {word for query in queries(form) for name in (*query.adjectives, *query.unknown, query.noun) for word in name.split()}
-    ranks = [rank for query in queries(form) for rank in query.ranks if rank.measure in (Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)]
+    words = {
+        word
+        for query in queries(form)
+        for name in (*query.adjectives, *query.unknown, query.noun)
+        for word in name.split()
+    }
+    ranks = [
+        rank
+        for query in queries(form)
+        for rank in query.ranks
+        if rank.measure in (Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
+    ]
     words |= {"large" if rank.most else "small" for rank in ranks}
     if "max(p.radii)" in code or "outer_diameter" in code:
-        return {"step_widest": 1.0, "step_widest_said": float(bool(words & _WIDE)), "step_widest_denied": float(bool(words & _NARROW))}
+        return {
+            "step_widest": 1.0,
+            "step_widest_said": float(bool(words & _WIDE)),
+            "step_widest_denied": float(bool(words & _NARROW)),
+        }
     if "min(p.radii)" in code or "inner_diameter" in code:
-        return {"step_narrowest": 1.0, "step_narrowest_said": float(bool(words & _NARROW)), "step_narrowest_denied": float(bool(words & _WIDE))}
+        return {
+            "step_narrowest": 1.0,
+            "step_narrowest_said": float(bool(words & _NARROW)),
+            "step_narrowest_denied": float(bool(words & _WIDE)),
+        }
     return {}
 
 
@@ -127,7 +166,9 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Fe
     features: Features = {}
     measure = form.measures[0]
     if form.target is None:
-        features["whole_round" if measure in _ROUND else "whole_hollow" if measure in _HOLLOW else "whole_natural"] = 1.0
+        features["whole_round" if measure in _ROUND else "whole_hollow" if measure in _HOLLOW else "whole_natural"] = (
+            1.0
+        )
         return features
     parts = grounds[form.target].parts
     if not parts:
@@ -150,7 +191,11 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
     if value is None or value == []:
         features["value_none"] = 1.0
     one = isinstance(form, Get | Distance) and form.reduce is Reduce.ONE
-    if one and distinct > 1 and candidate.written.expects not in (AnswerType.SIZE, AnswerType.POINT, AnswerType.DIRECTION):
+    if (
+        one
+        and distinct > 1
+        and candidate.written.expects not in (AnswerType.SIZE, AnswerType.POINT, AnswerType.DIRECTION)
+    ):
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
@@ -161,9 +206,10 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
             features["value_too_large"] = 1.0
         if sizes and min(sizes) <= 1e-7:
             features["value_zero"] = 1.0
-        if sizes and any(abs(max(sizes) - extent) < 1e-6 for extent in extents) and not (isinstance(form, Get) and form.target is None):
+        if (
+            sizes
+            and any(abs(max(sizes) - extent) < 1e-6 for extent in extents)
+            and not (isinstance(form, Get) and form.target is None)
+        ):
             features["value_is_extent"] = 1.0
     return replace(candidate, features=features, value=value)
-
-
-__all__ = ["Candidate", "Form", "candidates", "with_value"]

@@ -105,7 +105,9 @@ class Phrases:
         named = next((m.query for m in reversed(before) if m.query is not None and m.query.noun), None)
         if named is None or (not self.text.is_word(mention.end - 1, "one") and not query.adjectives):
             return mention
-        return replace(mention, query=query.model_copy(update={"noun": named.noun, "known": named.known, "words": named.words}))
+        return replace(
+            mention, query=query.model_copy(update={"noun": named.noun, "known": named.known, "words": named.words})
+        )
 
     # What stands before the noun
 
@@ -164,7 +166,9 @@ class Phrases:
             return span.end
         span = text.find(at, "number")
         if span is not None and self._noun_follows(span.end):
-            draft.count = span.value if text.words[at] not in ("single", "one") else (1 if text.words[at] == "single" else None)
+            draft.count = (
+                span.value if text.words[at] not in ("single", "one") else (1 if text.words[at] == "single" else None)
+            )
             return span.end
         return at
 
@@ -175,7 +179,25 @@ class Phrases:
             return False
         if text.tokens[at].kind is not Kind.WORD:
             return True
-        open_class = text.find(at, "noun", "adjective", "whole", "side", "color", "scale", "ordinal", "place_extreme", "number", "article", "measure", "whole_adjective", "stock", "distance", "gap", "ground")
+        open_class = text.find(
+            at,
+            "noun",
+            "adjective",
+            "whole",
+            "side",
+            "color",
+            "scale",
+            "ordinal",
+            "place_extreme",
+            "number",
+            "article",
+            "measure",
+            "whole_adjective",
+            "stock",
+            "distance",
+            "gap",
+            "ground",
+        )
         return open_class is not None or text.is_content(at)
 
     def _size_before(self, at: int, draft: _Draft) -> int:
@@ -216,14 +238,24 @@ class Phrases:
         measure = text.find(at, "measure")
         if draft.nouns and text.tokens[draft.nouns[-1].end - 1].plural and not draft.unknown:
             return at  # the nouns of a compound are singular: 'standoffs stand' has a verb
-        if noun and not (draft.article and at > 0 and text.find(at - 1, "article", "adjective")) and text.find(at, "reach"):
+        if (
+            noun
+            and not (draft.article and at > 0 and text.find(at - 1, "article", "adjective"))
+            and text.find(at, "reach")
+        ):
             noun = None  # 'ring sticks up': a verb, but behind an article
         if noun and (draft.nouns or draft.unknown) and noun.end == at + 1 and self._ends_do_question(at):
             return at  # 'does the axis of the bore run?'
         if noun and draft.nouns and text.is_word(at, "inside", "interior") and noun.end == at + 1:
             return at  # 'the board inside'
         if measure and not (noun and noun.end > measure.end) and not (adjective and adjective.end > measure.end):
-            if not (noun and noun.end == measure.end and draft.article is False and not draft.nouns and self._is_owner(noun.end)):
+            if not (
+                noun
+                and noun.end == measure.end
+                and draft.article is False
+                and not draft.nouns
+                and self._is_owner(noun.end)
+            ):
                 return at
         if (ordinal := text.find(at, "ordinal")) and (scale := self._superlative(ordinal.end)):
             return self._rank(scale, draft, ordinal.value)
@@ -238,7 +270,11 @@ class Phrases:
             if whole is None or whole.end < noun.end or draft.nouns or draft.adjectives:
                 draft.nouns.append(noun)
                 return noun.end
-        if adjective and (self._noun_follows(adjective.end) or draft.nouns) and not (text.find(at, "side") and not adjective):
+        if (
+            adjective
+            and (self._noun_follows(adjective.end) or draft.nouns)
+            and not (text.find(at, "side") and not adjective)
+        ):
             if draft.nouns and not self._is_noun(adjective.end):
                 return at
             self._adjective(adjective, draft)
@@ -263,7 +299,11 @@ class Phrases:
         """Is it the last word of a question with 'do', where a verb stands?"""
         text = self.text
         last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",")
-        return last and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at)) and text.is_word(at, "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide")
+        return (
+            last
+            and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at))
+            and text.is_word(at, "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide")
+        )
 
     def _is_generic(self, at: int) -> bool:
         """Does a noun follow that adds nothing to the one before it: 'ring body'?"""
@@ -307,8 +347,21 @@ class Phrases:
         if whole is None and (adjective := text.find(at, "whole_adjective")):
             whole = text.find(adjective.end, "whole")
         if whole is not None and not draft.unknown:
-            if text.tokens[whole.end - 1].plural or draft.count or draft.ranks or draft.colors or draft.adjectives or draft.ends:
-                body = text.lexicon.nouns["body" if text.tokens[whole.end - 1].plural else text.words[whole.end - 1] if text.words[whole.end - 1] in text.lexicon.nouns else "body"]
+            if (
+                text.tokens[whole.end - 1].plural
+                or draft.count
+                or draft.ranks
+                or draft.colors
+                or draft.adjectives
+                or draft.ends
+            ):
+                body = text.lexicon.nouns[
+                    "body"
+                    if text.tokens[whole.end - 1].plural
+                    else text.words[whole.end - 1]
+                    if text.words[whole.end - 1] in text.lexicon.nouns
+                    else "body"
+                ]
                 draft.nouns.append(Span(whole.start, whole.end, "noun", body))
                 draft.used.update(range(start, whole.end))
                 return None, whole.end
@@ -342,8 +395,12 @@ class Phrases:
         for at in range(start, end):
             if head_span is not None and at >= head_span.end:
                 break
-            if text.tokens[at].kind is Kind.WORD and (text.is_content(at) or text.find(at, "noun", "side", "color", "adjective")):
-                if not text.find(at, "article") and (head_span or at in draft.unknown or text.find(at, "side", "adjective")):
+            if text.tokens[at].kind is Kind.WORD and (
+                text.is_content(at) or text.find(at, "noun", "side", "color", "adjective")
+            ):
+                if not text.find(at, "article") and (
+                    head_span or at in draft.unknown or text.find(at, "side", "adjective")
+                ):
                     words.append(text.words[at])
         places = list(draft.places)
         for span in nouns[:-1]:
@@ -358,7 +415,9 @@ class Phrases:
         elif unknown:
             noun, known = " ".join(unknown), False
         head = head_span.end - 1 if head_span is not None else (draft.unknown[-1] if draft.unknown else start)
-        plural = text.tokens[head].plural or (head_span is not None and any(text.tokens[i].plural for i in range(head_span.start, head_span.end)))
+        plural = text.tokens[head].plural or (
+            head_span is not None and any(text.tokens[i].plural for i in range(head_span.start, head_span.end))
+        )
         query = PartQuery(
             noun=noun, known=known, words=tuple(words), adjectives=tuple(dict.fromkeys(draft.adjectives)),
             lacking=tuple(draft.lacking), sizes=tuple(draft.sizes), threads=tuple(draft.threads), colors=tuple(draft.colors),
@@ -383,10 +442,20 @@ class Phrases:
         text = self.text
         start = at
         for _ in range(6):
-            if at >= len(text) or (text.tokens[at].kind is Kind.SYMBOL and not (text.is_word(at, "(") or (text.is_word(at, ",") and at > start - 1 and at == start))):
+            if at >= len(text) or (
+                text.tokens[at].kind is Kind.SYMBOL
+                and not (text.is_word(at, "(") or (text.is_word(at, ",") and at > start - 1 and at == start))
+            ):
                 return start
             if text.is_word(at, ",", "("):
-                if not (text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with") or (text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD))):
+                if not (
+                    text.find(at + 1, "seeing", "except")
+                    or text.is_word(at + 1, "which", "that", "with")
+                    or (
+                        text.words[at] == "("
+                        and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
+                    )
+                ):
                     return start
                 at += 1
                 continue
@@ -397,13 +466,29 @@ class Phrases:
                     after += 1
                 return after
             span = text.find(at, *_GAP)
-            if span is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the") or (text.is_word(at, "do", "does", "how", "what", "have", "has") and not text.is_word(at - 1, "that", "which")):
+            if (
+                span is None
+                or text.find(at, "measure", "scale")
+                or text.is_word(at, "a", "an", "the")
+                or (
+                    text.is_word(at, "do", "does", "how", "what", "have", "has")
+                    and not text.is_word(at - 1, "that", "which")
+                )
+            ):
                 return start
             at += 1
         return start
 
     def _one_modifier(self, at: int, draft: _Draft, depth: int, joined: bool) -> int:
-        for read in (self._seen, self._ranked, self._stated_size, self._trait, self._exception, self._nearest, self._central):
+        for read in (
+            self._seen,
+            self._ranked,
+            self._stated_size,
+            self._trait,
+            self._exception,
+            self._nearest,
+            self._central,
+        ):
             if (end := read(at, draft, depth)) > at:
                 return end
         negated = self.text.is_word(at, "not")
@@ -422,7 +507,10 @@ class Phrases:
         plain = other.query is not None and draft.nouns and other.query.known and other.query.noun
         if not plain or self.text.find(other.end, "measure") or self.text.find(other.end, "be", "do"):
             return at
-        if other.query is None or not (other.query.plural and any(self.text.tokens[i].plural for i in range(draft.nouns[-1].start, draft.nouns[-1].end))):
+        if other.query is None or not (
+            other.query.plural
+            and any(self.text.tokens[i].plural for i in range(draft.nouns[-1].start, draft.nouns[-1].end))
+        ):
             return at
         draft.also.append(other.query)
         return other.end
@@ -465,7 +553,9 @@ class Phrases:
                 return ([], at) if not sides else (sides, end)
             sides.append(span.value)
             end = after
-            if not text.is_word(end, "and", "or", ",", "&") or not (text.find(text.skip(end + 1, "article", "side_preposition"), "side")):
+            if not text.is_word(end, "and", "or", ",", "&") or not (
+                text.find(text.skip(end + 1, "article", "side_preposition"), "side")
+            ):
                 break
             end = text.skip(end + 1, "side_preposition")
         return (sides, end) if sides else ([], at)
@@ -506,7 +596,13 @@ class Phrases:
             token = text.tokens[at]
             if token.kind is Kind.QUANTITY and token.power in (0, 1):
                 return self._sized(at, measure or token.measure, relation)
-            if token.kind is Kind.NUMBER and measure is not None and not text.is_word(at + 1, "hole") and at + 1 <= len(text) and not self._noun_follows(at + 1):
+            if (
+                token.kind is Kind.NUMBER
+                and measure is not None
+                and not text.is_word(at + 1, "hole")
+                and at + 1 <= len(text)
+                and not self._noun_follows(at + 1)
+            ):
                 return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
             if scale := text.find(at, "scale"):
                 if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than"):
@@ -519,7 +615,32 @@ class Phrases:
                 at = span.end
             elif (span := text.find(at, "measure")) and measure is None:
                 measure, at = span.value, span.end
-            elif text.is_word(at, "with", "of", "a", "an", "the", "is", "are", "between", "from", "in", "whose", "having", "at", "=", "measuring", "be", "measure", "about", "size", "sized", "range", "have", "has"):
+            elif text.is_word(
+                at,
+                "with",
+                "of",
+                "a",
+                "an",
+                "the",
+                "is",
+                "are",
+                "between",
+                "from",
+                "in",
+                "whose",
+                "having",
+                "at",
+                "=",
+                "measuring",
+                "be",
+                "measure",
+                "about",
+                "size",
+                "sized",
+                "range",
+                "have",
+                "has",
+            ):
                 at += 1
             else:
                 return None
@@ -530,8 +651,14 @@ class Phrases:
     def _sized(self, at: int, measure: Measure | None, relation: Relation) -> tuple[SizeFilter, int]:
         text, token = self.text, self.text.tokens[at]
         low, high, end = token.value, None, at + 1
-        if text.is_word(end, "to", "and", "-", "up to") and end + 1 < len(text) and text.tokens[end + 1].kind is Kind.QUANTITY:
-            if relation is Relation.EQUAL and (text.words[end] != "and" or any(text.is_word(i, "between") for i in range(max(0, at - 3), at))):
+        if (
+            text.is_word(end, "to", "and", "-", "up to")
+            and end + 1 < len(text)
+            and text.tokens[end + 1].kind is Kind.QUANTITY
+        ):
+            if relation is Relation.EQUAL and (
+                text.words[end] != "and" or any(text.is_word(i, "between") for i in range(max(0, at - 3), at))
+            ):
                 high, end, relation = text.tokens[end + 1].value, end + 2, Relation.BETWEEN
         if behind := text.find(end, "behind"):
             relation, end = behind.value, behind.end
@@ -603,7 +730,9 @@ class Phrases:
         text = self.text
         span = text.find(at, "center")
         if span is None:
-            if not text.find(at, "place") or not text.is_word(end := text.skip(at + 1, "article", "each", "number"), "corner"):
+            if not text.find(at, "place") or not text.is_word(
+                end := text.skip(at + 1, "article", "each", "number"), "corner"
+            ):
                 return at
             draft.adjectives.append("corner")
             other = self.at(end + 2, depth + 1, False) if text.is_word(end + 1, "of") and depth < MAX_DEPTH else None
@@ -626,10 +755,16 @@ class Phrases:
         span = text.find(at, "place")
         if span is None or depth >= MAX_DEPTH:
             return at
-        if text.find(at, "relation") and span.end < len(text) and text.tokens[span.end].kind in (Kind.QUANTITY, Kind.NUMBER):
+        if (
+            text.find(at, "relation")
+            and span.end < len(text)
+            and text.tokens[span.end].kind in (Kind.QUANTITY, Kind.NUMBER)
+        ):
             return at
         start = span.end
-        if span.value == "through" and text.is_word(text.skip(start, "each", "article"), "side", "way", "part", "thickness", "wall"):
+        if span.value == "through" and text.is_word(
+            text.skip(start, "each", "article"), "side", "way", "part", "thickness", "wall"
+        ):
             draft.adjectives.append("through")
             return text.skip(start, "each", "article") + 1
         inner = text.skip(start, "article", "each")
@@ -647,7 +782,9 @@ class Phrases:
         if span.value == "between" and text.is_word(other.end, "and"):
             second = self.at(other.end + 1, depth + 1, False)
             if second is not None and second.query is not None:
-                draft.places.append(Place(relation="between", what=what.model_copy(update={"also": (*what.also, second.query)})))
+                draft.places.append(
+                    Place(relation="between", what=what.model_copy(update={"also": (*what.also, second.query)}))
+                )
                 return second.end
         draft.places.append(Place(relation=span.value, what=what))
         return other.end
@@ -667,7 +804,11 @@ def noun_phrase(description: str, names: Iterable[str] = ()) -> PartQuery:
         if mention is not None:
             if mention.query is None:
                 return PartQuery(noun="object", words=("object",))
-            left = [text.words[i] for i in range(len(text)) if i not in mention.used and text.is_content(i) and not at <= i < mention.end]
+            left = [
+                text.words[i]
+                for i in range(len(text))
+                if i not in mention.used and text.is_content(i) and not at <= i < mention.end
+            ]
             return mention.query.model_copy(update={"unknown": (*mention.query.unknown, *left)})
     words = tuple(text.words)
     return PartQuery(noun=" ".join(words), known=False, words=words)

@@ -93,7 +93,17 @@ class Reader:
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
         drafts: list[_Draft] = []
-        for frame in (self._counts, self._distances, self._overhangs, self._angles, self._combined, self._yes_no, self._gets, self._which, self._exists):
+        for frame in (
+            self._counts,
+            self._distances,
+            self._overhangs,
+            self._angles,
+            self._combined,
+            self._yes_no,
+            self._gets,
+            self._which,
+            self._exists,
+        ):
             drafts.extend(frame())
         if not drafts:
             drafts.extend(self._bare())
@@ -154,7 +164,9 @@ class Reader:
         found: set[int] = set()
         for at in range(len(text)):
             if text.find(at, "axis_preposition") and not text.is_word(at, "in", "by"):
-                end = next((i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "centerline")), None)
+                end = next(
+                    (i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "centerline")), None
+                )
                 if end is not None:
                     found |= set(range(at, end + 1))
         return found
@@ -168,7 +180,11 @@ class Reader:
             return "function"
         own = {span.category for span in text.spans[at]}
         for other in range(max(0, at - 3), at):  # inside a longer phrase that begins before
-            own |= {span.category for span in text.spans[other] if span.end > at and span.category not in ("noun", "measure", "adjective")}
+            own |= {
+                span.category
+                for span in text.spans[other]
+                if span.end > at and span.category not in ("noun", "measure", "adjective")
+            }
         if "courtesy" in own:
             return "courtesy"
         if "side" in own or "view" in own:
@@ -190,7 +206,13 @@ class Reader:
         if "adjective" in own:
             adjectives = [span.value for span in text.spans[at] if span.category == "adjective"]
             return "adjective" if any(a.tags or a.order for a in adjectives) else "chatter"
-        return "function" if own & {"side_noun", "article", "axis_preposition", "total"} else "chatter" if own else "unknown"
+        return (
+            "function"
+            if own & {"side_noun", "article", "axis_preposition", "total"}
+            else "chatter"
+            if own
+            else "unknown"
+        )
 
     # Measures that are named
 
@@ -211,7 +233,14 @@ class Reader:
     def _asked_at(self, at: int, taken: set[int]) -> _Asked | None:
         text = self.text
         if text.is_word(at, "how") and text.is_word(at + 1, "many") and self._is_unit(at + 2):
-            scale = next((s for i in range(at + 3, min(len(text), at + 9)) if (s := text.find(i, "scale")) and s.value.degree == "positive"), None)
+            scale = next(
+                (
+                    s
+                    for i in range(at + 3, min(len(text), at + 9))
+                    if (s := text.find(i, "scale")) and s.value.degree == "positive"
+                ),
+                None,
+            )
             measure = scale.value.measure if scale else Measure.MAGNITUDE
             used = {at, at + 1, at + 2} | (set(range(scale.start, scale.end)) if scale else set())
             named = any(text.find(i, "measure", "distance", "reach") for i in range(len(text)))
@@ -224,11 +253,21 @@ class Reader:
             if text.is_word(at + 1, "far", "much"):
                 for i in range(at + 2, min(len(text), at + 14)):
                     if reach := text.find(i, "reach"):
-                        return _Asked(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *range(reach.start, reach.end))))
+                        return _Asked(
+                            at,
+                            at + 2,
+                            (reach.value,),
+                            "reach",
+                            used=frozenset((at, at + 1, *range(reach.start, reach.end))),
+                        )
             return None
         if (verb := text.find(at, "verbs")) and verb.value is Measure.MASS and at not in taken:
             return _Asked(at, verb.end, (verb.value,), "verb", used=frozenset(range(at, verb.end)))
-        if (reach := text.find(at, "reach")) and at not in taken and any(text.is_word(i, "far", "much") for i in range(len(text))):
+        if (
+            (reach := text.find(at, "reach"))
+            and at not in taken
+            and any(text.is_word(i, "far", "much") for i in range(len(text)))
+        ):
             return _Asked(at, reach.end, (reach.value,), "reach", used=frozenset(range(at, reach.end)))
         if where := text.find(at, "where"):
             return _Asked(at, where.end, (Measure.POSITION,), "where", used=frozenset(range(at, where.end)))
@@ -236,7 +275,9 @@ class Reader:
         noun = text.find(at, "noun")
         if span is None or at in taken or (noun and noun.end > span.end):
             return None
-        if span.value is Measure.AXIS and any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in range(max(0, at - 4), at)):
+        if span.value is Measure.AXIS and any(
+            text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in range(max(0, at - 4), at)
+        ):
             return None  # 'along the screw axis' says how a length is taken
         if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
             return None
@@ -272,9 +313,20 @@ class Reader:
         used = set(range(span.start, end))
         while start > 0:
             before = start - 1
-            for category, meaning in (("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT), ("total", Reduce.TOTAL)):
+            for category, meaning in (
+                ("most", Reduce.LARGEST),
+                ("least", Reduce.SMALLEST),
+                ("mean", Reduce.MEAN),
+                ("different", Reduce.DIFFERENT),
+                ("total", Reduce.TOTAL),
+            ):
                 word = text.find(before, category)
-                if word is not None and word.end == start and before not in taken and not text.is_word(before - 1, "i", "we", "you"):
+                if (
+                    word is not None
+                    and word.end == start
+                    and before not in taken
+                    and not text.is_word(before - 1, "i", "we", "you")
+                ):
                     reduce = reduce or meaning
                     used.add(before)
                     break
@@ -306,7 +358,9 @@ class Reader:
             if self._sentence_of(mention.start) != self._sentence_of(asked.start):
                 return "later"
             words = [text.words[i] for i in between]
-            crossed = any(asked.end <= other.start and other.end <= mention.start and not other.pronoun for other in self.mentions)
+            crossed = any(
+                asked.end <= other.start and other.end <= mention.start and not other.pronoun for other in self.mentions
+            )
             if crossed:
                 return "far"
             if any(text.is_content(i) for i in between):
@@ -329,7 +383,9 @@ class Reader:
         strong = ("of", "subject", "compound", "possessive", "having", "preposition")
         linked = [(mention, self._link(asked, mention)) for mention in self.mentions]
         linked = [(m, link) for m, link in linked if link != "overlap"]
-        pronoun = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in strong for m, link in linked)
+        pronoun = text.is_word(asked.start - 1, "its", "their") or any(
+            m.pronoun and link in strong for m, link in linked
+        )
         owned = any(link in strong and not m.pronoun for m, link in linked)
         nearest = 0
         for mention, link in sorted(linked, key=lambda pair: abs(pair[0].head - asked.start)):
@@ -343,14 +399,29 @@ class Reader:
             nearest += 1
             used = set(mention.used)
             if mention.start >= asked.end:
-                used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)} if link in ("of", "subject", "preposition", "after") else set()
+                used |= (
+                    {i for i in range(asked.end, mention.start) if not text.is_content(i)}
+                    if link in ("of", "subject", "preposition", "after")
+                    else set()
+                )
             yield mention.query, link, used, features
         before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
-        behind = next((m for m, link in linked if link in ("of", "preposition") and m.query is not None and not m.pronoun), None)
+        behind = next(
+            (m for m, link in linked if link in ("of", "preposition") and m.query is not None and not m.pronoun), None
+        )
         if before is not None and behind is not None and before.query is not None and behind.query is not None:
             # 'the counterbore diameter of the small holes': of the counterbores of those
-            joined = replace_fields(before.query, places=(*before.query.places, Place(relation="of", what=behind.query)), plural=behind.query.plural)
-            yield joined, "compound", set(before.used | behind.used | set(range(asked.end, behind.start))), {"link_compound": 1.0, "link_compound_of": 1.0}
+            joined = replace_fields(
+                before.query,
+                places=(*before.query.places, Place(relation="of", what=behind.query)),
+                plural=behind.query.plural,
+            )
+            yield (
+                joined,
+                "compound",
+                set(before.used | behind.used | set(range(asked.end, behind.start))),
+                {"link_compound": 1.0, "link_compound_of": 1.0},
+            )
         features = {"link_whole": 1.0}
         if owned:
             features["owner_passed"] = 1.0
@@ -378,26 +449,48 @@ class Reader:
                 base = {**features, f"asked_{asked.how}": 1.0}
                 if asked.how == "noun" and measures[0] in VECTORS:
                     base["asked_vector"] = 1.0
-                overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, "overall", "total", "complete", "entire", "whole", "full", "maximum")}
+                overall = {
+                    i
+                    for i in range(max(0, asked.start - 2), asked.start)
+                    if text.is_word(i, "overall", "total", "complete", "entire", "whole", "full", "maximum")
+                }
                 if overall or text.is_word(asked.start, "overall", "total"):
                     base["overall_whole" if target is None else "overall_part"] = 1.0
                 tokens = set(asked.used) | used | more | (wide & more) | overall
                 if len(asked_for) > 1 and asked is not asked_for[0]:
                     base["later_measure"] = 1.0
                 if density is not None and Measure.MASS in measures:
-                    tokens |= {i for i, t in enumerate(text.tokens) if t.power == DENSITY} | {s for span in text.all("density") for s in range(span.start, span.end)}
+                    tokens |= {i for i, t in enumerate(text.tokens) if t.power == DENSITY} | {
+                        s for span in text.all("density") for s in range(span.start, span.end)
+                    }
                 yield from self._with_axis(_Draft(get, base, tokens))
                 if asked.how == "where":
                     for measure in (Measure.TIP, Measure.OPENING):
-                        if any(text.find(i, "measure") and text.find(i, "measure").value is measure for i in range(len(text))):  # type: ignore[union-attr]
-                            yield _Draft(replace(get, measures=(measure,)), {**base, "where_point": 1.0}, tokens | {i for i in range(len(text)) if (s := text.find(i, "measure")) and s.value is measure})
+                        if any(
+                            text.find(i, "measure") and text.find(i, "measure").value is measure
+                            for i in range(len(text))
+                        ):  # type: ignore[union-attr]
+                            yield _Draft(
+                                replace(get, measures=(measure,)),
+                                {**base, "where_point": 1.0},
+                                tokens
+                                | {
+                                    i for i in range(len(text)) if (s := text.find(i, "measure")) and s.value is measure
+                                },
+                            )
                 yield from self._less(get, base, tokens)
                 yield from self._material(get, base, tokens)
 
     def _material(self, get: Get, features: Features, used: set[int]) -> Iterator[_Draft]:
         """'How thick is the bar between the windows?', 'What thickness remains under the pocket?'"""
         text = self.text
-        if get.measures[0] not in (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT):
+        if get.measures[0] not in (
+            Measure.THICKNESS,
+            Measure.WIDTH,
+            Measure.WALL_THICKNESS,
+            Measure.LENGTH,
+            Measure.HEIGHT,
+        ):
             return
         for place in get.target.places if get.target is not None else ():
             if place.relation == "between" and place.what is not None:
@@ -414,7 +507,11 @@ class Reader:
                     holder = next((p.what for p in cut.places if p.what is not None and p.relation == "of"), None)
                     if cut.noun in ("floor", "bottom", "ground", "base") and holder is not None:
                         cut = holder
-                    yield _Draft(Distance(cut, Behind(), "surfaces"), {**features, "material_under": 1.0}, used | remaining | under | mention.used)
+                    yield _Draft(
+                        Distance(cut, Behind(), "surfaces"),
+                        {**features, "material_under": 1.0},
+                        used | remaining | under | mention.used,
+                    )
 
     def _with_axis(self, draft: _Draft) -> Iterator[_Draft]:
         """'How long is it in y direction?' is the extent along y."""
@@ -422,7 +519,15 @@ class Reader:
         axis, used = self._axis(draft.used)
         get = draft.form
         assert isinstance(get, Get)
-        along = (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.MAGNITUDE, Measure.SIZE, Measure.THICKNESS)
+        along = (
+            Measure.LENGTH,
+            Measure.WIDTH,
+            Measure.HEIGHT,
+            Measure.DEPTH,
+            Measure.MAGNITUDE,
+            Measure.SIZE,
+            Measure.THICKNESS,
+        )
         if axis is not None and axis < LONGEST and len(get.measures) == 1:
             if get.measures[0] in along:
                 extent = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis]
@@ -432,13 +537,19 @@ class Reader:
                 yield _Draft(replace(get, measures=(point,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
         if get.measures == (Measure.WIDTH,) and any(text.is_word(i, "flat") for i in range(len(text))):
             flats = {i for i in range(len(text)) if text.is_word(i, "across", "over", "flat", "between")}
-            yield _Draft(replace(get, measures=(Measure.ACROSS_FLATS,)), {**draft.features, "along_axis": 1.0}, draft.used | flats)
+            yield _Draft(
+                replace(get, measures=(Measure.ACROSS_FLATS,)),
+                {**draft.features, "along_axis": 1.0},
+                draft.used | flats,
+            )
         yield draft
 
     def _axis(self, taken: set[int]) -> tuple[int | None, set[int]]:
         text = self.text
         for at in range(len(text) - 1):
-            if text.find(at, "axis_preposition") and (side := text.find(text.skip(at + 1, "article"), "measure", "adjective")):
+            if text.find(at, "axis_preposition") and (
+                side := text.find(text.skip(at + 1, "article"), "measure", "adjective")
+            ):
                 words = text.words[side.start : side.end]
                 named = {"width": 0, "depth": 1, "height": 2}.get(words[0] if words else "")
                 if named is not None and text.is_word(at, "along") and at not in taken:
@@ -450,7 +561,9 @@ class Reader:
         for span in text.all("axis"):
             if span.start in taken:
                 continue
-            lead = text.find(span.start - 1, "axis_preposition") or (text.is_word(span.start - 1, "the") and text.find(span.start - 2, "axis_preposition"))
+            lead = text.find(span.start - 1, "axis_preposition") or (
+                text.is_word(span.start - 1, "the") and text.find(span.start - 2, "axis_preposition")
+            )
             if lead or span.end - span.start > 1 or text.is_word(span.start, "horizontally", "vertically"):
                 return span.value, set(range(max(0, span.start - 2), span.end))
         return None, set()
@@ -477,7 +590,11 @@ class Reader:
         text = self.text
         used: set[int] = set()
         if asked.reduce is not None:
-            if asked.reduce is not Reduce.TOTAL or (target is not None and target.plural and asked.measures[0] in ADDITIVE | {Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH}):
+            if asked.reduce is not Reduce.TOTAL or (
+                target is not None
+                and target.plural
+                and asked.measures[0] in ADDITIVE | {Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH}
+            ):
                 return asked.reduce, used
         start, end = self.asking
         for category, meaning in (("different", Reduce.DIFFERENT), ("mean", Reduce.MEAN), ("total", Reduce.TOTAL)):
@@ -485,7 +602,9 @@ class Reader:
                 span = text.find(at, category)
                 if span is None or text.is_word(at - 1, "i", "we", "you"):
                     continue
-                if meaning is Reduce.TOTAL and not (target is not None and target.plural and asked.measures[0] in ADDITIVE):
+                if meaning is Reduce.TOTAL and not (
+                    target is not None and target.plural and asked.measures[0] in ADDITIVE
+                ):
                     used |= set(range(at, span.end))
                     continue
                 return meaning, set(range(at, span.end))
@@ -495,14 +614,22 @@ class Reader:
         plural_measure = any(text.tokens[i].plural for i in range(asked.start, asked.end))
         if each or (target.plural and not target.sample):
             return Reduce.EACH, used | each
-        return (Reduce.EACH if plural_measure and not target.definite and asked.measures[0] not in (Measure.SIZE,) and target.plural else Reduce.ONE), used
+        return (
+            Reduce.EACH
+            if plural_measure and not target.definite and asked.measures[0] not in (Measure.SIZE,) and target.plural
+            else Reduce.ONE
+        ), used
 
     # Counting
 
     def _counts(self) -> Iterator[_Draft]:
         text = self.text
         for span in text.all("count"):
-            if text.is_word(span.start, "how") and text.is_word(span.start + 1, "much") and text.find(span.end, "scale"):
+            if (
+                text.is_word(span.start, "how")
+                and text.is_word(span.start + 1, "much")
+                and text.find(span.end, "scale")
+            ):
                 continue
             if self._is_unit(span.end) or (text.is_word(span.start + 1, "much") and text.is_word(span.start - 1, "by")):
                 continue
@@ -522,7 +649,11 @@ class Reader:
             after = [m for m in self.mentions if m.head >= at and not m.pronoun]
             before = [m for m in self.mentions if m.end <= span.start and not m.pronoun]
             for index, mention in enumerate(after[:3]):
-                link = "count_next" if index == 0 and all(not text.is_content(i) for i in range(at, max(at, mention.start))) else "count_far"
+                link = (
+                    "count_next"
+                    if index == 0 and all(not text.is_content(i) for i in range(at, max(at, mention.start)))
+                    else "count_far"
+                )
                 yield from self._count_of(mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
             for mention in before[-2:]:
                 yield from self._count_of(mention, used, {"count_before": 1.0, **elsewhere}, [])
@@ -537,14 +668,22 @@ class Reader:
             phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
             if adjective is not None and phrase in text.lexicon.nouns:
                 query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
-                yield _Draft(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *range(adjective.start, adjective.end)})
+                yield _Draft(
+                    Count(query),
+                    {"count_next": 1.0, "treated": 1.0},
+                    used | {at, *range(adjective.start, adjective.end)},
+                )
 
     def _different_counts(self, used: set[int], measure: Span) -> Iterator[_Draft]:
         for mention in self.mentions:
             if mention.query is not None and mention.start >= measure.end:
-                yield _Draft(Count(mention.query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
+                yield _Draft(
+                    Count(mention.query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used
+                )
 
-    def _count_of(self, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[_Draft]:
+    def _count_of(
+        self, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
+    ) -> Iterator[_Draft]:
         """How many of them; of another part's where one is named: 'how many teeth does the gear have?'"""
         query = mention.query
         if query is None:
@@ -567,18 +706,30 @@ class Reader:
                 continue
             if span.start > 0 and text.find(span.start - 1, "count", "ask", "noun", "scale"):
                 continue
-            for index, mention in enumerate([m for m in self.mentions if m.start >= span.start and m.query is not None][:2]):
+            for index, mention in enumerate(
+                [m for m in self.mentions if m.start >= span.start and m.query is not None][:2]
+            ):
                 if mention.query is not None:
-                    yield _Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, set(range(span.start, span.end)) | mention.used)
+                    yield _Draft(
+                        Exists(mention.query),
+                        {"exists": 1.0, "count_far": float(index)},
+                        set(range(span.start, span.end)) | mention.used,
+                    )
         start = self.asking[0]
         if text.find(start, "do", "have") or text.is_word(start, "any"):
             owned = [m for m in self.mentions if m.start >= start]
             for index, mention in enumerate(owned[:2]):
                 if mention.query is not None:
-                    yield _Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used)
+                    yield _Draft(
+                        Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used
+                    )
                     if index == 1 and owned[0].query is not None:
-                        placed = replace_fields(mention.query, places=(*mention.query.places, Place(relation="of", what=owned[0].query)))
-                        yield _Draft(Exists(placed), {"exists": 1.0, "owner_before": 1.0}, {start} | mention.used | owned[0].used)
+                        placed = replace_fields(
+                            mention.query, places=(*mention.query.places, Place(relation="of", what=owned[0].query))
+                        )
+                        yield _Draft(
+                            Exists(placed), {"exists": 1.0, "owner_before": 1.0}, {start} | mention.used | owned[0].used
+                        )
 
     # Distances and angles
 
@@ -599,8 +750,22 @@ class Reader:
         text = self.text
         reach = next((span for span in text.all("reach")), None)
         nouns = [m for m in self.mentions if m.query is not None and not m.pronoun]
-        word = next((i for i in range(len(text)) if text.is_word(i, "above", "over", "beyond", "past", "below", "proud", "higher", "out")), None)
-        if word is None or len(nouns) < 1 or not (reach or any(text.is_word(i, "projection", "overhang", "protrusion", "much", "far") for i in range(len(text)))):
+        word = next(
+            (
+                i
+                for i in range(len(text))
+                if text.is_word(i, "above", "over", "beyond", "past", "below", "proud", "higher", "out")
+            ),
+            None,
+        )
+        if (
+            word is None
+            or len(nouns) < 1
+            or not (
+                reach
+                or any(text.is_word(i, "projection", "overhang", "protrusion", "much", "far") for i in range(len(text)))
+            )
+        ):
             return
         planes = [one for one in self._planes() if isinstance(one[1], Plane)]
         plane = next((one for one in planes if one[0] >= word), None)
@@ -612,36 +777,85 @@ class Reader:
             yield _Draft(Distance(Plane(plane[1].side, first), plane[1]), {"overhang": 1.0}, used | plane[2])
         elif len(nouns) > 1 and nouns[1].query is not None and nouns[1].head > word:
             side = Side.BOTTOM if text.is_word(word, "below") else Side.TOP
-            yield _Draft(Distance(Plane(side, first), Plane(side, nouns[1].query)), {"overhang": 1.0, "overhang_side": 1.0}, used | nouns[1].used)
+            yield _Draft(
+                Distance(Plane(side, first), Plane(side, nouns[1].query)),
+                {"overhang": 1.0, "overhang_side": 1.0},
+                used | nouns[1].used,
+            )
         if first.places:
             for place in first.places:
                 if place.what is not None and place.relation in ("above", "below", "of", "on"):
                     bare = replace_fields(first, places=tuple(p for p in first.places if p is not place))
                     side = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
-                    yield _Draft(Distance(Plane(side, bare), Plane(side, place.what)), {"overhang": 1.0, "overhang_side": 1.0}, used)
+                    yield _Draft(
+                        Distance(Plane(side, bare), Plane(side, place.what)),
+                        {"overhang": 1.0, "overhang_side": 1.0},
+                        used,
+                    )
 
     def _distance_words(self) -> Iterator[tuple[int, int, str, set[int]]]:
         text = self.text
-        named = any(text.find(i, "distance", "gap", "count") or (s := text.find(i, "measure")) and s.value is not Measure.POSITION for i in range(len(text)))
+        named = any(
+            text.find(i, "distance", "gap", "count")
+            or ((s := text.find(i, "measure")) and s.value is not Measure.POSITION)
+            for i in range(len(text))
+        )
         centred = any(text.find(i, "center_to_center") for i in range(len(text)))
         joined = any(text.is_word(i, "to", "above", "from") for i in range(1, len(text) - 1)) and len(self.mentions) > 1
         if not named and (centred or joined):
-            yield 0, 0, "centers" if centred else "usual", {i for i in range(len(text)) if text.is_word(i, "to", "above", "from")}
+            yield (
+                0,
+                0,
+                "centers" if centred else "usual",
+                {i for i in range(len(text)) if text.is_word(i, "to", "above", "from")},
+            )
         for span in text.all("distance", "gap"):
             if self._in_question(span.start):
-                yield span.start, span.end, "surfaces" if span.category == "gap" else "usual", set(range(span.start, span.end))
+                yield (
+                    span.start,
+                    span.end,
+                    "surfaces" if span.category == "gap" else "usual",
+                    set(range(span.start, span.end)),
+                )
         for at in range(*self.asking):
-            if text.is_word(at, "how") and (text.is_word(at + 1, "far") or (text.is_word(at + 1, "much") and any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text)))))):
+            if text.is_word(at, "how") and (
+                text.is_word(at + 1, "far")
+                or (
+                    text.is_word(at + 1, "much")
+                    and any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
+                )
+            ):
                 if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
-                    apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
+                    apart = {
+                        i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")
+                    }
                     yield at, at + 2, "usual", {at, at + 1} | apart
-            elif text.is_word(at, "how") and (scale := text.find(at + 1, "scale")) and scale.value.measure is Measure.HEIGHT:
+            elif (
+                text.is_word(at, "how")
+                and (scale := text.find(at + 1, "scale"))
+                and scale.value.measure is Measure.HEIGHT
+            ):
                 if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
                     yield at, scale.end, "height", set(range(at, scale.end))
-            elif (span := text.find(at, "measure")) and span.value in (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH):
-                above = any(text.is_word(i, "above", "over", "below", "between", "from", "off") for i in range(span.end, len(text)))
+            elif (span := text.find(at, "measure")) and span.value in (
+                Measure.HEIGHT,
+                Measure.THICKNESS,
+                Measure.Z,
+                Measure.WIDTH,
+                Measure.LENGTH,
+                Measure.DEPTH,
+            ):
+                above = any(
+                    text.is_word(i, "above", "over", "below", "between", "from", "off")
+                    for i in range(span.end, len(text))
+                )
                 if above:
-                    yield span.start, span.end, "height" if span.value in (Measure.HEIGHT, Measure.Z) else "surfaces", set(range(span.start, span.end))
+                    yield (
+                        span.start,
+                        span.end,
+                        "height" if span.value in (Measure.HEIGHT, Measure.Z) else "surfaces",
+                        set(range(span.start, span.end)),
+                    )
 
     def _mode(self, mode: str) -> tuple[str, set[int]]:
         text = self.text
@@ -649,7 +863,11 @@ class Reader:
         if centred:
             return "centers", centred
         facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
-        facing |= {i for i in range(len(text)) if text.find(i, "remaining") and any(text.is_word(j, "between") for j in range(len(text)))}
+        facing |= {
+            i
+            for i in range(len(text))
+            if text.find(i, "remaining") and any(text.is_word(j, "between") for j in range(len(text)))
+        }
         named = {i for i in range(len(text)) if text.words[i] in _CENTRE_OF and text.is_word(i + 1, "of")}
         if named:
             return "centers", named
@@ -690,7 +908,11 @@ class Reader:
                 found.append((at, Origin(), set(range(at, origin.end)), False))
             elif ground := text.find(at, "ground"):
                 found.append((at, Boundary(ground.value), set(range(at, ground.end)), False))
-            elif (side := text.find(at, "side")) and at > 0 and (text.find(at - 1, "article") or text.find(at - 1, "side_preposition")):
+            elif (
+                (side := text.find(at, "side"))
+                and at > 0
+                and (text.find(at - 1, "article") or text.find(at - 1, "side_preposition"))
+            ):
                 found.append((at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))), False))
         found += self._planes()
         found.sort(key=lambda one: one[0])
@@ -709,12 +931,18 @@ class Reader:
                 found.append((at, Plane(side.value, other.query), set(range(at, other.end)), False))
                 continue
             before = next((m for m in self.mentions if m.query is not None and m.head < at <= m.head + 2), None)
-            if before is not None and before.query is not None and (after > side.end or text.is_word(at, "top", "bottom", "underside")):
+            if (
+                before is not None
+                and before.query is not None
+                and (after > side.end or text.is_word(at, "top", "bottom", "underside"))
+            ):
                 bare = replace_fields(before.query, sides=(), ends=())
                 found.append((at, Plane(side.value, bare), set(before.used) | set(range(before.head, after)), False))
         return found
 
-    def _pairs(self, anchors: list[tuple[int, Anchor, set[int], bool]], start: int, end: int) -> Iterator[tuple[Anchor, object, set[int], Features]]:
+    def _pairs(
+        self, anchors: list[tuple[int, Anchor, set[int], bool]], start: int, end: int
+    ) -> Iterator[tuple[Anchor, object, set[int], Features]]:
         """Which two of the anchors; every two parts of a plural one; one from the middle or the outside of the model."""
         after = [one for one in anchors if one[0] >= start]
         before = [one for one in anchors if one[0] < start]
@@ -739,7 +967,12 @@ class Reader:
         middle = {i for i in range(len(text)) if text.is_word(i, "center", "middle")}
         for at, anchor, used, _ in [*after[:2], *before[-1:]]:
             if isinstance(anchor, Plane):
-                yield anchor, Boundary(Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite), used, {"from_plane": 1.0}
+                yield (
+                    anchor,
+                    Boundary(Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite),
+                    used,
+                    {"from_plane": 1.0},
+                )
             if isinstance(anchor, PartQuery):
                 if middle:
                     yield anchor, None, used | middle, {"from_middle": 1.0}
@@ -748,7 +981,12 @@ class Reader:
                         bare = replace_fields(anchor, places=tuple(p for p in anchor.places if p is not place))
                         yield bare, place.what, used, {"place_as_anchor": 1.0}
                 for side in anchor.sides:
-                    yield replace_fields(anchor, sides=tuple(s for s in anchor.sides if s is not side)), Boundary(side), used, {"side_as_anchor": 1.0}
+                    yield (
+                        replace_fields(anchor, sides=tuple(s for s in anchor.sides if s is not side)),
+                        Boundary(side),
+                        used,
+                        {"side_as_anchor": 1.0},
+                    )
 
     def _angles(self) -> Iterator[_Draft]:
         text = self.text
@@ -774,7 +1012,14 @@ class Reader:
         parts = [m for m in self.mentions if not m.pronoun]
         than = next((i for i in range(len(text)) if text.is_word(i, "than")), None)
         start = self.asking[0]
-        comparative = next((text.find(i, "scale") for i in range(start, len(text)) if (s := text.find(i, "scale")) and s.value.degree in ("more", "less")), None)
+        comparative = next(
+            (
+                text.find(i, "scale")
+                for i in range(start, len(text))
+                if (s := text.find(i, "scale")) and s.value.degree in ("more", "less")
+            ),
+            None,
+        )
         if than is not None and comparative is not None:
             left = [m for m in parts if m.end <= than or m.start < than]
             right = [m for m in parts if m.start > than]
@@ -783,14 +1028,18 @@ class Reader:
                 used = {than} | set(range(comparative.start, comparative.end)) | left[-1].used | right[0].used
                 a, b = Get((measure,), left[-1].query), Get((measure,), right[0].query)
                 if any(text.is_word(i, "much") for i in range(start, comparative.start)):
-                    yield _Draft(Combine("apart", a, b), {"combined": 1.0}, used | {i for i in range(start, comparative.start)})
+                    yield _Draft(
+                        Combine("apart", a, b), {"combined": 1.0}, used | {i for i in range(start, comparative.start)}
+                    )
                 elif text.find(start, "be", "do") or text.is_word(start, "which"):
                     relation = Relation.MORE if comparative.value.degree == "more" else Relation.LESS
                     yield _Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
         word = next((i for i in range(start, len(text)) if text.is_word(i, "ratio", "difference", "sum")), None)
         if word is None:
             return
-        operation: Literal["ratio", "apart", "plus"] = {"ratio": "ratio", "difference": "apart", "sum": "plus"}[text.words[word]]  # type: ignore[assignment]
+        operation: Literal["ratio", "apart", "plus"] = {"ratio": "ratio", "difference": "apart", "sum": "plus"}[
+            text.words[word]
+        ]  # type: ignore[assignment]
         asked = [one for one in self._asked() if one.start > word]
         owners = [m for m in parts if m.start > word]
         if not asked:
@@ -798,10 +1047,20 @@ class Reader:
         used = {word} | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
         measures = [measure for one in asked for measure in one.measures]
         if len(measures) > 1:
-            targets: list[Target] = [m.query for m in owners[:2]] if len(owners) > 1 else [owners[0].query] * 2 if owners else [None, None]
-            yield _Draft(Combine(operation, Get((measures[0],), targets[0]), Get((measures[1],), targets[1])), {"combined": 1.0}, used)
+            targets: list[Target] = (
+                [m.query for m in owners[:2]] if len(owners) > 1 else [owners[0].query] * 2 if owners else [None, None]
+            )
+            yield _Draft(
+                Combine(operation, Get((measures[0],), targets[0]), Get((measures[1],), targets[1])),
+                {"combined": 1.0},
+                used,
+            )
         elif len(owners) > 1:
-            yield _Draft(Combine(operation, Get((measures[0],), owners[0].query), Get((measures[0],), owners[1].query)), {"combined": 1.0}, used)
+            yield _Draft(
+                Combine(operation, Get((measures[0],), owners[0].query), Get((measures[0],), owners[1].query)),
+                {"combined": 1.0},
+                used,
+            )
 
     # Yes or no
 
@@ -815,8 +1074,17 @@ class Reader:
         parts = [m for m in self.mentions if m.start >= start and not (m.pronoun and len(self.mentions) > 1)]
         if text.is_word(start + 1, "there"):
             return
-        if len(parts) > 1 and parts[0].query is not None and parts[1].query is not None and text.is_word(parts[1].start, "a", "an"):
-            yield _Draft(Every(parts[0].query, replace_fields(parts[1].query, plural=True)), {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
+        if (
+            len(parts) > 1
+            and parts[0].query is not None
+            and parts[1].query is not None
+            and text.is_word(parts[1].start, "a", "an")
+        ):
+            yield _Draft(
+                Every(parts[0].query, replace_fields(parts[1].query, plural=True)),
+                {"check": 1.0, "predicate": 1.0},
+                {start} | parts[0].used | parts[1].used,
+            )
         for index, mention in enumerate(parts[:2]):
             target = mention.query
             base: Features = {"check": 1.0, "count_far": float(index)}
@@ -824,7 +1092,9 @@ class Reader:
             same = {i for i in range(start, len(text)) if text.find(i, "same")}
             if same and target is not None:
                 for one in asked or [_Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
-                    yield _Draft(Uniform(Get(one.measures, replace_fields(target, plural=True))), base, used | same | one.used)
+                    yield _Draft(
+                        Uniform(Get(one.measures, replace_fields(target, plural=True))), base, used | same | one.used
+                    )
             for word, square in (("parallel", False), ("perpendicular", True)):
                 at = {i for i in range(start, len(text)) if text.find(i, word)}
                 if at and target is not None:
@@ -842,7 +1112,11 @@ class Reader:
             if target is not None:
                 yield from self._predicates(mention, target, base, used)
             if target is not None and (target.adjectives or target.lacking):
-                bare = replace_fields(target, adjectives=target.adjectives[:-1] if not target.lacking else target.adjectives, lacking=target.lacking[:-1])
+                bare = replace_fields(
+                    target,
+                    adjectives=target.adjectives[:-1] if not target.lacking else target.adjectives,
+                    lacking=target.lacking[:-1],
+                )
                 if self._adjective_last(mention):
                     yield _Draft(Every(bare, target), base, used)
             if target is not None and target.sides:
@@ -865,14 +1139,25 @@ class Reader:
         """Where a clause begins that is answered by yes or no."""
         text = self.text
         start, end = self.asking
-        if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or (text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n")):
+        if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or (
+            text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n")
+        ):
             return start
         for at in range(start, end):
             if text.find(at, "be", "do") and not text.find(at, "ask", "count"):
                 lead = range(start, at)
-                if text.is_word(at - 1, "there") or any(text.is_word(i, "what", "how", "which", "where") for i in range(start, end)):
+                if text.is_word(at - 1, "there") or any(
+                    text.is_word(i, "what", "how", "which", "where") for i in range(start, end)
+                ):
                     return None
-                if all(text.find(i, "chatter", "courtesy", "imperative", "function") or text.is_word(i, ",", "if", "whether") for i in lead) and not any(text.find(i, "ask", "where", "count", "noun", "measure") and not text.is_word(i, "that", "this") for i in lead):
+                if all(
+                    text.find(i, "chatter", "courtesy", "imperative", "function")
+                    or text.is_word(i, ",", "if", "whether")
+                    for i in lead
+                ) and not any(
+                    text.find(i, "ask", "where", "count", "noun", "measure") and not text.is_word(i, "that", "this")
+                    for i in lead
+                ):
                     return at
                 return None
         return None
@@ -885,16 +1170,25 @@ class Reader:
                 return found[0], set(range(begin, found[1]))
         return None
 
-    def _checked(self, target: Target, size: SizeFilter, asked: Sequence[_Asked], base: Features, used: set[int]) -> Iterator[_Draft]:
+    def _checked(
+        self, target: Target, size: SizeFilter, asked: Sequence[_Asked], base: Features, used: set[int]
+    ) -> Iterator[_Draft]:
         measure = size.measure or (asked[0].measures[0] if asked else Measure.MAGNITUDE)
         tokens = set(used)
         for one in asked:
             tokens |= one.used
-        relation = Relation.AT_LEAST if size.relation is Relation.EQUAL and any(self.text.is_word(i, "least") for i in range(len(self.text))) else size.relation
+        relation = (
+            Relation.AT_LEAST
+            if size.relation is Relation.EQUAL and any(self.text.is_word(i, "least") for i in range(len(self.text)))
+            else size.relation
+        )
         yield _Draft(Check(Get((measure,), target), relation, size.low, size.high), base, tokens)
 
     def _adjective_last(self, mention: Mention) -> bool:
-        return (self.text.find(mention.end - 1, "adjective", "trait") is not None and self.text.find(mention.end - 1, "noun") is None) or mention.head < mention.end - 1
+        return (
+            self.text.find(mention.end - 1, "adjective", "trait") is not None
+            and self.text.find(mention.end - 1, "noun") is None
+        ) or mention.head < mention.end - 1
 
     # Which, and nothing but a part
 
@@ -902,12 +1196,24 @@ class Reader:
         """'Which holes are deeper than 11 mm?', 'On which side is the slot?', 'What is the largest hole?'"""
         text = self.text
         start = self.asking[0]
-        side = next((i for i in range(start, len(text) - 1) if text.is_word(i, "which", "what") and (text.is_word(i + 1, "side") or (text.is_word(i + 1, "face") and text.is_word(i - 1, "on", "in")))), None)
+        side = next(
+            (
+                i
+                for i in range(start, len(text) - 1)
+                if text.is_word(i, "which", "what")
+                and (text.is_word(i + 1, "side") or (text.is_word(i + 1, "face") and text.is_word(i - 1, "on", "in")))
+            ),
+            None,
+        )
         for index, mention in enumerate([m for m in self.mentions if m.query is not None and m.start >= start][:3]):
             query = mention.query
             assert query is not None
             if side is not None:
-                yield _Draft(Get((Measure.SIDES,), query), {"which_side": 1.0, "count_far": float(index)}, {side - 1, side, side + 1} | mention.used)
+                yield _Draft(
+                    Get((Measure.SIDES,), query),
+                    {"which_side": 1.0, "count_far": float(index)},
+                    {side - 1, side, side + 1} | mention.used,
+                )
             lead = range(start, mention.start + 1)
             if any(text.is_word(i, "which", "list", "show", "name", "mark", "highlight") for i in lead) and index == 0:
                 yield _Draft(Parts(query), {"which": 1.0}, {i for i in lead if not text.is_content(i)} | mention.used)
