@@ -78,6 +78,11 @@ class Span:
     category: str
     value: Any
 
+    @property
+    def tokens(self) -> range:
+        """Where its tokens are."""
+        return range(self.start, self.end)
+
 
 @dataclass
 class Lexicon:

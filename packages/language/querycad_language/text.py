@@ -54,6 +54,18 @@ class Text:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
 
+    def has(self, *words: str) -> bool:
+        """Does one of these words occur at all?"""
+        return any(word in words for word in self.words)
+
+    def at_words(self, *words: str) -> set[int]:
+        """Where these words stand."""
+        return {at for at, word in enumerate(self.words) if word in words}
+
+    def at_phrases(self, *categories: str) -> set[int]:
+        """Where phrases of these categories begin."""
+        return {at for at in range(len(self.tokens)) if self.find(at, *categories)}
+
     def skip(self, at: int, *categories: str) -> int:
         """Where the words of these categories that begin here end."""
         while (span := self.find(at, *categories)) is not None:
