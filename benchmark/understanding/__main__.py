@@ -1,7 +1,7 @@
 """`python -m benchmark.understanding`: collect candidates, fit the weights, print the cross-validated score.
 
-    python -m benchmark.understanding fit              collect, cross-validate, fit, write weights.toml and the figures
-    python -m benchmark.understanding score FILE ...   the score of questions that nothing was fitted on
+python -m benchmark.understanding fit              collect, cross-validate, fit, write weights.toml and the figures
+python -m benchmark.understanding score FILE ...   the score of questions that nothing was fitted on
 """
 
 from __future__ import annotations
@@ -30,7 +30,9 @@ def main() -> int:
     parser.add_argument("command", choices=("fit", "score"))
     parser.add_argument("files", nargs="*", type=Path, help="of score: files of questions as in benchmark/asked")
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights")
+    parser.add_argument(
+        "--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights"
+    )
     options = parser.parse_args()
     return _fit(options.jobs, options.rounds) if options.command == "fit" else _score(options.files, options.jobs)
 
@@ -47,7 +49,10 @@ def _fit(jobs: int, rounds: int) -> int:
         _write(table, calibration, data, right)
     print(text)
     curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
-    RESULTS.write_text(json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n", encoding="utf-8")
+    RESULTS.write_text(
+        json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n",
+        encoding="utf-8",
+    )
     return 0
 
 

@@ -1,4 +1,4 @@
-"""The candidates of every question with their features and whether their value is right: what the weights are fitted on."""
+"""The candidates of every question, with features and whether their value is right: what the weights are fitted on."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from querycad_segworker.model import ModelStore
 from .data import Question, is_right
 
 LIMIT = 10
-"""Candidates of a question that are run for fitting; more than are run for an answer, so that weights see what was wrong."""
+"""Candidates of a question that are run for fitting; more than for an answer, so that weights see what was wrong."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +50,7 @@ def collect(asked: Sequence[Question], store: Path, jobs: int = 2) -> list[Row]:
     ordered = sorted(asked, key=lambda one: str(one.file))
     groups = [list(group) for _, group in groupby(ordered, key=lambda one: str(one.file))]
     with ProcessPoolExecutor(jobs) as pool:
-        rows = [row for part in pool.map(_of_model, groups, [store] * len(groups)) for row in part]
-    return rows
+        return [row for part in pool.map(_of_model, groups, [store] * len(groups)) for row in part]
 
 
 def _of_model(asked: Sequence[Question], store: Path) -> list[Row]:
@@ -79,7 +78,12 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
         except FileProblem as problem:  # a measurement that the kernel could not make
             outcome = RunOutcome(status=RunStatus.CRASHED, message=str(problem))
         if outcome.status is not RunStatus.OK:
-            if outcome.status is RunStatus.RAISED and "has no" not in outcome.message and "not grounded" not in outcome.message and "empty" not in outcome.message:
+            if (
+                outcome.status is RunStatus.RAISED
+                and "has no" not in outcome.message
+                and "not grounded" not in outcome.message
+                and "empty" not in outcome.message
+            ):
                 print(f"{one.question!r}: {outcome.message[:200]}\n{candidate.written.code}", file=sys.stderr)
             found.append(Tried({**candidate.features, "run_failed": 1.0}, None, False, candidate.written.code))
             continue

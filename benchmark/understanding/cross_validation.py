@@ -45,7 +45,9 @@ def cross_validated(rows: Sequence[Row], prior: Table) -> list[Told]:
     told = []
     for name, left_out in sorted(folds.items()):
         models = {row.question.model for row in left_out}
-        others = [row for other, group in folds.items() if other != name for row in group if row.question.model not in models]
+        others = [
+            row for other, group in folds.items() if other != name for row in group if row.question.model not in models
+        ]
         told += judged(left_out, *weights_of(others, prior))
     return told
 
@@ -62,7 +64,9 @@ def judged(rows: Sequence[Row], table: Table, calibration: Table) -> list[Told]:
     for row in rows:
         answer = answered(row, table)
         reachable = any(one.right for one in row.tried)
-        found.append(Told(fold_of(row), row.question.writer, answer.right, reachable, answer.refused, sure(answer, calibration)))
+        found.append(
+            Told(fold_of(row), row.question.writer, answer.right, reachable, answer.refused, sure(answer, calibration))
+        )
     return found
 
 

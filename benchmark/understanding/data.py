@@ -14,8 +14,8 @@ from typing import Any
 SHARED = Path("../shared")
 OWN = Path("build/benchmark")
 SI = {
-    "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6, "mm3": 1e-9,
-    "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,
+    "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6,
+    "mm3": 1e-9, "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,
 }  # fmt: skip
 
 
@@ -46,7 +46,14 @@ def _own(held_out: bool) -> Iterator[Question]:
         if (data["split"] == "held_out") != held_out:
             continue
         for item in data["items"]:
-            yield Question(f"own:{path.stem}", OWN / data["model"], item.get("writer", "own"), item["question"], item["value"], item["type"])
+            yield Question(
+                f"own:{path.stem}",
+                OWN / data["model"],
+                item.get("writer", "own"),
+                item["question"],
+                item["value"],
+                item["type"],
+            )
 
 
 def _examples() -> Iterator[Question]:
@@ -54,7 +61,14 @@ def _examples() -> Iterator[Question]:
         data = json.loads(path.read_text(encoding="utf-8"))
         name = path.name.removesuffix(".questions.json")
         for item in data["items"] if isinstance(data, dict) else data:
-            yield Question(f"own:{name}", Path("examples") / f"{name}.step", "examples", item["question"], item["value"], item["type"])
+            yield Question(
+                f"own:{name}",
+                Path("examples") / f"{name}.step",
+                "examples",
+                item["question"],
+                item["value"],
+                item["type"],
+            )
 
 
 def model_file(model: str) -> Path:
@@ -70,7 +84,9 @@ def asked(path: Path) -> Iterator[Question]:
     """The questions of one hand."""
     data = json.loads(path.read_text(encoding="utf-8"))
     for item in data["items"]:
-        yield Question(item["model"], model_file(item["model"]), data["hand"], item["question"], item["value"], item["type"])
+        yield Question(
+            item["model"], model_file(item["model"]), data["hand"], item["question"], item["value"], item["type"]
+        )
 
 
 def _asked() -> Iterator[Question]:
@@ -86,8 +102,17 @@ def _facts() -> Iterator[Question]:
                 answer = fact["answer"]
                 scale = SI[fact["unit"]]
                 value = [v * scale for v in answer] if isinstance(answer, list) else answer * scale
-                kind = {"count": "count", "mass": "mass", "angle": "angle", "volume": "volume"}.get(fact["type"], "length")
-                yield Question(f"shared:{file.relative_to(SHARED)}", file, f"facts:{path.parent.name}", fact["question"], value, kind)
+                kind = {"count": "count", "mass": "mass", "angle": "angle", "volume": "volume"}.get(
+                    fact["type"], "length"
+                )
+                yield Question(
+                    f"shared:{file.relative_to(SHARED)}",
+                    file,
+                    f"facts:{path.parent.name}",
+                    fact["question"],
+                    value,
+                    kind,
+                )
 
 
 def _published() -> Iterator[Question]:
@@ -99,7 +124,15 @@ def _published() -> Iterator[Question]:
             truth = None if pattern else ast.literal_eval(label)
             truth = sorted(truth) if isinstance(truth, set) else truth
             kind = "count" if isinstance(truth, int) or (pattern and "0." not in pattern) else "published"
-            yield Question(f"shared:{path.parent.relative_to(SHARED)}", path.parent / "cad.step", "cad-qa", question, truth, kind, pattern)
+            yield Question(
+                f"shared:{path.parent.relative_to(SHARED)}",
+                path.parent / "cad.step",
+                "cad-qa",
+                question,
+                truth,
+                kind,
+                pattern,
+            )
 
 
 def is_right(value: Any, one: Question) -> bool:
@@ -107,7 +140,9 @@ def is_right(value: Any, one: Question) -> bool:
     if value is None:
         return False
     if one.pattern is not None:
-        return any(_close(value, ast.literal_eval(option), one.kind) for option in re.sub(r"[()]", "", one.pattern).split("|"))
+        return any(
+            _close(value, ast.literal_eval(option), one.kind) for option in re.sub(r"[()]", "", one.pattern).split("|")
+        )
     return _close(value, one.truth, one.kind)
 
 
@@ -129,11 +164,17 @@ def _close(value: Any, truth: Any, kind: str) -> bool:
 
     if kind in ("point", "size", "direction") and len(want) == 3:
         rows = [got[i : i + 3] for i in range(0, len(got), 3)]
-        return bool(rows) and all(len(row) == 3 and all(map(close, row if kind != "size" else sorted(row), want if kind != "size" else sorted(want))) for row in rows)
+        return bool(rows) and all(
+            len(row) == 3
+            and all(map(close, row if kind != "size" else sorted(row), want if kind != "size" else sorted(want)))
+            for row in rows
+        )
     if len(want) == 1:
         return bool(got) and all(close(v, want[0]) for v in got)
     if kind == "points":
-        return sorted(map(_key, _rows(got))) == sorted(map(_key, _rows(want))) or _matched(_rows(got), _rows(want), close)
+        return sorted(map(_key, _rows(got))) == sorted(map(_key, _rows(want))) or _matched(
+            _rows(got), _rows(want), close
+        )
     return len(got) == len(want) and all(map(close, sorted(got), sorted(want)))
 
 

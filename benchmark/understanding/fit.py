@@ -1,7 +1,8 @@
 """Fits the weights that rank readings: a log-linear model with the programs latent, learned from the truths alone.
 
-The probability of a candidate is the softmax of its features times the weights; a question's likelihood is the probability of all
-candidates whose value is right (several programs can give it). L2 keeps weights near their rough first guess.
+The probability of a candidate is the softmax of its features times the weights; a question's likelihood is the
+probability of all candidates whose value is right (several programs can give it). L2 keeps weights near their rough
+first guess.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from scipy.special import logsumexp
 
 from querycad_answering.ranking import confidence, doubts, key, odds
 
-from .collect import Row, Tried
+from .collect import Row
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
@@ -52,7 +53,9 @@ def fit(rows: Sequence[Row], prior: Table, l2: float = L2) -> Table:
         whole = _logsumexp(scores, begins, owner)
         good = _logsumexp(np.where(right, scores, -1e9), begins, owner)
         weight = np.exp(scores - whole[owner]) - np.where(right, np.exp(scores - good[owner]), 0.0)
-        return float((whole - good).sum()) + l2 * float(((w - start) ** 2).sum()), matrix.T @ weight + 2 * l2 * (w - start)
+        return float((whole - good).sum()) + l2 * float(((w - start) ** 2).sum()), matrix.T @ weight + 2 * l2 * (
+            w - start
+        )
 
     found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 300})
     return {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
@@ -64,7 +67,9 @@ def _logsumexp(scores: NDArray[np.float64], begins: NDArray[np.int64], owner: ND
     return np.asarray(top + np.log(np.add.reduceat(np.exp(scores - top[owner]), begins)))
 
 
-def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[NDArray[np.float64], list[tuple[int, int]], NDArray[np.bool_]]:
+def _matrix(
+    rows: Sequence[Row], index: dict[str, int]
+) -> tuple[NDArray[np.float64], list[tuple[int, int]], NDArray[np.bool_]]:
     """(candidates, features), the stretch of each question, and which candidates are right."""
     count = sum(len(row.tried) for row in rows)
     matrix = np.zeros((count, len(index)))
@@ -102,7 +107,12 @@ def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
     told = [one for one in (answered(row, table) for row in rows) if not one.refused]
     against = [doubts(one.features, one.score) for one in told]
     names = sorted({name for found in against for name in found})
-    matrix = np.array([[1.0, odds(one.probability), *(found[name] for name in names)] for one, found in zip(told, against, strict=True)])
+    matrix = np.array(
+        [
+            [1.0, odds(one.probability), *(found[name] for name in names)]
+            for one, found in zip(told, against, strict=True)
+        ]
+    )
     right = np.array([one.right for one in told], dtype=np.float64)
 
     weight = np.where(right > 0, 1.0, CAUTION)
@@ -120,6 +130,3 @@ def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
 def sure(one: Answered, calibration: Table) -> float:
     """The probability that an answer is right."""
     return 0.0 if one.refused else confidence(one.probability, one.features, one.score, calibration)
-
-
-__all__ = ["Answered", "Tried", "answered", "calibrate", "fit", "sure"]

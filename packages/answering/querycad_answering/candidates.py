@@ -1,4 +1,4 @@
-"""The candidates for an answer: every reading of a question on every way to ground it, as a program with its features."""
+"""The candidates for an answer: every reading of a question on every grounding, as a program with its features."""
 
 from __future__ import annotations
 
@@ -75,13 +75,13 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
                 written = write(reading.form, senses, whole, option)
             except Unwritable:
                 continue
-            features = _features(reading, grounds, written, whole)
+            features = _features(reading, grounds, written)
             yield Candidate(reading, grounds, written, features)
             if not written.grades:
                 break
 
 
-def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written, whole: Part) -> Features:
+def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
     for grounded in grounds.values():
@@ -213,6 +213,3 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
         ):
             features["value_is_extent"] = 1.0
     return replace(candidate, features=features, value=value)
-
-
-__all__ = ["Candidate", "Form", "candidates", "with_value"]

@@ -7,6 +7,7 @@ from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFi
 from .forms import (
     LONGEST,
     Angle,
+    Behind,
     Boundary,
     Check,
     Combine,
@@ -22,20 +23,21 @@ from .forms import (
     Plane,
     Reduce,
     Uniform,
-)  # fmt: skip
+)
 
 _MEASURES = {
-    Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y", Measure.Z_EXTENT: "extent along z",
-    Measure.POSITION: "centre", Measure.SIZE: "extents", Measure.CENTRE_LENGTH: "length from centre to centre", Measure.ACROSS_FLATS: "width across flats",
+    Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y",
+    Measure.Z_EXTENT: "extent along z", Measure.POSITION: "centre", Measure.SIZE: "extents",
+    Measure.CENTRE_LENGTH: "length from centre to centre", Measure.ACROSS_FLATS: "width across flats",
     Measure.ACROSS_CORNERS: "width across corners",
 }  # fmt: skip
 _RELATIONS = {
-    Relation.EQUAL: "", Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ", Relation.AT_MOST: "at most ",
-    Relation.MORE: "more than ", Relation.AT_LEAST: "at least ", Relation.BETWEEN: "",
+    Relation.EQUAL: "", Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ",
+    Relation.AT_MOST: "at most ", Relation.MORE: "more than ", Relation.AT_LEAST: "at least ", Relation.BETWEEN: "",
 }  # fmt: skip
 _REDUCES = {
-    Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ", Reduce.LARGEST: "largest ", Reduce.SMALLEST: "smallest ",
-    Reduce.EACH: "", Reduce.ONE: "",
+    Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ",
+    Reduce.LARGEST: "largest ", Reduce.SMALLEST: "smallest ", Reduce.EACH: "", Reduce.ONE: "",
 }  # fmt: skip
 _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
 
@@ -47,11 +49,23 @@ def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
             names = " and ".join(_measure(measure) for measure in measures)
             return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}"
         case Count(target, measure):
-            return f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"
+            return (
+                f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"
+            )
         case Distance(first, second, mode, axis, reduce):
             how = {"centers": "between centres ", "surfaces": "between surfaces ", "usual": ""}[mode]
-            along = "" if axis is None else " along " + ("x", "y", "z")[axis] if axis < LONGEST else " along a side of the model"
-            both = f"of {_anchor(first)} from each other" if second == "each other" else f"from {_anchor(first)} to {_anchor(second)}"
+            along = (
+                ""
+                if axis is None
+                else " along " + ("x", "y", "z")[axis]
+                if axis < LONGEST
+                else " along a side of the model"
+            )
+            both = (
+                f"of {_anchor(first)} from each other"
+                if second == "each other"
+                else f"from {_anchor(first)} to {_anchor(second)}"
+            )
             return f"{_REDUCES[reduce]}distance {how}{both}{along}"
         case Angle(first, second):
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
@@ -72,7 +86,6 @@ def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
         case Parts(target):
             return noun_phrase(target)
-    return ""
 
 
 def _measure(measure: Measure) -> str:
@@ -103,8 +116,15 @@ def noun_phrase(query: PartQuery | None) -> str:
         return ", ".join(query.ids)
     words = [str(query.count)] if query.count else []
     words += [_rank(rank) for rank in query.ranks if rank.measure or rank.side]
-    words += [side.value for side in query.ends] + [f"no {name}" for name in query.lacking] + list(query.colors) + list(query.unknown)
-    words += [name for name in query.adjectives if name not in query.noun.split()] + [name.upper() for name in query.threads]
+    words += (
+        [side.value for side in query.ends]
+        + [f"no {name}" for name in query.lacking]
+        + list(query.colors)
+        + list(query.unknown)
+    )
+    words += [name for name in query.adjectives if name not in query.noun.split()] + [
+        name.upper() for name in query.threads
+    ]
     words += [_plural(query.noun) if query.plural and query.noun else query.noun or "part"]
     tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
@@ -119,7 +139,9 @@ def _rank(rank: Rank) -> str:
     nth = {1: "", 2: "second ", 3: "third "}.get(rank.nth, f"{rank.nth}th ")
     if rank.side:
         return f"{nth}{rank.side.value}most"
-    return f"{nth}{'largest' if rank.most else 'smallest'}" + (f" (by {_measure(rank.measure)})" if rank.measure and rank.measure is not Measure.MAGNITUDE else "")
+    return f"{nth}{'largest' if rank.most else 'smallest'}" + (
+        f" (by {_measure(rank.measure)})" if rank.measure and rank.measure is not Measure.MAGNITUDE else ""
+    )
 
 
 def _size(size: SizeFilter) -> str:

@@ -13,6 +13,9 @@ from querycad_contracts import Measure, Relation, Side
 
 Order = Literal["size", "length", "width", "depth", "height", "thickness", "distance", "corner"]
 Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elongated"]
+Degree = Literal["positive", "more", "less", "most", "least"]
+DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
+"""The order of the lists of a scale in measures.toml."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +66,7 @@ class Scale:
     """An adjective of a measure: 'deep', 'deeper', 'deepest', 'shallower'."""
 
     measure: Measure
-    degree: Literal["positive", "more", "less", "most", "least"]
+    degree: Degree
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +77,11 @@ class Span:
     end: int
     category: str
     value: Any
+
+    @property
+    def tokens(self) -> range:
+        """Where its tokens are."""
+        return range(self.start, self.end)
 
 
 @dataclass
@@ -147,7 +155,8 @@ def _load(name: str) -> dict[str, Any]:
 
 
 def _sense(line: dict[str, Any]) -> Sense:
-    return Sense(**{key: tuple(value) if isinstance(value, list) else value for key, value in line.items()})
+    fields: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in line.items()}
+    return Sense(**fields)
 
 
 def _product(word: str) -> Noun:
@@ -172,27 +181,7 @@ def lexicon() -> Lexicon:
     _add_parts(lex, _load("parts"))
     _add_adjectives(lex, _load("adjectives")["adjective"])
     _add_measures(lex, _load("measures"))
-    factors = words.pop("factor")
-    for unit, names in words.pop("unit").items():
-        lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
-    for category in ("number", "ordinal"):
-        for word, value in words.pop(category)["words"].items():
-            lex.add(category, word, value)
-    for category in ("side", "view", "place_extreme"):
-        for side, names in words.pop(category).items():
-            _plain(lex, category, names, Side(side))
-    for side, names in words.pop("ground").items():
-        _plain(lex, "ground", names, Side(side))
-    for category in ("relation", "behind"):
-        for relation, names in words.pop(category).items():
-            _plain(lex, category, names, Relation(relation))
-    for index, names in enumerate(words.pop("axis").values()):
-        _plain(lex, "axis", names, index)
-    for category in ("place", "cannot_know"):
-        for value, names in words.pop(category).items():
-            _plain(lex, category, names, value)
-    for category, entry in words.items():
-        _plain(lex, category, entry["words"], category)
+    _add_words(lex, words)
     _add_standards(lex, _load("standards"))
     return lex
 
@@ -212,7 +201,9 @@ def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
 
 def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
     for entry in entries:
-        fields = {k: tuple(v) if isinstance(v, list) else v for k, v in entry.items() if k not in ("words", "nouns")}
+        fields: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in entry.items() if k not in ("words", "nouns")
+        }
         adjective = Adjective(entry["words"][0], **fields)
         for phrase in entry["words"]:
             lex.adjectives[phrase] = adjective
@@ -223,11 +214,40 @@ def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
         lex.adjectives.setdefault(adjective.name, adjective)
 
 
+def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
+    """The closed classes: every table that is not named here is a plain list of words."""
+    factors = words.pop("factor")
+    for unit, names in words.pop("unit").items():
+        lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
+    for category in ("number", "ordinal"):
+        for word, value in words.pop(category)["words"].items():
+            lex.add(category, word, value)
+    _add_sides(lex, words)
+    for category in ("relation", "behind"):
+        for relation, names in words.pop(category).items():
+            _plain(lex, category, names, Relation(relation))
+    for index, names in enumerate(words.pop("axis").values()):
+        _plain(lex, "axis", names, index)
+    for category in ("place", "cannot_know"):
+        for value, names in words.pop(category).items():
+            _plain(lex, category, names, value)
+    for category, entry in words.items():
+        _plain(lex, category, entry["words"], category)
+
+
+def _add_sides(lex: Lexicon, words: dict[str, Any]) -> None:
+    for category in ("side", "view", "place_extreme"):
+        for side, names in words.pop(category).items():
+            _plain(lex, category, names, Side(side))
+    for side, names in words.pop("ground").items():
+        _plain(lex, "ground", names, Side(side))
+
+
 def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, phrases in data["nouns"].items():
         _plain(lex, "measure", phrases, Measure(name))
     for name, degrees in data["scale"].items():
-        for degree, phrases in zip(("positive", "more", "less", "most", "least"), degrees, strict=True):
+        for degree, phrases in zip(DEGREES, degrees, strict=True):
             _plain(lex, "scale", phrases, Scale(Measure(name), degree))
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():

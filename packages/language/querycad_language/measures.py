@@ -1,4 +1,4 @@
-"""What a measure means of a part of a kind, as an expression of the guest API. docs/measures.md tells the same in words."""
+"""What a measure means of a part of a kind, as an expression of the guest API. docs/measures.md tells it in words."""
 
 from __future__ import annotations
 
@@ -10,9 +10,17 @@ from querycad_contracts import AnswerType, Measure, Part, Side
 Grade = Literal["own", "derived", "foreign", "missing"]
 """Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
 
-ROUND = frozenset(("hole", "boss", "cylinder", "cone", "sphere", "pipe", "ring", "torus", "counterbore", "countersink", "spotface", "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern", "ring_sector", "crossbar"))
-STANDING = frozenset(("boss", "crossbar", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump"))
-CUT = frozenset(("hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink", "spotface", "dimple", "cavity", "recess"))
+ROUND = frozenset([
+    "hole", "boss", "cylinder", "cone", "sphere", "pipe", "ring", "torus", "counterbore", "countersink", "spotface",
+    "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern", "ring_sector", "crossbar",
+])  # fmt: skip
+STANDING = frozenset(
+    ("boss", "crossbar", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump")
+)
+CUT = frozenset([
+    "hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink",
+    "spotface", "dimple", "cavity", "recess",
+])  # fmt: skip
 WHOLE = frozenset(("model", "body"))
 BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))
 
@@ -21,27 +29,36 @@ _ENDS = {
     Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
 }  # fmt: skip
 _LENGTHS = frozenset(Measure) - {
-    Measure.SIZE, Measure.HALF_SIZE, Measure.ANGLE, Measure.AREA, Measure.VOLUME, Measure.MASS, Measure.POSITION, Measure.OPENING, Measure.TIP,
-    *_ENDS, Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.NAME, Measure.KIND, Measure.COLOR, Measure.SIDES, Measure.BOTTOM, Measure.COUNT,
+    Measure.SIZE, Measure.HALF_SIZE, Measure.ANGLE, Measure.AREA, Measure.VOLUME, Measure.MASS, Measure.POSITION,
+    Measure.OPENING, Measure.TIP, *_ENDS, Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.NAME, Measure.KIND,
+    Measure.COLOR, Measure.SIDES, Measure.BOTTOM, Measure.COUNT,
 }  # fmt: skip
 _TYPES = {
-    Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.ANGLE: AnswerType.ANGLE, Measure.AREA: AnswerType.AREA,
-    Measure.VOLUME: AnswerType.VOLUME, Measure.MASS: AnswerType.NUMBER, Measure.POSITION: AnswerType.POINT, Measure.OPENING: AnswerType.POINT,
-    Measure.TIP: AnswerType.POINT, **dict.fromkeys(_ENDS, AnswerType.POINT), Measure.AXIS: AnswerType.DIRECTION, Measure.NORMAL: AnswerType.DIRECTION,
-    Measure.DIRECTION: AnswerType.DIRECTION, Measure.NAME: AnswerType.TEXT, Measure.KIND: AnswerType.TEXT, Measure.COLOR: AnswerType.TEXT,
-    Measure.SIDES: AnswerType.TEXTS, Measure.BOTTOM: AnswerType.TEXT, Measure.COUNT: AnswerType.COUNT,
+    Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.ANGLE: AnswerType.ANGLE,
+    Measure.AREA: AnswerType.AREA, Measure.VOLUME: AnswerType.VOLUME, Measure.MASS: AnswerType.NUMBER,
+    Measure.POSITION: AnswerType.POINT, Measure.OPENING: AnswerType.POINT, Measure.TIP: AnswerType.POINT,
+    **dict.fromkeys(_ENDS, AnswerType.POINT), Measure.AXIS: AnswerType.DIRECTION, Measure.NORMAL: AnswerType.DIRECTION,
+    Measure.DIRECTION: AnswerType.DIRECTION, Measure.NAME: AnswerType.TEXT, Measure.KIND: AnswerType.TEXT,
+    Measure.COLOR: AnswerType.TEXT, Measure.SIDES: AnswerType.TEXTS, Measure.BOTTOM: AnswerType.TEXT,
+    Measure.COUNT: AnswerType.COUNT,
 }  # fmt: skip
 _MANY = {
-    AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES, AnswerType.POINT: AnswerType.POINTS,
-    AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS, AnswerType.LENGTH: AnswerType.LENGTHS, AnswerType.ANGLE: AnswerType.ANGLES,
-    AnswerType.COUNT: AnswerType.NUMBERS, AnswerType.NUMBER: AnswerType.NUMBERS,
+    AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES,
+    AnswerType.POINT: AnswerType.POINTS, AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS,
+    AnswerType.LENGTH: AnswerType.LENGTHS, AnswerType.ANGLE: AnswerType.ANGLES, AnswerType.COUNT: AnswerType.NUMBERS,
+    AnswerType.NUMBER: AnswerType.NUMBERS,
 }  # fmt: skip
 
 
 def answer_type(measure: Measure, several: bool = False) -> AnswerType:
     """Which type have values of a measure?"""
     kind = _TYPES.get(measure, AnswerType.LENGTH)
-    return _MANY.get(kind, kind) if several else kind
+    return of_several(kind) if several else kind
+
+
+def of_several(kind: AnswerType) -> AnswerType:
+    """Which type has a list of such values?"""
+    return _MANY.get(kind, kind)
 
 
 def is_length(measure: Measure) -> bool:
@@ -59,18 +76,24 @@ def options(measure: Measure, part: Part) -> list[tuple[str, Grade]]:
     return unique[:4] or [("{0}." + measure.value, "missing")]
 
 
-_STEPS = "({0}.radii if {0}.radii else [{0}.radius])"
-
-
-def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # noqa: C901, PLR0911, PLR0912 - one case a measure
+def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # noqa: C901, PLR0911, PLR0912, PLR0915 - a case each
     kind = part.kind
     round_part = kind in ROUND or part.diameter is not None
     stepped = len(part.radii) > 1
     match measure:
         case Measure.RADIUS:
             if kind in ("bend", "pipe"):
-                return [("{0}.bend_radius", "own"), ("{0}.inner_diameter / 2", "derived"), ("{0}.outer_diameter / 2", "derived"), ("{0}.radius", "own")]
-            return [("{0}.radius", "own"), ("max({0}.radii)", "derived")] if stepped else [("{0}.radius", "own"), ("{0}.width / 2", "foreign")]
+                return [
+                    ("{0}.bend_radius", "own"),
+                    ("{0}.inner_diameter / 2", "derived"),
+                    ("{0}.outer_diameter / 2", "derived"),
+                    ("{0}.radius", "own"),
+                ]
+            return (
+                [("{0}.radius", "own"), ("max({0}.radii)", "derived")]
+                if stepped
+                else [("{0}.radius", "own"), ("{0}.width / 2", "foreign")]
+            )
         case Measure.DIAMETER:
             if kind == "torus":
                 return [("{0}.outer_diameter", "own"), ("{0}.tube_diameter", "derived"), ("{0}.diameter", "own")]
@@ -82,7 +105,11 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             scale = "" if measure is Measure.INNER_RADIUS else "2 * "
             own: Grade = "own" if stepped or kind in CUT else "foreign"
             half = " / 2" if measure is Measure.INNER_RADIUS else ""
-            return [(f"{{0}}.inner_diameter{half}", "own"), (f"{scale}min({{0}}.radii)", own), (f"{scale}{{0}}.radius", own)]
+            return [
+                (f"{{0}}.inner_diameter{half}", "own"),
+                (f"{scale}min({{0}}.radii)", own),
+                (f"{scale}{{0}}.radius", own),
+            ]
         case Measure.OUTER_RADIUS | Measure.OUTER_DIAMETER:
             scale = "" if measure is Measure.OUTER_RADIUS else "2 * "
             half = " / 2" if measure is Measure.OUTER_RADIUS else ""
@@ -94,13 +121,21 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.DEPTH:
             if kind in WHOLE:
                 return [("{0}.extents[1]", "own")]
-            return [("{0}.depth", "own" if kind in CUT else "foreign"), ("{0}.height", "derived"), ("{0}.extents[1]", "foreign")]
+            return [
+                ("{0}.depth", "own" if kind in CUT else "foreign"),
+                ("{0}.height", "derived"),
+                ("{0}.extents[1]", "foreign"),
+            ]
         case Measure.HEIGHT:
             if kind in WHOLE:
                 return [("{0}.extents[2]", "own"), ("{0}.height", "own")]
             if kind in CUT and kind != "hole":  # of a window in a wall how far it reaches upwards
                 return [("{0}.extents[2]", "own"), ("{0}.depth", "derived"), ("{0}.length", "derived")]
-            return [("{0}.height", "own" if kind in STANDING else "derived"), ("{0}.depth", "derived"), ("{0}.extents[2]", "derived")]
+            return [
+                ("{0}.height", "own" if kind in STANDING else "derived"),
+                ("{0}.depth", "derived"),
+                ("{0}.extents[2]", "derived"),
+            ]
         case Measure.WIDTH:
             if kind in WHOLE:
                 return [("{0}.extents[0]", "own"), ("sorted({0}.extents)[1]", "derived"), ("{0}.extents[1]", "derived")]
@@ -108,7 +143,12 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 return [("2 * max({0}.radii)", "own")]
             if kind == "chamfer":
                 return _chamfer()
-            return [("{0}.width", "own"), ("{0}.diameter", "derived"), ("{0}.height", "derived"), ("{0}.extents[0]", "foreign")]
+            return [
+                ("{0}.width", "own"),
+                ("{0}.diameter", "derived"),
+                ("{0}.height", "derived"),
+                ("{0}.extents[0]", "foreign"),
+            ]
         case Measure.LENGTH:
             if kind in WHOLE:
                 return [("max({0}.extents)", "own"), ("{0}.length", "own"), ("{0}.extents[0]", "derived")]
@@ -116,7 +156,11 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 return [("{0}.depth", "own"), ("{0}.length", "own")]
             if round_part and kind in STANDING:
                 return [("{0}.height", "own"), ("{0}.length", "own")]
-            return [("{0}.length", "own"), ("{0}.height", "derived"), ("max({0}.extents)", "derived")] if kind != "chamfer" else _chamfer()
+            return (
+                [("{0}.length", "own"), ("{0}.height", "derived"), ("max({0}.extents)", "derived")]
+                if kind != "chamfer"
+                else _chamfer()
+            )
         case Measure.THICKNESS:
             return _thickness(part, stepped)
         case Measure.WALL_THICKNESS:
@@ -134,9 +178,17 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
             return [("{0}.extents", "own")]
         case Measure.SHORT_SIDE:
-            return [("min({0}.local_size[:2])", "own"), ("min({0}.length, {0}.width)", "own"), ("min({0}.extents)", "derived")]
+            return [
+                ("min({0}.local_size[:2])", "own"),
+                ("min({0}.length, {0}.width)", "own"),
+                ("min({0}.extents)", "derived"),
+            ]
         case Measure.LONG_SIDE:
-            return [("max({0}.local_size[:2])", "own"), ("max({0}.length, {0}.width)", "own"), ("max({0}.extents)", "derived")]
+            return [
+                ("max({0}.local_size[:2])", "own"),
+                ("max({0}.length, {0}.width)", "own"),
+                ("max({0}.extents)", "derived"),
+            ]
         case Measure.ACROSS_FLATS:
             return [("{0}.across_flats", "own"), ("{0}.width", "derived"), ("min({0}.extents)", "foreign")]
         case Measure.ACROSS_CORNERS:
@@ -158,7 +210,11 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.TIP:
             return [("{0}.tip", "own"), ("{0}.center", "foreign")]
         case Measure.DIRECTION:
-            return [("{0}.normal", "own"), ("{0}.axis", "own")] if kind in CUT else [("{0}.axis", "own"), ("{0}.normal", "own")]
+            return (
+                [("{0}.normal", "own"), ("{0}.axis", "own")]
+                if kind in CUT
+                else [("{0}.axis", "own"), ("{0}.normal", "own")]
+            )
         case Measure.EDGE_DISTANCE:
             return [("{0}.edge_distance()", "own")]
         case Measure.KIND:
@@ -168,7 +224,12 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.COLOR:
             return [("{0}.color", "own")]
         case Measure.ANGLE:
-            return [("{0}.angle", "own"), ("{0}.bend_angle", "own"), ("{0}.draft", "derived"), ("2 * {0}.draft", "derived")]
+            return [
+                ("{0}.angle", "own"),
+                ("{0}.bend_angle", "own"),
+                ("{0}.draft", "derived"),
+                ("2 * {0}.draft", "derived"),
+            ]
         case Measure.MASS:
             return [("{0}.volume", "own")]
         case _ if measure in _ENDS:
@@ -198,11 +259,24 @@ def _thickness(part: Part, stepped: bool) -> list[tuple[str, Grade]]:
     if kind in WHOLE:
         return [("{0}.thickness", "own"), ("min({0}.extents)", "derived"), ("{0}.extents[2]", "foreign")]
     if kind in ("boss", "pipe") and stepped and "flat" not in part.tags:
-        return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.height", "derived"), ("2 * max({0}.radii)", "derived")]
+        return [
+            ("max({0}.radii) - min({0}.radii)", "own"),
+            ("{0}.height", "derived"),
+            ("2 * max({0}.radii)", "derived"),
+        ]
     if kind == "boss":
         flat = "flat" in part.tags
-        return [("{0}.height", "own" if flat else "derived"), ("{0}.thickness", "own"), ("{0}.diameter", "foreign" if flat else "derived")]
-    return [("{0}.thickness", "own"), ("{0}.width", "derived"), ("min({0}.extents)", "derived"), ("{0}.height", "derived")]
+        return [
+            ("{0}.height", "own" if flat else "derived"),
+            ("{0}.thickness", "own"),
+            ("{0}.diameter", "foreign" if flat else "derived"),
+        ]
+    return [
+        ("{0}.thickness", "own"),
+        ("{0}.width", "derived"),
+        ("min({0}.extents)", "derived"),
+        ("{0}.height", "derived"),
+    ]
 
 
 def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
@@ -218,7 +292,10 @@ def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
 
 
 def _end(side: Side) -> str:
-    axes = [f"{{0}}.center[{i}]" + (f" {'+' if o > 0 else '-'} {{0}}.half_extents[{i}]" if o else "") for i, o in enumerate(side.outward)]
+    axes = [
+        f"{{0}}.center[{i}]" + (f" {'+' if o > 0 else '-'} {{0}}.half_extents[{i}]" if o else "")
+        for i, o in enumerate(side.outward)
+    ]
     return f"({', '.join(axes)})"
 
 

@@ -30,12 +30,17 @@ from .forms import (
     Target,
     Uniform,
 )
-from .measures import WHOLE, Grade, answer_type, is_length, options
+from .measures import WHOLE, Grade, answer_type, is_length, of_several, options
 
 MODEL = Part.model_construct  # the whole model stands for itself where a form has no target
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 _SLACK = 1e-6
-_SYMBOLS = {Relation.LESS: ("<", "-"), Relation.AT_MOST: ("<=", "+"), Relation.MORE: (">", "+"), Relation.AT_LEAST: (">=", "-")}
+_SYMBOLS = {
+    Relation.LESS: ("<", "-"),
+    Relation.AT_MOST: ("<=", "+"),
+    Relation.MORE: (">", "+"),
+    Relation.AT_LEAST: (">=", "-"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +62,7 @@ class Unwritable(Exception):
 
 
 def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written:
-    """The program for a form. `option`: which of the meanings that the measure has of these parts. Raises Unwritable."""
+    """The program for a form. `option`: which meaning of the measure for these parts. Raises Unwritable."""
     return _Writer(grounds, whole, option).written(form)
 
 
@@ -114,7 +119,7 @@ class _Writer:
 
     # Forms
 
-    def _form(self, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
+    def _form(self, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911 - one case a form
         match form:
             case Get():
                 return self._get(form)
@@ -173,19 +178,33 @@ class _Writer:
         expression = self._read(measure, parts) if measure is not Measure.TIP else "{0}.center"
         if measure is Measure.MASS:
             expression = f"{expression} * {form.density or 1000.0:g}"
-        kind = answer_type(measure) if not _is_vector(expression, measure) else (AnswerType.SIZE)
+        kind = answer_type(measure)
         if measure in (Measure.SIZE, Measure.MAGNITUDE):
-            kind = AnswerType.SIZE if "extents" in expression and "[" not in expression and "(" not in expression else AnswerType.LENGTH
+            kind = (
+                AnswerType.SIZE
+                if "extents" in expression and "[" not in expression and "(" not in expression
+                else AnswerType.LENGTH
+            )
         values = f"[{expression.format('p')} for p in {name}]"
-        every = form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST) and expression == f"{{0}}.{measure.value}"
+        every = (
+            form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST)
+            and expression == f"{{0}}.{measure.value}"
+        )
         if every and measure in (Measure.RADIUS, Measure.DIAMETER) and any(len(part.radii) > 1 for part in parts):
             scale = "2 * " if measure is Measure.DIAMETER else ""  # of stepped holes every step has one
             values = f"[{scale}r for p in {name} for r in (p.radii if hasattr(p, 'radii') else [p.radius])]"
         return self._reduced(values, form.reduce, kind)
 
     def _reduced(self, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
-        scalar = kind in (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER, AnswerType.COUNT)
-        many = {AnswerType.SIZE: AnswerType.SIZES, AnswerType.TEXTS: AnswerType.TEXTS}.get(kind) or _several(kind)
+        scalar = kind in (
+            AnswerType.LENGTH,
+            AnswerType.AREA,
+            AnswerType.VOLUME,
+            AnswerType.ANGLE,
+            AnswerType.NUMBER,
+            AnswerType.COUNT,
+        )
+        many = of_several(kind)
         match reduce:
             case Reduce.EACH:
                 return values, many
@@ -211,7 +230,11 @@ class _Writer:
         if form.measures[0] in (Measure.NAME, Measure.COLOR):
             name = form.measures[0].value
             return f"[body.{name} for body in shape.bodies]", AnswerType.TEXTS
-        if set(form.measures) == {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT} or set(form.measures) == {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT}:
+        if set(form.measures) == {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT} or set(form.measures) == {
+            Measure.WIDTH,
+            Measure.DEPTH,
+            Measure.HEIGHT,
+        }:
             return "shape.extents", AnswerType.SIZE
         values = [self._beside(measure, form.measures, [self._whole]) for measure in form.measures]
         known = [self._of_model(value) for value in values]
@@ -245,7 +268,9 @@ class _Writer:
         kind = answer_type(form.left.measures[0])
         if form.operation == "minus" and form.left.target is not None and form.left.target.plural:
             left = self._read(form.left.measures[0], self._of(form.left.target)).format("p")
-            return f"[{left} - {self._scalar(form.right)} for p in {self._parts(form.left.target)}]", answer_type(form.left.measures[0], True)
+            return f"[{left} - {self._scalar(form.right)} for p in {self._parts(form.left.target)}]", answer_type(
+                form.left.measures[0], True
+            )
         left, right = self._scalar(form.left), self._scalar(form.right)
         match form.operation:
             case "ratio":
@@ -269,7 +294,11 @@ class _Writer:
             values = self._listed(measure, form.left.target)
         low = repr(form.low) if isinstance(form.low, float) else self._scalar(form.low)
         self._lines.append(f"values = {values}")
-        slack = "5e-05" if is_length(measure) else f"{abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9:g}"
+        slack = (
+            "5e-05"
+            if is_length(measure)
+            else f"{abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9:g}"
+        )
         match form.relation:
             case Relation.BETWEEN:
                 return f"all({low} - {_SLACK:g} <= v <= {form.high!r} + {_SLACK:g} for v in values)"
@@ -285,7 +314,7 @@ class _Writer:
 
     # Distances
 
-    def _pairwise(self, first: PartQuery, second: Target, expression: str, reduce: Reduce, like: bool = False) -> str:
+    def _pairwise(self, first: PartQuery, second: Target, expression: str, reduce: Reduce) -> str:
         parts = self._parts(first)
         if second is None:
             if len(self._of(first)) < 2:
@@ -294,7 +323,10 @@ class _Writer:
         else:
             loop = f"for a in {parts} for b in {self._parts(second)} if a.id != b.id"
         self._lines.append(f"found = [{expression} {loop}]")
-        if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis, of those that lie apart
+        if "center[" in expression and reduce not in (
+            Reduce.LARGEST,
+            Reduce.EACH,
+        ):  # along an axis, of those that lie apart
             self._lines.append(f"found = [d for d in found if d > {_SLACK:g}] or found")
         match reduce:
             case Reduce.EACH:
@@ -379,17 +411,26 @@ class _Writer:
         """The distance of 'a' and 'b': of round or like parts between centres, else from surface to surface."""
         if not parts:
             raise Unwritable
-        flat = all(part.kind in ("body", "prism", "rib", "protrusion", "wall", "face") and part.diameter is None for part in parts)
+        flat = all(
+            part.kind in ("body", "prism", "rib", "protrusion", "wall", "face") and part.diameter is None
+            for part in parts
+        )
         alike = len({part.kind for part in parts}) == 1
         usual = alike or all(part.axis is not None for part in parts)
-        modes = [form.mode] if form.mode != "usual" else (["centers", "surfaces"] if usual and not (flat and two) else ["surfaces", "centers"])
+        modes = (
+            [form.mode]
+            if form.mode != "usual"
+            else (["centers", "surfaces"] if usual and not (flat and two) else ["surfaces", "centers"])
+        )
         if self._option >= len(modes):
             raise Unwritable
         self._grades.append("own" if self._option == 0 else "derived")
         centers = modes[self._option] == "centers"
         if form.axis is not None:
             apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
-            return apart if centers else f"max(0.0, {apart} - a.half_extents[{form.axis}] - b.half_extents[{form.axis}])"
+            return (
+                apart if centers else f"max(0.0, {apart} - a.half_extents[{form.axis}] - b.half_extents[{form.axis}])"
+            )
         return "a.center_distance(b)" if centers else "a.distance_to(b)"
 
     def _to_place(self, first: PartQuery, place: Boundary | Origin | None, form: Distance) -> str:
@@ -399,7 +440,11 @@ class _Writer:
             expression = "p.edge_distance()"
             modes = [expression]
             if form.mode != "surfaces" and found and found[0].radius is not None:
-                modes = ["p.edge_distance() + p.radius", expression] if form.mode == "centers" else [expression, "p.edge_distance() + p.radius"]
+                modes = (
+                    ["p.edge_distance() + p.radius", expression]
+                    if form.mode == "centers"
+                    else [expression, "p.edge_distance() + p.radius"]
+                )
             expression = self._chosen(modes)
         elif isinstance(place, Boundary):
             assert place.side is not None
@@ -412,7 +457,8 @@ class _Writer:
             expression = self._chosen(modes[:1] if form.mode == "surfaces" else modes)
         else:
             point = "shape.center" if place is None else "(0.0, 0.0, 0.0)"
-            expression = f"abs(p.center[{form.axis}] - {point}[{form.axis}])" if form.axis is not None else f"distance(p.center, {point})"
+            along_axis = f"abs(p.center[{form.axis}] - {point}[{form.axis}])"
+            expression = along_axis if form.axis is not None else f"distance(p.center, {point})"
             if form.axis is None and found and found[0].axis is not None and place is None:
                 along = max(range(3), key=lambda i: abs(found[0].axis[i]))  # type: ignore[index]
                 planar = [i for i in range(3) if i != along]
@@ -423,8 +469,6 @@ class _Writer:
             return "max(found)"
         if form.reduce is Reduce.SMALLEST:
             return "min(found)"
-        if first.plural:
-            return "found[0] if len(different(found, 1e-05)) == 1 else found"
         return "found[0] if len(different(found, 1e-05)) == 1 else found"
 
     def _chosen(self, modes: Sequence[str]) -> str:
@@ -432,19 +476,6 @@ class _Writer:
             raise Unwritable
         self._grades.append("own" if self._option == 0 else "derived")
         return modes[self._option]
-
-
-def _is_vector(expression: str, measure: Measure) -> bool:
-    return False
-
-
-def _several(kind: AnswerType) -> AnswerType:
-    plural = {
-        AnswerType.LENGTH: AnswerType.LENGTHS, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES, AnswerType.POINT: AnswerType.POINTS,
-        AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS, AnswerType.ANGLE: AnswerType.ANGLES, AnswerType.NUMBER: AnswerType.NUMBERS,
-        AnswerType.COUNT: AnswerType.NUMBERS,
-    }  # fmt: skip
-    return plural.get(kind, kind)
 
 
 def _of_shape(expression: str) -> bool:
@@ -456,7 +487,9 @@ def _of_shape(expression: str) -> bool:
 
 def _call(query: PartQuery, sense: int) -> str:
     """The argument of find_parts: the query as a dictionary, without what is empty."""
-    fields = query.model_dump(mode="json", exclude_defaults=True, exclude={"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set())
+    implied = {"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set()
+    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied)
     if sense:
         fields["sense"] = sense
-    return json.dumps(fields, ensure_ascii=False).replace(": true", ": True").replace(": false", ": False").replace(": null", ": None")
+    text = json.dumps(fields, ensure_ascii=False)
+    return text.replace(": true", ": True").replace(": false", ": False").replace(": null", ": None")

@@ -8,9 +8,14 @@ from functools import cached_property
 from .lexicon import Lexicon, Span, lexicon
 from .tokens import Kind, Token, tokenize
 
-CLOSED = frozenset(
-    ["function", "chatter", "courtesy", "be", "do", "have", "ask", "imperative", "count", "exists", "place", "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap", "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus", "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal", "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor", "remaining"]
-)
+CLOSED = frozenset([
+    "function", "chatter", "courtesy", "be", "do", "have", "ask", "imperative", "count", "exists", "place",
+    "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap",
+    "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus",
+    "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
+    "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
+    "remaining",
+])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))
 """Symbols that end a clause for good."""
@@ -48,6 +53,18 @@ class Text:
     def is_word(self, at: int, *words: str) -> bool:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
+
+    def has(self, *words: str) -> bool:
+        """Does one of these words occur at all?"""
+        return any(word in words for word in self.words)
+
+    def at_words(self, *words: str) -> set[int]:
+        """Where these words stand."""
+        return {at for at, word in enumerate(self.words) if word in words}
+
+    def at_phrases(self, *categories: str) -> set[int]:
+        """Where phrases of these categories begin."""
+        return {at for at in range(len(self.tokens)) if self.find(at, *categories)}
 
     def skip(self, at: int, *categories: str) -> int:
         """Where the words of these categories that begin here end."""

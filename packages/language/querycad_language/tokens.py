@@ -22,10 +22,18 @@ TYPO_MIN_LETTERS = 5
 """Shorter words have too many neighbours: 'nut' and 'cut' differ by one letter."""
 
 _NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d{0,9}[.,]\d{1,9}|\d{1,9}"
+_THREAD = (
+    r"\bM\d{1,2}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{1,2})?)?(?![\w.]\w)"
+    r"|\b\d{1,2}/\d{1,2}-\d{2}\b|(?<![\w#])#?\d{1,2}-(?:24|32|40)\b"
+)
+_DENSITY = (
+    r"kg\s?(?:/|per)\s?(?:m\^?3|m³|cubic met(?:er|re))"
+    r"|g\s?(?:/|per)\s?(?:cm\^?3|cm³|ccm|cc|cubic centimet(?:er|re))|kg\s?/\s?(?:dm\^?3|dm³|l)"
+)
 _TOKEN = re.compile(
-    rf"(?P<thread>\bM\d{{1,2}}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{{1,2}})?)?(?![\w.]\w)|\b\d{{1,2}}/\d{{1,2}}-\d{{2}}\b|(?<![\w#])#?\d{{1,2}}-(?:24|32|40)\b)"
+    rf"(?P<thread>{_THREAD})"
     r"|(?P<times>\b\d{1,4}\s?[x×](?![\w.]))"
-    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>kg\s?(?:/|per)\s?(?:m\^?3|m³|cubic met(?:er|re))|g\s?(?:/|per)\s?(?:cm\^?3|cm³|ccm|cc|cubic centimet(?:er|re))|kg\s?/\s?(?:dm\^?3|dm³|l)))"
+    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>{_DENSITY}))"
     rf"|(?P<number>(?<![\w.])(?:{_NUMBER}))"
     r"|(?P<word>[^\W\d_][\w]*(?:['’](?!s\b)\w+)?)"
     r"|(?P<possessive>['’]s?(?!\w))"
@@ -46,13 +54,19 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bc['’]sink", re.I), "countersink"),
     (re.compile(r"\ba/f\b", re.I), "across flats"),
     (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
-    (re.compile(r"\b[lwbhdt](?:ength|idth|hk)?(?:\s?[x×]\s?(?:l|w|b|h|d|t|thk)\b)+", re.I), lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s?[x×]\s?", found[0].lower()))),
+    (
+        re.compile(r"\b[lwbhdt](?:ength|idth|hk)?(?:\s?[x×]\s?(?:l|w|b|h|d|t|thk)\b)+", re.I),
+        lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s?[x×]\s?", found[0].lower())),
+    ),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
     (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
 )
 
 
-_SYMBOLS = {"Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " center of ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ", "□": " square ", "∠": " angle "}
+_SYMBOLS = {
+    "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " center of ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
+    "□": " square ", "∠": " angle ",
+}  # fmt: skip
 """ISO 129-1 and ASME Y14.5: diameter, centre line, depth, counterbore, countersink, square."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
 DENSITY = -3
@@ -111,7 +125,9 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
             tokens.append(Token("x", match["times"], Kind.TIMES, float(re.match(r"\d+", match["times"])[0])))  # type: ignore[index]
         elif match["density"]:
             value = _value(re.match(_NUMBER, match["density"])[0])  # type: ignore[index]
-            tokens.append(Token("density", match["density"], Kind.QUANTITY, value * (1.0 if match["per"][:2] == "kg" and "dm" not in match["per"] and "l" not in match["per"] else 1e3), DENSITY))
+            per_cubic_metre = match["per"][:2] == "kg" and "dm" not in match["per"] and "l" not in match["per"]
+            value *= 1.0 if per_cubic_metre else 1e3
+            tokens.append(Token("density", match["density"], Kind.QUANTITY, value, DENSITY))
         elif match["number"]:
             token, position = _number(match["number"], text, position)
             tokens.append(token)
@@ -119,7 +135,12 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
             tokens += _words(match["word"], names)
         elif match["possessive"]:
             tokens.append(Token("'s", match["possessive"], Kind.POSSESSIVE))
-        elif match["symbol"] == "-" and match.start() > 0 and text[match.start() - 1].isalnum() and text[position : position + 1].isalnum():
+        elif (
+            match["symbol"] == "-"
+            and match.start() > 0
+            and text[match.start() - 1].isalnum()
+            and text[position : position + 1].isalnum()
+        ):
             continue  # a hyphen parts words
         else:
             tokens.append(_symbol(match["symbol"]))
@@ -138,9 +159,20 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
     value = _value(text)
     unit = _POWER_UNIT.match(rest, position) or _UNIT.match(rest, position)
     name = unit[1].lower() if unit else ""
-    if unit and name in units and not (name == "in" and not _is_inch(rest[unit.end() :])) and not re.fullmatch(r"M[23]", unit[1]):
+    if (
+        unit
+        and name in units
+        and not (name == "in" and not _is_inch(rest[unit.end() :]))
+        and not re.fullmatch(r"M[23]", unit[1])
+    ):
         factor, power = units[name]
-        return Token(rest[position - len(text) : unit.end()], text + unit[0], Kind.QUANTITY, float(f"{value * factor:.12g}"), power), unit.end()
+        return Token(
+            rest[position - len(text) : unit.end()],
+            text + unit[0],
+            Kind.QUANTITY,
+            float(f"{value * factor:.12g}"),
+            power,
+        ), unit.end()
     if ordinal := re.match(r"(?:st|nd|rd|th)\b", rest[position:]):
         return Token(text + ordinal[0], text + ordinal[0]), position + ordinal.end()
     if (word := re.match(r"[a-zA-Z]\w*", rest[position:])) and text.isdecimal():  # '3d'
@@ -151,7 +183,19 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
 def _is_inch(after: str) -> bool:
     """Is 'in' behind a number the unit? Not where it opens a phrase: '5 in the plate', '5.5 in diameter'."""
     word = re.match(r"\W*([a-z]+)", after.lower())
-    return word is None or word[1] not in ("the", "this", "a", "total", "it", "all", "diameter", "width", "length", "depth", "height")
+    return word is None or word[1] not in (
+        "the",
+        "this",
+        "a",
+        "total",
+        "it",
+        "all",
+        "diameter",
+        "width",
+        "length",
+        "depth",
+        "height",
+    )
 
 
 def _value(text: str) -> float:
@@ -230,6 +274,9 @@ def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
         first, between, second = joined[i : i + 3]
         ranged = between.word in ("to", "and", "-", "or", "±", "x")
         if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:
-            scale = second.value / (_value(re.match(_NUMBER, second.raw)[0]) or 1.0) if re.match(_NUMBER, second.raw) else 1e-3  # type: ignore[index]
-            joined[i] = replace(first, kind=Kind.QUANTITY, value=float(f"{first.value * scale:.12g}"), power=second.power)
+            number = re.match(_NUMBER, second.raw)
+            scale = second.value / (_value(number[0]) or 1.0) if number else 1e-3
+            joined[i] = replace(
+                first, kind=Kind.QUANTITY, value=float(f"{first.value * scale:.12g}"), power=second.power
+            )
     return tuple(joined)

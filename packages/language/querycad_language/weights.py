@@ -1,4 +1,4 @@
-"""The fitted weights of the features that rank readings and groundings. `make fit` writes them; docs/understanding.md explains each."""
+"""The fitted weights that rank readings and groundings: `make fit` writes them, docs/understanding.md explains each."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def weights() -> dict[str, float]:
 
 
 def calibration() -> dict[str, float]:
-    """How a share of the probability becomes a confidence: `scale` and `shift` of its log odds, and per feature doubts."""
+    """How a share of the probability becomes a confidence: weights of its log odds and of each doubt."""
     return _table().get("calibration", {})
 
 

@@ -39,12 +39,13 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         message = f"the model has no '{said.removeprefix('the ')}'"
         elsewhere = ground(inventory, query.model_copy(update={"sides": ()}))[0].parts if query.sides else ()
         if elsewhere:
-            message = f"the model has {len(elsewhere)} x '{said.removeprefix('the ')}', but none visible from {' or '.join(query.sides)}"
+            hidden = f"none visible from {' or '.join(query.sides)}"
+            message = f"the model has {len(elsewhere)} x '{said.removeprefix('the ')}', but {hidden}"
     warnings = tuple(f"not checked: {what}" for what in dict.fromkeys(way.unchecked)) if way.parts else ()
     return Grounding(
         description=said,
         sides=query.sides or None,
-        parts=tuple(sorted(way.parts, key=lambda part: _order(part))),
+        parts=tuple(sorted(way.parts, key=_order)),
         understood=not unknown,
         nearest=() if way.parts else present(inventory),
         message="" if way.parts else message,

@@ -49,7 +49,19 @@ def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int
     if query.ids:
         return [_by_id(inventory, query)]
     ways = list(_bases(inventory, query))
-    for step in (_colored, _threaded, _narrowed, _sized, _placed, _seen, _excepted, _joined, _ranked, _counted, _single):
+    for step in (
+        _colored,
+        _threaded,
+        _narrowed,
+        _sized,
+        _placed,
+        _seen,
+        _excepted,
+        _joined,
+        _ranked,
+        _counted,
+        _single,
+    ):
         ways = _pruned([after for way in ways for after in step(inventory, query, way, depth)])
     return [Grounded(parts=way.parts, features=way.features, unchecked=way.unchecked) for way in ways[:limit]]
 
@@ -72,7 +84,9 @@ def _by_id(inventory: Inventory, query: PartQuery) -> Grounded:
     parts = tuple(inventory.by_id[i] for i in query.ids if i in inventory.by_id)
     missing = [i for i in query.ids if i not in inventory.by_id]
     features = {"by_id": 1.0} if not missing else {"id_missing": 1.0}
-    return Grounded(parts=parts if not missing else (), features=features, reason=f"no part {', '.join(missing)}" if missing else "")
+    return Grounded(
+        parts=parts if not missing else (), features=features, reason=f"no part {', '.join(missing)}" if missing else ""
+    )
 
 
 # What the noun means
@@ -95,7 +109,9 @@ def _bases(inventory: Inventory, query: PartQuery) -> Iterator[_Way]:
         yield _Way((inventory.model,), {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)})
     if noun is not None:
         yield from _senses(inventory, noun.senses, noun.product)
-        bare = query.definite and not (query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes)
+        bare = query.definite and not (
+            query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
+        )
         if bare and inventory.alone and inventory.model is not None and not noun.product:
             yield _Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
         return
@@ -172,8 +188,16 @@ def _threaded(inventory: Inventory, query: PartQuery, way: _Way, _: int) -> Iter
     name = query.threads[0]
     nominal = lexicon().threads.get(name) or lexicon().threads.get(name.partition("x")[0]) or ()
     size = float(name[1:].partition("x")[0]) * 1e-3 if name[0] == "m" else 0.0
-    marked = [p for p in way.parts if p.kind == "body" and any(w == name or w.startswith(f"{name}x") for w in all_words(p.name))]
-    fitting = [p for p in way.parts if any(abs(v - d) <= THREAD_TOLERANCE_M for v in values_of(p, Measure.DIAMETER) for d in (*nominal, size))]
+    marked = [
+        p
+        for p in way.parts
+        if p.kind == "body" and any(w == name or w.startswith(f"{name}x") for w in all_words(p.name))
+    ]
+    fitting = [
+        p
+        for p in way.parts
+        if any(abs(v - d) <= THREAD_TOLERANCE_M for v in values_of(p, Measure.DIAMETER) for d in (*nominal, size))
+    ]
     yield from _kept(way, marked or fitting, "thread", f"'{name}'")
 
 
@@ -189,7 +213,9 @@ def _narrowed(inventory: Inventory, query: PartQuery, way: _Way, _: int) -> Iter
             ways = [one.to([p for p in one.parts if not inventory.has(p, tags)], "lacking") for one in ways]
     if query.unknown:
         for one in ways:
-            marked = [p for p in one.parts if p.kind == "body" and all(word in all_words(p.name) for word in query.unknown)]
+            marked = [
+                p for p in one.parts if p.kind == "body" and all(word in all_words(p.name) for word in query.unknown)
+            ]
             whole = inventory.file_named(query.unknown)
             if marked:
                 yield one.to(marked, "unknown_named")
@@ -251,7 +277,11 @@ def _of_size(way: _Way, size: SizeFilter) -> Iterator[_Way]:
     if near:
         yield way.to(near, "size_near")
         return
-    other = [p for p in way.parts if any(compares(v, size) for m in Measure for v in values_of(p, m))] if size.measure else []
+    other = (
+        [p for p in way.parts if any(compares(v, size) for m in Measure for v in values_of(p, m))]
+        if size.measure
+        else []
+    )
     if other:
         yield way.to(other, "size_of_other_measure")
     yield from _kept(way, [], "size", said)
@@ -314,7 +344,13 @@ def _at_place(inventory: Inventory, way: _Way, place: Place, depth: int) -> Iter
         if kept:
             found = True
             worth = _way_of(grounded)
-            yield replace(way.to(kept, f"{name}_holds"), features={**way.to(kept, f"{name}_holds").features, f"{name}_score": way.features.get(f"{name}_score", 0.0) + worth})
+            yield replace(
+                way.to(kept, f"{name}_holds"),
+                features={
+                    **way.to(kept, f"{name}_holds").features,
+                    f"{name}_score": way.features.get(f"{name}_score", 0.0) + worth,
+                },
+            )
     if place.relation == "for":
         yield way.to(way.parts, "purpose")
         return
@@ -341,20 +377,43 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> li
         case "near":
             return next_to(found, others)
         case "between":
-            return [p for p in found if p.id not in {h.id for h in others} and lies_between(p, others)] if len(others) > 1 else []
+            return (
+                [p for p in found if p.id not in {h.id for h in others} and lies_between(p, others)]
+                if len(others) > 1
+                else []
+            )
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in others)]
             return around or [p for p in found if p.kind in ("fillet", "round", "chamfer") and next_to([p], others)]
         case "above" | "below" | "left" | "right" | "front" | "behind":
-            axis, sign = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}[relation]
-            return [p for p in found if any(h.id != p.id and sign * (p.center[axis] - h.center[axis]) > 5e-5 for h in others)]
+            axis, sign = {
+                "above": (2, 1),
+                "below": (2, -1),
+                "left": (0, -1),
+                "right": (0, 1),
+                "front": (1, -1),
+                "behind": (1, 1),
+            }[relation]
+            return [
+                p
+                for p in found
+                if any(h.id != p.id and sign * (p.center[axis] - h.center[axis]) > 5e-5 for h in others)
+            ]
         case "opposite":
-            return [p for p in found if any(h.id != p.id and p.normal and h.normal and dot(p.normal, h.normal) < -0.9 for h in others)]
+            return [
+                p
+                for p in found
+                if any(h.id != p.id and p.normal and h.normal and dot(p.normal, h.normal) < -0.9 for h in others)
+            ]
         case "through":
             return held(found, "in", others) or [p for p in found if any(touches(p, h) for h in others)]
         case "":
             own = held(found, "", others)
-            return own or [p for p in found if any(coaxial(p, h) and touches(p, h) for h in others)] or next_to(found, others)
+            return (
+                own
+                or [p for p in found if any(coaxial(p, h) and touches(p, h) for h in others)]
+                or next_to(found, others)
+            )
         case _:
             own = held(found, "of" if relation == "for" else relation, others)
             return own or [p for p in found if any(h.id in p.children for h in others)]
@@ -449,14 +508,29 @@ def _first_of(inventory: Inventory, parts: Sequence[Part], rank: Rank, depth: in
         parts = [p for p in parts if p.id not in {o.id for o in others}]
         if not parts:
             return []
-        return extreme(parts, [min(norm(sub(p.center, o.center)) for o in others) for p in parts], rank.most, rank.nth, rank.count)
+        return extreme(
+            parts, [min(norm(sub(p.center, o.center)) for o in others) for p in parts], rank.most, rank.nth, rank.count
+        )
     if rank.edge:
         known = [(p, p.edge_distance) for p in parts if p.edge_distance is not None]
-        return extreme([p for p, _ in known], [d for _, d in known if d is not None], rank.most, rank.nth, rank.count) if known else []
-    order = {Measure.MAGNITUDE: "size", Measure.DIAMETER: "size", Measure.RADIUS: "size"}.get(rank.measure or Measure.MAGNITUDE, (rank.measure or "size"))
+        return (
+            extreme([p for p, _ in known], [d for _, d in known if d is not None], rank.most, rank.nth, rank.count)
+            if known
+            else []
+        )
+    order = {Measure.MAGNITUDE: "size", Measure.DIAMETER: "size", Measure.RADIUS: "size"}.get(
+        rank.measure or Measure.MAGNITUDE, (rank.measure or "size")
+    )
     if order == "height" and all(p.kind == "hole" for p in parts):  # 'the highest hole' by where it is
         return extreme(parts, [p.center[2] for p in parts], rank.most, rank.nth, rank.count)
-    values = [max(p.radii) if order == "size" and p.radii and rank.most else min(p.radii) if order == "size" and p.radii else measured(p, str(order)) for p in parts]
+    values = [
+        max(p.radii)
+        if order == "size" and p.radii and rank.most
+        else min(p.radii)
+        if order == "size" and p.radii
+        else measured(p, str(order))
+        for p in parts
+    ]
     return extreme(parts, values, rank.most, rank.nth, rank.count)
 
 
@@ -501,7 +575,9 @@ def _single(inventory: Inventory, query: PartQuery, way: _Way, _: int) -> Iterat
             "group_most": float(len(group) == max(map(len, groups)) > 1),
             "group_central": float(any("central" in part.tags for part in group)),
         }
-        yield _Way(tuple(group), {**way.features, **{name: value for name, value in features.items() if value}}, way.unchecked)
+        yield _Way(
+            tuple(group), {**way.features, **{name: value for name, value in features.items() if value}}, way.unchecked
+        )
 
 
 def _has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import cached_property
+from itertools import pairwise
 
 from querycad_contracts import Measure, Part, Side
-from querycad_language.lexicon import Adjective, Noun, Sense, lexicon
+from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.vectors import dot, line_distance, norm, sub
 
-from .names import all_words, holds, vocabulary
-from .places import FACING, STANDING_OUT
+from .names import all_words, holds, share, vocabulary
+from .places import FACING
 from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
@@ -150,8 +151,6 @@ class Inventory:
         """Bodies of an assembly whose names hold the head noun of a phrase, with the share of its words they hold."""
         if self.alone or not words:
             return []
-        from .names import share
-
         scored = [(body, share(body.name, words)) for body in self.bodies]
         return [(body, score) for body, score in scored if score > 0]
 
@@ -196,7 +195,10 @@ class Inventory:
         """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
         assert self.model is not None
         axis = part.axis
-        offsets = [abs(c - m) / (e / 2) if e > 0 else 0.0 for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)]
+        offsets = [
+            abs(c - m) / (e / 2) if e > 0 else 0.0
+            for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)
+        ]
         along = 2 if axis is None else max(range(3), key=lambda i: abs(axis[i]))
         return min(value for i, value in enumerate(offsets) if i != along)
 
@@ -248,7 +250,7 @@ def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: in
     ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)
     sizes = [value for _, value in ranked]
     floor = 0.01 * max(sizes) + 1e-9
-    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in zip(sizes, sizes[1:], strict=False)]
+    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in pairwise(sizes)]
     if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
         return [part for part, _ in ranked[:count]]
     widest = max(steps)
@@ -299,6 +301,3 @@ def without_twins(found: list[Part]) -> list[Part]:
         if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
             kept.append(part)
     return kept
-
-
-__all__ = ["STANDING_OUT", "Inventory", "Noun", "by_size", "end_of", "extreme", "measured", "values_of", "without_twins"]

@@ -13,7 +13,7 @@ _WORD = re.compile(r"[^\W_]+(?:[./-]\d+)*")
 
 
 def all_words(name: str | None) -> list[str]:
-    """Which words does a product name hold, folded, sizes and standards too? 'Screw_M8x25' holds 'screw' and 'm8x25'."""
+    """The words of a product name, folded, sizes and standards too: 'Screw_M8x25' holds 'screw' and 'm8x25'."""
     lex = lexicon()
     return [lex.fold(word) for word in _WORD.findall(_CAMEL.sub(" ", name or ""))]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Side
+from querycad_contracts import Part
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
 
 TOUCH_M = 1e-6
@@ -70,13 +70,6 @@ def _is_of(part: Part, place: Part) -> bool:
 def _members(part: Part) -> tuple[str, ...]:
     """'the bolt circle of the small holes': a pattern is of its members."""
     return part.children if part.kind == "pattern" else ()
-
-
-def lies_in_wall(part: Part, side: Side, model: Part) -> bool:
-    """Is it cut into the wall on this side: does it point through it, and lie nearer to it than to the one opposite?"""
-    along = part.normal or part.axis
-    outward = side.outward
-    return along is not None and abs(dot(along, outward)) > FACING and dot(sub(part.center, model.center), outward) > 0
 
 
 def touches(part: Part, place: Part) -> bool:

@@ -1,0 +1,9 @@
+"""Noun phrases: 'the two 5 mm holes in the flange that are visible from the top' as a typed query for parts.
+
+One reader for all: questions, the grounding's free text, and the phrases that language models write.
+"""
+
+from .mention import Mention, replace_fields
+from .reader import Phrases, noun_phrase
+
+__all__ = ["Mention", "Phrases", "noun_phrase", "replace_fields"]

@@ -1,0 +1,76 @@
+"""What a noun phrase becomes: a mention, with what is gathered while it is read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from querycad_contracts import PartQuery, Place, Rank, Side, SizeFilter
+from querycad_language.lexicon import Span
+from querycad_language.text import Text
+
+MAX_DEPTH = 3
+"""Places within places within places: deeper ones are no questions."""
+GENERIC = frozenset(("object", "body", "section"))
+"""Nouns that behind another one add nothing: 'the pipe piece', 'the adapter plate body'."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mention:
+    """A noun phrase of the question. `query` is None where the whole model is meant as such ('the part', 'it')."""
+
+    start: int
+    end: int
+    query: PartQuery | None
+    used: frozenset[int]
+    """Tokens whose meaning is in the query, function words of the phrase included."""
+    head: int
+    pronoun: bool = False
+    each: bool = False
+    plural: bool = False
+    article: bool = False
+
+
+@dataclass(slots=True)
+class Draft:
+    """What is gathered of a phrase while it is read."""
+
+    adjectives: list[str] = field(default_factory=list)
+    lacking: list[str] = field(default_factory=list)
+    sizes: list[SizeFilter] = field(default_factory=list)
+    threads: list[str] = field(default_factory=list)
+    colors: list[str] = field(default_factory=list)
+    ranks: list[Rank] = field(default_factory=list)
+    places: list[Place] = field(default_factory=list)
+    sides: list[Side] = field(default_factory=list)
+    unseen: list[Side] = field(default_factory=list)
+    ends: list[Side] = field(default_factory=list)
+    excluded: list[PartQuery] = field(default_factory=list)
+    also: list[PartQuery] = field(default_factory=list)
+    nouns: list[Span] = field(default_factory=list)
+    unknown: list[int] = field(default_factory=list)
+    ids: list[str] = field(default_factory=list)
+    count: int | None = None
+    definite: bool = False
+    each: bool = False
+    sample: bool = False
+    article: bool = False
+    used: set[int] = field(default_factory=set)
+
+
+class NounPhrases(Protocol):
+    """Reads the noun phrases within a noun phrase."""
+
+    @property
+    def text(self) -> Text:
+        """The words."""
+        ...
+
+    def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
+        """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
+        ...
+
+
+def replace_fields(query: PartQuery, **fields: object) -> PartQuery:
+    """The query with other values of some fields."""
+    return query.model_copy(update=fields)

@@ -1,0 +1,157 @@
+"""What stands behind the noun: 'with a thread', 'larger than 5 mm', 'except the one in the middle'."""
+
+from __future__ import annotations
+
+from querycad_contracts import Place, Rank
+from querycad_language.text import Text
+from querycad_language.tokens import Kind
+
+from .mention import MAX_DEPTH, Draft, Mention, NounPhrases
+from .places import central, nearest, placed, seen
+from .sizes import size
+from .words import is_noun, superlative
+
+_GAP = ("be", "do", "seeing", "function", "have")
+"""Words that may lead to a modifier: 'that are', 'which has'."""
+
+
+def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+    """Where the modifiers that begin here end."""
+    end = at
+    while (after := _modifier(phrases, end, draft, depth, joined)) > end:
+        end = after
+    return end
+
+
+def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+    """Where a modifier that begins here, or behind words such as 'that are', ends; `at` where none does."""
+    text = phrases.text
+    start = at
+    for _ in range(6):
+        if at >= len(text):
+            return start
+        if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
+            if not _opens(text, at):
+                return start
+            at += 1
+            continue
+        if text.tokens[at].kind is Kind.SYMBOL:
+            return start
+        if (after := _one_modifier(phrases, at, draft, depth, joined)) > at:
+            draft.used.update(range(start, after))
+            if text.is_word(after, ")") and any(text.is_word(i, "(") for i in range(start, after)):
+                draft.used.add(after)
+                after += 1
+            return after
+        if not _leads(text, at):
+            return start
+        at += 1
+    return start
+
+
+def _opens(text: Text, at: int) -> bool:
+    """Does a modifier follow a comma or a bracket?"""
+    if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
+        return True
+    return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
+
+
+def _leads(text: Text, at: int) -> bool:
+    """May the word stand between a noun and a modifier of it?"""
+    if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
+        return False
+    verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
+    return not verb or text.is_word(at - 1, "that", "which")
+
+
+def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+    text = phrases.text
+    if (end := seen(phrases, at, draft, depth)) > at:
+        return end
+    for read in (_ranked, _stated_size):
+        if (end := read(text, at, draft)) > at:
+            return end
+    for nested in (_trait, _exception, nearest, central):
+        if (end := nested(phrases, at, draft, depth)) > at:
+            return end
+    negated = text.is_word(at, "not")
+    adjective = text.find(at + negated, "adjective")
+    if adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
+        (draft.lacking if negated else draft.adjectives).append(adjective.value.name)
+        return adjective.end
+    if (end := placed(phrases, at, draft, depth)) > at:
+        return end
+    if joined and text.is_word(at, "and", "or", "&", "plus") and (other := phrases.at(at + 1, depth + 1, False)):
+        return _also(text, other, draft, at)
+    return at
+
+
+def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
+    """'holes and slots': both kinds count; not where a measure of its own follows."""
+    query = other.query
+    if query is None or not draft.nouns or not query.known or not query.noun or not query.plural:
+        return at
+    if text.find(other.end, "measure", "be", "do") or not any(text.tokens[i].plural for i in draft.nouns[-1].tokens):
+        return at
+    draft.also.append(query)
+    return other.end
+
+
+def _stated_size(text: Text, at: int, draft: Draft) -> int:
+    """'with a diameter of 5 mm', 'larger than 5 mm', 'from 4 to 6 mm', '5 mm deep', 'Ø8.5'."""
+    found = size(text, at)
+    if found is None or (is_noun(text, found[1]) and not text.find(found[1], "measure", "place", "seeing")):
+        return at  # '… around the 13 mm holes': the size is another noun's
+    draft.sizes.append(found[0])
+    return found[1]
+
+
+def _ranked(text: Text, at: int, draft: Draft) -> int:
+    """'with the smallest diameter'."""
+    place = text.find(at, "place")
+    if place is None or place.value not in ("with", "of"):
+        return at
+    start = text.skip(place.end, "article")
+    span = text.find(start, "most", "least") or superlative(text, start)
+    if span is None or (measure := text.find(span.end, "measure")) is None:
+        return at
+    most = span.category == "most" or (span.category == "scale" and span.value.degree == "most")
+    draft.ranks.append(Rank(measure=measure.value, most=most))
+    return measure.end
+
+
+def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'with a thread', 'without counterbore', 'having four holes'."""
+    text = phrases.text
+    place = text.find(at, "place")
+    if place is None or place.value not in ("with", "without"):
+        return at
+    lacking = place.value == "without"
+    start = place.end
+    if text.is_word(start, "no", "any"):
+        lacking = lacking or text.is_word(start, "no")
+        start += 1
+    start = text.skip(start, "article")
+    span = text.find(start, "trait")
+    longer = text.find(start, "noun")
+    if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
+        (draft.lacking if lacking else draft.adjectives).append(span.value.name)
+        return span.end
+    other = phrases.at(start, depth + 1, False) if depth < MAX_DEPTH else None
+    if other is None or other.query is None:
+        return at
+    draft.places.append(Place(relation="with", what=other.query, negated=lacking))
+    return other.end
+
+
+def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'except the one in the middle'."""
+    text = phrases.text
+    span = text.find(at, "except")
+    if span is None or depth >= MAX_DEPTH:
+        return at
+    other = phrases.at(span.end, depth + 1)
+    if other is None or other.query is None:
+        return at
+    draft.excluded.append(other.query)
+    return other.end

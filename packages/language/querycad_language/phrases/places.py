@@ -1,0 +1,141 @@
+"""Where parts are: 'visible from the top', 'in the flange', 'nearest to the edge', 'in the corners'."""
+
+from __future__ import annotations
+
+from querycad_contracts import Place, Rank, Side
+from querycad_language.text import Text
+from querycad_language.tokens import Kind
+
+from .mention import MAX_DEPTH, Draft, NounPhrases, replace_fields
+from .words import is_noun
+
+
+def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'visible from the top', 'on the left side', 'not seen from above'."""
+    text = phrases.text
+    negated = text.is_word(at, "not", "invisible", "hidden")
+    start = at + negated
+    seeing = text.find(start, "seeing")
+    start = text.skip(start, "seeing")
+    if view := text.find(start, "view"):
+        sides, end = [view.value], view.end
+    else:
+        sides, end = _sides(text, start)
+    if not sides or (negated and seeing is None):
+        return at
+    if text.is_word(end, "of") and (other := phrases.at(end + 1, depth + 1)) and depth < MAX_DEPTH:
+        if other.query is not None:  # 'on the left side of the flange'
+            draft.places.append(Place(relation="of", what=other.query, side=sides[0]))
+            return other.end
+        end = other.end
+    (draft.unseen if negated else draft.sides).extend(sides)
+    return end
+
+
+def _sides(text: Text, at: int) -> tuple[list[Side], int]:
+    """Sides behind a preposition: 'from the top or the bottom side'."""
+    if (prep := text.find(at, "side_preposition")) is None:
+        return [], at
+    sides: list[Side] = []
+    end = prep.end
+    while True:
+        inner = text.skip(end, "article", "each")
+        span = text.find(inner, "side")
+        if span is None:
+            break
+        after = text.skip(span.end, "side_noun")
+        if after == span.end and is_noun(text, span.end) and not text.find(span.end, "side_noun", "be", "function"):
+            return ([], at) if not sides else (sides, end)
+        sides.append(span.value)
+        end = after
+        if not text.is_word(end, "and", "or", ",", "&") or not (
+            text.find(text.skip(end + 1, "article", "side_preposition"), "side")
+        ):
+            break
+        end = text.skip(end + 1, "side_preposition")
+    return (sides, end) if sides else ([], at)
+
+
+def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'nearest to the edge', 'farthest from the slot'."""
+    text = phrases.text
+    span = text.find(at, "near", "far")
+    if span is None or depth >= MAX_DEPTH:
+        return at
+    most = span.category == "far"
+    start = span.end + text.is_word(span.end, "to", "from")
+    inner = text.skip(start, "article")
+    if edge := text.find(inner, "edge"):
+        draft.ranks.append(Rank(edge=True, most=most))
+        return edge.end
+    if side := text.find(inner, "side"):
+        draft.ranks.append(Rank(side=side.value if not most else side.value.opposite))
+        return text.skip(side.end, "side_noun")
+    other = phrases.at(start, depth + 1, False)
+    if other is None or other.query is None:
+        return at
+    draft.ranks.append(Rank(near=other.query, most=most))
+    return other.end
+
+
+def central(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'in the middle of the plate', 'in the four corners'."""
+    text = phrases.text
+    span = text.find(at, "center")
+    if span is None:
+        return _in_corner(phrases, at, draft, depth)
+    end = span.end
+    if (text.is_word(end, "of") or text.is_word(end - 1, "of")) and depth < MAX_DEPTH:
+        other = phrases.at(end + text.is_word(end, "of"), depth + 1, False)
+        if other is not None:
+            end = other.end
+            if other.query is not None:
+                draft.places.append(Place(relation="in", what=other.query))
+    draft.adjectives.append("central")
+    return end
+
+
+def _in_corner(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    text = phrases.text
+    end = text.skip(at + 1, "article", "each", "number")
+    if not text.find(at, "place") or not text.is_word(end, "corner"):
+        return at
+    draft.adjectives.append("corner")
+    other = phrases.at(end + 2, depth + 1, False) if text.is_word(end + 1, "of") and depth < MAX_DEPTH else None
+    if other is not None and other.query is not None:
+        draft.places.append(Place(relation="in", what=other.query))
+    return other.end if other is not None else end + 1
+
+
+def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """'in the flange', 'between the lugs', 'above the pocket'."""
+    text = phrases.text
+    span = text.find(at, "place")
+    if span is None or depth >= MAX_DEPTH:
+        return at
+    start = span.end
+    size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)
+    if size and text.find(at, "relation"):
+        return at
+    inner = text.skip(start, "each", "article")
+    if span.value == "through" and text.is_word(inner, "side", "way", "part", "thickness", "wall"):
+        draft.adjectives.append("through")
+        return inner + 1
+    piece = text.skip(inner, "side_noun", "edge")
+    if piece > inner and text.is_word(piece, "of"):  # 'in the side of the foot' is in the foot
+        start = piece + 1
+    other = phrases.at(start, depth + 1, joined=span.value == "between")
+    if other is None:
+        return at
+    if other.query is None:
+        return other.end if span.value in ("in", "on", "of", "through") and not other.pronoun else at
+    if text.find(other.end, "measure") and not text.is_word(other.end, "of"):
+        return at  # 'holes in plate thickness direction'
+    if span.value == "between" and text.is_word(other.end, "and"):
+        second = phrases.at(other.end + 1, depth + 1, False)
+        if second is not None and second.query is not None:
+            both = replace_fields(other.query, also=(*other.query.also, second.query))
+            draft.places.append(Place(relation="between", what=both))
+            return second.end
+    draft.places.append(Place(relation=span.value, what=other.query))
+    return other.end

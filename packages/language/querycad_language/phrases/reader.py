@@ -1,0 +1,100 @@
+"""Reads the noun phrases of a text, each from its first word to its last modifier."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from querycad_contracts import PartQuery, SizeFilter
+from querycad_language.text import Text
+
+from .before import before_noun
+from .head import head_of, mention_of
+from .mention import Draft, Mention, replace_fields
+from .modifiers import modifiers
+from .sizes import size
+
+
+class Phrases:
+    """Reads the noun phrases of one text; each stretch once."""
+
+    def __init__(self, text: Text) -> None:
+        self.text = text
+        self._known: dict[tuple[int, int, bool], Mention | None] = {}
+
+    def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
+        """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
+        if self.text.find(self.text.skip(start, "article"), "aside"):
+            return None
+        key = (start, depth, joined)
+        if key not in self._known:
+            self._known[key] = self._read(start, depth, joined)
+        return self._known[key]
+
+    def mentions(self) -> list[Mention]:
+        """The noun phrases of the text from left to right, none inside another."""
+        found: list[Mention] = []
+        at = 0
+        while at < len(self.text):
+            aside = self.text.find(at, "aside")
+            mention = self.at(at) if aside is None else None
+            if aside is not None:
+                at = aside.end
+            elif mention is not None:
+                found.append(self._resolved(mention, found))
+                at = mention.end
+            else:
+                at += 1
+        return found
+
+    def _resolved(self, mention: Mention, before: list[Mention]) -> Mention:
+        """'the 14 mm ones': of the noun that was mentioned before."""
+        query = mention.query
+        if query is None or query.noun or query.ids:
+            return mention
+        named = next((m.query for m in reversed(before) if m.query is not None and m.query.noun), None)
+        if named is None or (not self.text.is_word(mention.end - 1, "one") and not query.adjectives):
+            return mention
+        return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
+
+    def _read(self, start: int, depth: int, joined: bool) -> Mention | None:
+        text = self.text
+        draft = Draft()
+        at = start
+        while at < len(text):
+            after = before_noun(text, at, draft)
+            if after == at:
+                break
+            draft.used.update(range(at, after))
+            at = after
+        head = head_of(text, draft, start, at)
+        if head is None:
+            return None
+        mention, at = head
+        if mention is not None:
+            return mention
+        end = modifiers(self, at, draft, depth, joined)
+        return mention_of(text, start, end, draft)
+
+    def size(self, at: int) -> tuple[SizeFilter, int] | None:
+        """A stated size that begins here, and where it ends."""
+        return size(self.text, at)
+
+
+def noun_phrase(description: str, names: Iterable[str] = ()) -> PartQuery:
+    """Which parts does free text ask for: 'counterbored hole', 'the red body'? Unknown words are kept as the noun."""
+    text = Text(description, frozenset(names))
+    phrases = Phrases(text)
+    for at in range(len(text)):
+        mention = phrases.at(at)
+        if mention is not None:
+            if mention.query is None:
+                return PartQuery(noun="object", words=("object",))
+            left = [
+                text.words[i]
+                for i in range(len(text))
+                if i not in mention.used and text.is_content(i) and not at <= i < mention.end
+            ]
+            return mention.query.model_copy(update={"unknown": (*mention.query.unknown, *left)})
+    words = tuple(text.words)
+    return PartQuery(noun=" ".join(words), known=False, words=words)

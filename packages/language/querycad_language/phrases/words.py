@@ -1,0 +1,54 @@
+"""Which words can belong to a noun phrase?"""
+
+from __future__ import annotations
+
+from querycad_language.lexicon import Span
+from querycad_language.text import Text
+from querycad_language.tokens import Kind
+
+from .mention import GENERIC
+
+_OPEN = (
+    "noun", "adjective", "whole", "side", "color", "scale", "ordinal", "place_extreme", "number", "article", "measure",
+    "whole_adjective", "stock", "distance", "gap", "ground",
+)  # fmt: skip
+
+
+def noun_follows(text: Text, at: int) -> bool:
+    """Does a word that can be part of a noun phrase stand here?"""
+    if at >= len(text) or text.tokens[at].kind in (Kind.SYMBOL, Kind.POSSESSIVE):
+        return False
+    if text.tokens[at].kind is not Kind.WORD:
+        return True
+    return text.find(at, *_OPEN) is not None or text.is_content(at)
+
+
+def is_noun(text: Text, at: int) -> bool:
+    """Does a word stand here that can only be a noun, or belong to one?"""
+    if at >= len(text) or text.tokens[at].kind is not Kind.WORD:
+        return at < len(text) and text.tokens[at].kind in (Kind.QUANTITY, Kind.THREAD)
+    if text.find(at, "noun", "adjective", "color", "whole"):
+        return True
+    return text.is_content(at) and text.find(at, "measure", "side", "side_noun", "scale", "ground") is None
+
+
+def superlative(text: Text, at: int) -> Span | None:
+    """The superlative that begins here: 'deepest'."""
+    span = text.find(at, "scale")
+    return span if span is not None and span.value.degree in ("most", "least") else None
+
+
+def is_generic(text: Text, at: int) -> bool:
+    """Does a noun follow that adds nothing to the one before it: 'ring body'?"""
+    noun = text.find(at, "noun")
+    return noun is not None and noun.value.name in GENERIC
+
+
+def ends_do_question(text: Text, at: int) -> bool:
+    """Is it the last word of a question with 'do', where a verb stands?"""
+    last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",")
+    return (
+        last
+        and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at))
+        and text.is_word(at, "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide")
+    )

@@ -1,0 +1,29 @@
+"""What frames make of a question, before and after it is known which words they pass over."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from querycad_language.forms import Form
+
+Features = dict[str, float]
+
+
+@dataclass(slots=True)
+class Draft:
+    """A form with the features of its words. `used`: the tokens whose meaning it reflects."""
+
+    form: Form
+    features: Features = field(default_factory=dict)
+    used: set[int] = field(default_factory=set)
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One thing that a question can mean."""
+
+    form: Form
+    features: Features
+    skipped: tuple[tuple[str, str], ...] = ()
+    """(class, word) of every word that the form does not reflect, function words aside."""
+    used: frozenset[int] = frozenset()

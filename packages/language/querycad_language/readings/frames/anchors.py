@@ -1,0 +1,78 @@
+"""Anchors: parts, planes and places that a distance can be measured from."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from querycad_language.forms import Anchor, Boundary, Origin, Plane
+from querycad_language.phrases import replace_fields
+from querycad_language.readings.question import Question
+from querycad_language.text import Text
+
+
+class Spot(NamedTuple):
+    """An anchor, where it is named, and the tokens that name it."""
+
+    at: int
+    anchor: Anchor
+    used: set[int]
+    plural: bool = False
+
+
+def anchors_of(question: Question) -> list[Spot]:
+    """All that a distance can be measured from, from left to right."""
+    text = question.text
+    found: list[Spot] = []
+    taken: set[int] = set()
+    for mention in question.mentions:
+        if mention.pronoun or mention.query is None:
+            continue
+        found.append(Spot(mention.head, mention.query, set(mention.used), mention.query.plural))
+        taken |= mention.used
+        sides = (*mention.query.ends, *mention.query.sides)
+        if mention.query.noun in ("face", "surface", "end face", "side face", "flat face") and sides:
+            holder = next((p.what for p in mention.query.places if p.what is not None), None)
+            plane: Anchor = Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+            found.append(Spot(mention.head, plane, set(mention.used)))
+    found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
+    found += planes_of(question)
+    found.sort(key=lambda one: one.at)
+    return found
+
+
+def _of_model(text: Text, at: int) -> Spot | None:
+    """What a word means of the model: its edge, its origin, the ground it stands on, one of its sides."""
+    if edge := text.find(at, "edge"):
+        joining = text.is_word(at, "edge") and text.is_word(edge.end, "to")  # 'edge to edge'
+        return None if joining else Spot(at, Boundary(None), set(edge.tokens))
+    if origin := text.find(at, "origin"):
+        return Spot(at, Origin(), set(origin.tokens))
+    if ground := text.find(at, "ground"):
+        return Spot(at, Boundary(ground.value), set(ground.tokens))
+    side = text.find(at, "side")
+    if side and text.find(at - 1, "article", "side_preposition"):
+        return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
+    return None
+
+
+def planes_of(question: Question) -> list[Spot]:
+    """'the underside of the head', 'the flange's top face', 'the plate top': outer planes of parts."""
+    text = question.text
+    found: list[Spot] = []
+    for at in range(len(text)):
+        side = text.find(at, "side")
+        if side is None:
+            continue
+        after = text.skip(side.end, "side_noun")
+        if text.is_word(after, "of") and (other := question.phrases.at(after + 1, 1)) and other.query is not None:
+            found.append(Spot(at, Plane(side.value, other.query), set(range(at, other.end))))
+            continue
+        before = next((m for m in question.mentions if m.query is not None and m.head < at <= m.head + 2), None)
+        if (
+            before is not None
+            and before.query is not None
+            and (after > side.end or text.is_word(at, "top", "bottom", "underside"))
+        ):
+            bare = replace_fields(before.query, sides=(), ends=())
+            found.append(Spot(at, Plane(side.value, bare), set(before.used) | set(range(before.head, after))))
+    return found

@@ -1,0 +1,32 @@
+"""Axes that a question names: 'in y direction', 'along its longer side'."""
+
+from __future__ import annotations
+
+from querycad_language.forms import LONGEST, SHORTER
+from querycad_language.readings.question import Question
+
+
+def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int]]:
+    """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
+    text = question.text
+    for at in range(len(text) - 1):
+        if text.find(at, "axis_preposition") and (
+            side := text.find(text.skip(at + 1, "article"), "measure", "adjective")
+        ):
+            words = text.words[side.start : side.end]
+            named = {"width": 0, "depth": 1, "height": 2}.get(words[0] if words else "")
+            if named is not None and text.is_word(at, "along") and at not in taken:
+                return named, set(range(at, side.end))
+            if words[:1] in (["long"], ["longer"], ["length"]) and at not in taken:
+                return LONGEST, set(range(at, text.skip(side.end, "side_noun")))
+            if words[:1] in (["short"], ["shorter"]) and at not in taken:
+                return SHORTER, set(range(at, text.skip(side.end, "side_noun")))
+    for span in text.all("axis"):
+        if span.start in taken:
+            continue
+        lead = text.find(span.start - 1, "axis_preposition") or (
+            text.is_word(span.start - 1, "the") and text.find(span.start - 2, "axis_preposition")
+        )
+        if lead or span.end - span.start > 1 or text.is_word(span.start, "horizontally", "vertically"):
+            return span.value, set(range(max(0, span.start - 2), span.end))
+    return None, set()

@@ -1,0 +1,64 @@
+"""Comparisons: what two measures give together, and which is more."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from querycad_contracts import Relation
+from querycad_language.forms import Check, Combine, Get, Target
+from querycad_language.readings.asked import asked_in
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.question import Question
+from querycad_language.tokens import Kind
+
+_OPERATIONS: dict[str, Literal["ratio", "apart", "plus"]] = {"ratio": "ratio", "difference": "apart", "sum": "plus"}
+
+
+def comparisons(question: Question) -> Iterator[Draft]:
+    """'How much longer is A than B?', 'the ratio of … to …', 'the difference between …'."""
+    yield from _compared(question)
+    yield from _combined(question)
+
+
+def _compared(question: Question) -> Iterator[Draft]:
+    """'How much longer is A than B?', 'Is A longer than B?'"""
+    text, start = question.text, question.asking[0]
+    than = min(text.at_words("than"), default=None)
+    scales = [span for i in range(start, len(text)) if (span := text.find(i, "scale"))]
+    comparative = next((span for span in scales if span.value.degree in ("more", "less")), None)
+    if than is None or comparative is None:
+        return
+    parts = [m for m in question.mentions if not m.pronoun]
+    left = [m for m in parts if m.end <= than or m.start < than]
+    right = [m for m in parts if m.start > than]
+    if not left or not right or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
+        return
+    measure = comparative.value.measure
+    used = {than} | set(comparative.tokens) | left[-1].used | right[0].used
+    a, b = Get((measure,), left[-1].query), Get((measure,), right[0].query)
+    lead = range(start, comparative.start)
+    if any(text.is_word(i, "much") for i in lead):
+        yield Draft(Combine("apart", a, b), {"combined": 1.0}, used | set(lead))
+    elif text.find(start, "be", "do") or text.is_word(start, "which"):
+        relation = Relation.MORE if comparative.value.degree == "more" else Relation.LESS
+        yield Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
+
+
+def _combined(question: Question) -> Iterator[Draft]:
+    """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
+    text, start = question.text, question.asking[0]
+    word = next((i for i in range(start, len(text)) if text.words[i] in _OPERATIONS), None)
+    if word is None:
+        return
+    asked = [one for one in asked_in(question) if one.start > word]
+    owners = [m for m in question.mentions if not m.pronoun and m.start > word]
+    if not asked:
+        return
+    used = {word} | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
+    measures = [measure for one in asked for measure in one.measures]
+    targets: list[Target] = [m.query for m in owners[:2]] or [None]
+    if len(measures) > 1 or len(owners) > 1:
+        left = Get((measures[0],), targets[0])
+        right = Get((measures[1] if len(measures) > 1 else measures[0],), targets[-1])
+        yield Draft(Combine(_OPERATIONS[text.words[word]], left, right), {"combined": 1.0}, used)

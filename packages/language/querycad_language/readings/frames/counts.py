@@ -1,0 +1,126 @@
+"""Counts: how many parts or values, and whether there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from querycad_contracts import PartQuery, Place
+from querycad_language.forms import Count, Exists
+from querycad_language.lexicon import Span
+from querycad_language.phrases import Mention, replace_fields
+from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.question import Question
+
+
+def counts(question: Question) -> Iterator[Draft]:
+    """'How many holes are there?', 'the number of different depths of the slots'."""
+    text = question.text
+    for span in text.all("count"):
+        if not _counts(question, span):
+            continue
+        used = set(span.tokens)
+        elsewhere: Features = {} if question.in_question(span.start) else {"count_elsewhere": 1.0}
+        at = span.end + text.is_word(span.end, "of")
+        at = text.skip(at, "article")
+        different = text.find(at, "different")
+        inner = different.end if different else at
+        measure = text.find(inner, "measure")
+        noun_here = text.find(inner, "noun")
+        if measure is not None and not (noun_here and noun_here.end >= measure.end):
+            yield from _different_counts(question, used | set(range(at, measure.end)), measure)
+        yield from _treated(question, at, used)
+        after = [m for m in question.mentions if m.head >= at and not m.pronoun]
+        before = [m for m in question.mentions if m.end <= span.start and not m.pronoun]
+        for index, mention in enumerate(after[:3]):
+            link = (
+                "count_next"
+                if index == 0 and all(not text.is_content(i) for i in range(at, max(at, mention.start)))
+                else "count_far"
+            )
+            yield from _count_of(mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
+        for mention in before[-2:]:
+            yield from _count_of(mention, used, {"count_before": 1.0, **elsewhere}, [])
+
+
+def _counts(question: Question, span: Span) -> bool:
+    """Does the phrase ask for a number: not 'how much longer', 'how many millimetres', 'by how much'?"""
+    text = question.text
+    much = text.is_word(span.start + 1, "much")
+    if text.is_word(span.start, "how") and much and text.find(span.end, "scale"):
+        return False
+    if question.is_unit(span.end) or (much and text.is_word(span.start - 1, "by")):
+        return False
+    return not text.find(span.start, "measure") or text.is_word(span.start, "number")
+
+
+def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
+    """'How many edges are chamfered?' counts chamfered edges: what was done to an edge or corner names a part."""
+    text = question.text
+    if not text.is_word(at, "edge", "corner"):
+        return
+    for other in range(at + 1, len(text)):
+        adjective = text.find(other, "adjective")
+        phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
+        if adjective is not None and phrase in text.lexicon.nouns:
+            query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
+            yield Draft(
+                Count(query),
+                {"count_next": 1.0, "treated": 1.0},
+                used | {at, *adjective.tokens},
+            )
+
+
+def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
+    for mention in question.mentions:
+        if mention.query is not None and mention.start >= measure.end:
+            yield Draft(
+                Count(mention.query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used
+            )
+
+
+def _count_of(mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[Draft]:
+    """How many of them; of another part's where one is named: 'how many teeth does the gear have?'"""
+    query = mention.query
+    if query is None:
+        if mention.pronoun and not mention.plural:
+            return
+        query = PartQuery(noun="body", words=("body",), plural=True)
+    query = replace_fields(query, plural=True)
+    yield Draft(Count(query), features, used | mention.used)
+    for owner in others[:2]:
+        if owner.query is not None and not owner.pronoun:
+            placed = replace_fields(query, places=(*query.places, Place(relation="of", what=owner.query)))
+            link = "owner_after" if owner.start > mention.start else "owner_before"
+            yield Draft(Count(placed), {**features, link: 1.0}, used | mention.used | owner.used)
+
+
+def exists(question: Question) -> Iterator[Draft]:
+    """'Is there a slot?', 'Does the plate have a slot?'"""
+    text = question.text
+    for span in text.all("exists"):
+        if not question.in_question(span.start) or text.find(span.start, "count"):
+            continue
+        if span.start > 0 and text.find(span.start - 1, "count", "ask", "noun", "scale"):
+            continue
+        for index, mention in enumerate(
+            [m for m in question.mentions if m.start >= span.start and m.query is not None][:2]
+        ):
+            if mention.query is not None:
+                yield Draft(
+                    Exists(mention.query),
+                    {"exists": 1.0, "count_far": float(index)},
+                    set(span.tokens) | mention.used,
+                )
+    start = question.asking[0]
+    if text.find(start, "do", "have") or text.is_word(start, "any"):
+        owned = [m for m in question.mentions if m.start >= start]
+        for index, mention in enumerate(owned[:2]):
+            if mention.query is not None:
+                yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used)
+                if index == 1 and owned[0].query is not None:
+                    placed = replace_fields(
+                        mention.query, places=(*mention.query.places, Place(relation="of", what=owned[0].query))
+                    )
+                    yield Draft(
+                        Exists(placed), {"exists": 1.0, "owner_before": 1.0}, {start} | mention.used | owned[0].used
+                    )

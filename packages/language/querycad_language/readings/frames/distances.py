@@ -1,0 +1,189 @@
+"""Distances and angles: between two parts, every two of several, or a part and a plane or place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import Literal, NamedTuple
+
+from querycad_contracts import Measure, PartQuery, Side
+from querycad_language.forms import Anchor, Angle, Boundary, Distance, Plane, Reduce
+from querycad_language.phrases import replace_fields
+from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.question import Question
+
+from .anchors import Spot, anchors_of
+from .axes import axis_named
+
+Mode = Literal["centers", "surfaces", "usual"]
+_CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid"))
+_APART = frozenset((
+    Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
+))  # fmt: skip
+"""Measures that between two parts are distances: 'the height of A above B'."""
+
+
+class _Words(NamedTuple):
+    """Words that ask for a distance."""
+
+    start: int
+    end: int
+    mode: Mode
+    used: set[int]
+
+
+class _Pair(NamedTuple):
+    """What a distance is measured between, with the tokens and features of both ends."""
+
+    first: Anchor
+    second: Anchor | Literal["each other"]
+    used: set[int]
+    features: Features
+
+
+def distances(question: Question) -> Iterator[Draft]:
+    """'How far apart are the holes?', 'the distance from A to B', 'the height of A above B'."""
+    for start, end, said, used in _distance_words(question):
+        axis, along = axis_named(question, set())
+        reduce, extreme = _extreme(question, start, end)
+        mode, centred = _mode(question, said)
+        for first, second, more, features in _pairs(question, start):
+            form = Distance(first, second, mode, axis, reduce)
+            yield Draft(form, {"distance": 1.0, **features}, used | more | along | extreme | centred)
+
+
+def _distance_words(question: Question) -> Iterator[_Words]:
+    text = question.text
+    yield from _unnamed(question)
+    for span in text.all("distance", "gap"):
+        if question.in_question(span.start):
+            yield _Words(span.start, span.end, "surfaces" if span.category == "gap" else "usual", set(span.tokens))
+    for at in range(*question.asking):
+        if text.is_word(at, "how"):
+            yield from _how(question, at)
+        elif (measure := text.find(at, "measure")) and measure.value in _APART:
+            ahead = range(measure.end, len(text))
+            if any(text.is_word(i, "above", "over", "below", "between", "from", "off") for i in ahead):
+                mode: Mode = "centers" if measure.value in (Measure.HEIGHT, Measure.Z) else "surfaces"
+                yield _Words(measure.start, measure.end, mode, set(measure.tokens))
+
+
+def _unnamed(question: Question) -> Iterator[_Words]:
+    """'hole center to hole center', 'from the pin to the edge': neither a distance nor a measure is named."""
+    text = question.text
+    measures = [span for i in range(len(text)) if (span := text.find(i, "measure"))]
+    if text.at_phrases("distance", "gap", "count") or any(span.value is not Measure.POSITION for span in measures):
+        return
+    centred = bool(text.at_phrases("center_to_center"))
+    joining = text.at_words("to", "above", "from")
+    if centred or (joining - {0, len(text) - 1} and len(question.mentions) > 1):
+        yield _Words(0, 0, "centers" if centred else "usual", joining)
+
+
+def _how(question: Question, at: int) -> Iterator[_Words]:
+    """'How far …?', 'How much gap …?', 'How high above …?'"""
+    text = question.text
+    gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
+    if text.is_word(at + 1, "far") or (text.is_word(at + 1, "much") and gap):
+        if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
+            apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
+            yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
+    elif (scale := text.find(at + 1, "scale")) and scale.value.measure is Measure.HEIGHT:
+        if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
+            yield _Words(at, scale.end, "centers", set(range(at, scale.end)))
+
+
+def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
+    """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
+    text = question.text
+    centred = {i for span in text.all("center_to_center") for i in range(span.start, span.end)}
+    if centred:
+        return "centers", centred
+    facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
+    if text.has("between"):
+        facing |= text.at_phrases("remaining")
+    named = {i for i in range(len(text)) if text.words[i] in _CENTRE_OF and text.is_word(i + 1, "of")}
+    if named:
+        return "centers", named
+    return ("surfaces", facing) if facing else (mode, set())
+
+
+def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]]:
+    """The largest, the smallest, or all different ones of several distances."""
+    text = question.text
+    for at in range(max(0, start - 2), min(end + 1, len(text))):
+        if text.find(at, "most"):
+            return Reduce.LARGEST, {at}
+        if text.find(at, "least"):
+            return Reduce.SMALLEST, {at}
+    each = {i for i in range(*question.asking) if text.find(i, "different")}
+    return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
+
+
+def _pairs(question: Question, start: int) -> Iterator[_Pair]:
+    """Every two parts of a plural one; two that are named; one from the middle or the outside of the model."""
+    anchors = anchors_of(question)
+    after = [one for one in anchors if one.at >= start]
+    before = [one for one in anchors if one.at < start]
+    neighbors = question.text.at_phrases("neighbor")
+    for at, anchor, used, plural in [*after[:3], *before[-2:]]:
+        if isinstance(anchor, PartQuery):
+            features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
+            features["count_two"] = float(anchor.count == 2)
+            if at < start:
+                features["anchor_before"] = 1.0
+            yield _Pair(anchor, "each other", used | neighbors, features)
+    yield from _two(before, after)
+    middle = question.text.at_words("center", "middle")
+    for spot in [*after[:2], *before[-1:]]:
+        yield from _from_model(spot, middle)
+
+
+def _two(before: Sequence[Spot], after: Sequence[Spot]) -> Iterator[_Pair]:
+    """Two anchors behind the words that ask, or one before and one behind them."""
+    pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else [])]
+    pairs += [(after[0], after[2])] if len(after) > 2 else []
+    for index, (one, two) in enumerate(pairs):
+        both_parts = isinstance(one.anchor, PartQuery) and isinstance(two.anchor, PartQuery)
+        if not isinstance(one.anchor, PartQuery | Plane) and not isinstance(two.anchor, PartQuery | Plane):
+            continue
+        if both_parts or not one.used & two.used:
+            features = {"two_anchors": 1.0, "pair_passed": float(index)}
+            yield _Pair(one.anchor, two.anchor, one.used | two.used, features)
+
+
+def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
+    """From the outside or the middle of the model, or from the place or side in the phrase itself."""
+    anchor = spot.anchor
+    if isinstance(anchor, Plane):
+        ground = Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite
+        yield _Pair(anchor, Boundary(ground), spot.used, {"from_plane": 1.0})
+    if not isinstance(anchor, PartQuery):
+        return
+    if middle:
+        yield _Pair(anchor, None, spot.used | middle, {"from_middle": 1.0})
+    for place in anchor.places:
+        if place.what is not None and place.relation in ("of", "above", "below", "on", "in", "near"):
+            bare = replace_fields(anchor, places=tuple(p for p in anchor.places if p is not place))
+            yield _Pair(bare, place.what, spot.used, {"place_as_anchor": 1.0})
+    for side in anchor.sides:
+        bare = replace_fields(anchor, sides=tuple(s for s in anchor.sides if s is not side))
+        yield _Pair(bare, Boundary(side), spot.used, {"side_as_anchor": 1.0})
+
+
+def angles(question: Question) -> Iterator[Draft]:
+    """'the angle between the arms', 'the angle between A and B'."""
+    text = question.text
+    for span in text.all("measure"):
+        if span.value is not Measure.ANGLE or not question.in_question(span.start):
+            continue
+        parts = [m for m in question.mentions if m.query is not None and not m.pronoun and m.start >= span.end]
+        used = set(span.tokens)
+        if not any(text.find(i, "between") for i in range(span.end, min(len(text), span.end + 3))) or not parts:
+            continue
+        first = parts[0].query
+        assert first is not None
+        if (first.places and first.places[-1].relation == "between") or first.plural:
+            yield Draft(Angle(first, None), {"angle_between": 1.0}, used | parts[0].used)
+        if len(parts) > 1 and parts[1].query is not None:
+            yield Draft(Angle(first, parts[1].query), {"angle_between": 1.0}, used | parts[0].used | parts[1].used)

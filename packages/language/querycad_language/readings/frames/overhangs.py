@@ -1,0 +1,48 @@
+"""Overhangs: how far a part stands out beyond another one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import Side
+from querycad_language.forms import Distance, Plane
+from querycad_language.phrases import replace_fields
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.question import Question
+
+from .anchors import planes_of
+
+_BEYOND = ("above", "over", "beyond", "past", "below", "proud", "higher", "out")
+
+
+def overhangs(question: Question) -> Iterator[Draft]:
+    """'By how much does the tube project above the nut?': between the outer planes of both on that side."""
+    text = question.text
+    reach = next((span for span in text.all("reach")), None)
+    nouns = [m for m in question.mentions if m.query is not None and not m.pronoun]
+    word = min(text.at_words(*_BEYOND), default=None)
+    if word is None or not nouns or not (reach or text.has("projection", "overhang", "protrusion", "much", "far")):
+        return
+    plane = next((one for one in planes_of(question) if isinstance(one.anchor, Plane) and one.at >= word), None)
+    first = nouns[0].query
+    assert first is not None
+    used = set(nouns[0].used) | ({*reach.tokens} if reach else set()) | {word}
+    used |= text.at_words("how", "much", "far", "projection", "overhang")
+    if plane is not None and isinstance(plane.anchor, Plane):
+        yield Draft(Distance(Plane(plane.anchor.side, first), plane.anchor), {"overhang": 1.0}, used | plane.used)
+    elif len(nouns) > 1 and nouns[1].query is not None and nouns[1].head > word:
+        side = Side.BOTTOM if text.is_word(word, "below") else Side.TOP
+        yield Draft(
+            Distance(Plane(side, first), Plane(side, nouns[1].query)),
+            {"overhang": 1.0, "overhang_side": 1.0},
+            used | nouns[1].used,
+        )
+    for place in first.places:
+        if place.what is not None and place.relation in ("above", "below", "of", "on"):
+            bare = replace_fields(first, places=tuple(p for p in first.places if p is not place))
+            side = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
+            yield Draft(
+                Distance(Plane(side, bare), Plane(side, place.what)),
+                {"overhang": 1.0, "overhang_side": 1.0},
+                used,
+            )

@@ -1,0 +1,50 @@
+"""Parts: which they are, on which side they lie, and questions that name nothing but a part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import Measure
+from querycad_language.forms import Count, Get, Parts
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.question import Question
+from querycad_language.text import Text
+
+
+def parts(question: Question) -> Iterator[Draft]:
+    """'Which holes are deeper than 11 mm?', 'On which side is the slot?', 'What is the largest hole?'"""
+    text = question.text
+    start = question.asking[0]
+    side = next((i for i in range(start, len(text) - 1) if _asks_for_side(text, i)), None)
+    for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= start][:3]):
+        query = mention.query
+        assert query is not None
+        if side is not None:
+            yield Draft(
+                Get((Measure.SIDES,), query),
+                {"which_side": 1.0, "count_far": float(index)},
+                {side - 1, side, side + 1} | mention.used,
+            )
+        lead = range(start, mention.start + 1)
+        if any(text.is_word(i, "which", "list", "show", "name", "mark", "highlight") for i in lead) and index == 0:
+            yield Draft(Parts(query), {"which": 1.0}, {i for i in lead if not text.is_content(i)} | mention.used)
+        elif any(text.is_word(i, "what") for i in lead) and index == 0:
+            used = {i for i in lead if not text.is_content(i)} | mention.used
+            yield Draft(Get((Measure.MAGNITUDE,), query), {"named_only": 1.0}, used)
+            if query.ranks:
+                yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
+
+
+def _asks_for_side(text: Text, at: int) -> bool:
+    """'which side', 'on what face'."""
+    face = text.is_word(at + 1, "face") and text.is_word(at - 1, "on", "in")
+    return text.is_word(at, "which", "what") and (text.is_word(at + 1, "side") or face)
+
+
+def bare(question: Question) -> Iterator[Draft]:
+    """No measure is named at all: 'mounting holes?'"""
+    for mention in question.mentions[:3]:
+        if mention.query is not None:
+            yield Draft(Get((Measure.MAGNITUDE,), mention.query), {"named_only": 1.0}, set(mention.used))
+            if mention.query.plural:
+                yield Draft(Count(mention.query), {"named_only": 1.0}, set(mention.used))

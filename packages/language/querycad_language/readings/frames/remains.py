@@ -1,0 +1,60 @@
+"""Remains: the material between or below cuts, and a measure less what a part has of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Literal
+
+from querycad_contracts import Measure
+from querycad_language.forms import Anchor, Behind, Combine, Distance, Get
+from querycad_language.phrases import replace_fields
+from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.question import Question
+
+_THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
+
+
+def material(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
+    """'How thick is the bar between the windows?', 'What thickness remains under the pocket?'"""
+    text = question.text
+    if get.measures[0] not in _THICKNESSES:
+        return
+    for place in get.target.places if get.target is not None else ():
+        if place.relation == "between" and place.what is not None:
+            what = place.what
+            second: Anchor | Literal["each other"] = what.also[0] if what.also else "each other"
+            first = replace_fields(what, also=(), plural=what.plural or not what.also)
+            yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
+    remaining = text.at_phrases("remaining")
+    under = text.at_words("under", "below", "beneath", "underneath", "behind")
+    if remaining or under:
+        for mention in question.mentions:
+            if mention.query is not None:
+                cut = mention.query
+                holder = next((p.what for p in cut.places if p.what is not None and p.relation == "of"), None)
+                if cut.noun in ("floor", "bottom", "ground", "base") and holder is not None:
+                    cut = holder
+                yield Draft(
+                    Distance(cut, Behind(), "surfaces"),
+                    {**features, "material_under": 1.0},
+                    used | remaining | under | mention.used,
+                )
+
+
+def less(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
+    """'How high is the object without the shaft?': less what the shaft has of it."""
+    text = question.text
+    lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)
+    if get.measures[0] not in lengths or len(get.measures) > 1:
+        return
+    for span in text.all("minus"):
+        other = question.phrases.at(text.skip(span.end, "article", "measure", "function"), joined=False)
+        if other is None or other.query is None or span.start < 2:
+            continue
+        target = get.target
+        if target is not None:
+            target = replace_fields(target, places=tuple(p for p in target.places if not p.negated), excluded=())
+        owned = used | set(range(span.start, other.end))
+        combine = Combine("minus", replace(get, target=target), Get(get.measures, other.query))
+        yield Draft(combine, {**features, "less_part": 1.0}, owned)

@@ -1,0 +1,126 @@
+"""Values: a measure of a part, or of the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from querycad_contracts import Measure
+from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_language.readings.asked import Asked, asked_in
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.owners import Owner, owners_of
+from querycad_language.readings.question import Question
+from querycad_language.tokens import DENSITY, Kind
+
+from .axes import axis_named
+from .remains import less, material
+
+VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
+ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
+_STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
+"""Measures that add up where 'total' stands right before them."""
+_ALONG = frozenset((
+    Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.MAGNITUDE, Measure.SIZE, Measure.THICKNESS,
+))  # fmt: skip
+_OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
+
+
+def values(question: Question) -> Iterator[Draft]:
+    """A measure of a part, or of the whole."""
+    asked_for = asked_in(question)
+    for asked in asked_for:
+        if not question.in_question(asked.start) and any(question.in_question(other.start) for other in asked_for):
+            continue
+        for owner in owners_of(question, asked):
+            draft = _value(question, asked, owner)
+            get = draft.form
+            assert isinstance(get, Get)
+            if asked is not asked_for[0]:
+                draft.features["later_measure"] = 1.0
+            yield from _with_axis(question, draft)
+            if asked.how == "where":
+                yield from _points(question, get, draft)
+            yield from less(question, get, draft.features, draft.used)
+            yield from material(question, get, draft.features, draft.used)
+
+
+def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
+    """The measures of one owner."""
+    text = question.text
+    reduce, used = _reduce(question, asked, owner.target)
+    used |= asked.used | owner.used
+    features = {**owner.features, f"asked_{asked.how}": 1.0}
+    if asked.how == "noun" and asked.measures[0] in VECTORS:
+        features["asked_vector"] = 1.0
+    overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *_OVERALL)}
+    if overall or text.is_word(asked.start, "overall", "total"):
+        features["overall_whole" if owner.target is None else "overall_part"] = 1.0
+    density = None
+    if Measure.MASS in asked.measures:
+        stated = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == DENSITY]
+        if stated:
+            density = text.tokens[stated[0]].value
+            used |= {*stated, *(i for span in text.all("density") for i in span.tokens)}
+    return Draft(Get(asked.measures, owner.target, reduce, density), features, used | overall)
+
+
+def _points(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
+    """'Where is the tip of …?'"""
+    text = question.text
+    for measure in (Measure.TIP, Measure.OPENING):
+        named = {i for i in range(len(text)) if (span := text.find(i, "measure")) and span.value is measure}
+        if named:
+            point = replace(get, measures=(measure,))
+            yield Draft(point, {**draft.features, "where_point": 1.0}, draft.used | named)
+
+
+def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
+    """'How long is it in y direction?' is the extent along y."""
+    text = question.text
+    axis, used = axis_named(question, draft.used)
+    get = draft.form
+    assert isinstance(get, Get)
+    if axis is not None and axis < LONGEST and len(get.measures) == 1:
+        if get.measures[0] in _ALONG:
+            extent = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis]
+            yield Draft(replace(get, measures=(extent,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
+        elif get.measures[0] is Measure.POSITION:
+            point = (Measure.X, Measure.Y, Measure.Z)[axis]
+            yield Draft(replace(get, measures=(point,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
+    if get.measures == (Measure.WIDTH,) and text.has("flat"):
+        flats = text.at_words("across", "over", "flat", "between")
+        yield Draft(
+            replace(get, measures=(Measure.ACROSS_FLATS,)),
+            {**draft.features, "along_axis": 1.0},
+            draft.used | flats,
+        )
+    yield draft
+
+
+def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, set[int]]:
+    """What becomes of the values: one each, the shared one, the different ones, their sum, …?"""
+    text = question.text
+    plural = target is not None and target.plural
+    if asked.reduce is not None:
+        if asked.reduce is not Reduce.TOTAL or (plural and asked.measures[0] in ADDITIVE | _STACKED):
+            return asked.reduce, set()
+    used: set[int] = set()
+    start, end = question.asking
+    for category, meaning in (("different", Reduce.DIFFERENT), ("mean", Reduce.MEAN), ("total", Reduce.TOTAL)):
+        for at in range(start, end):
+            span = text.find(at, category)
+            if span is None or text.is_word(at - 1, "i", "we", "you"):
+                continue
+            if meaning is Reduce.TOTAL and not (plural and asked.measures[0] in ADDITIVE):
+                used |= set(range(at, span.end))
+                continue
+            return meaning, set(range(at, span.end))
+    if target is None:
+        return Reduce.ONE, used
+    each = {i for i in range(start, end) if text.find(i, "each")}
+    if each or (target.plural and not target.sample):
+        return Reduce.EACH, used | each
+    named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
+    several = named and target.plural and not target.definite and asked.measures[0] is not Measure.SIZE
+    return Reduce.EACH if several else Reduce.ONE, used

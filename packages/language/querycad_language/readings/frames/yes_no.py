@@ -1,0 +1,137 @@
+"""Yes or no: whether a value is as stated, and whether parts are as is said of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
+from querycad_language.forms import Check, Every, Get, Parallel, Target, Uniform
+from querycad_language.phrases import Mention, replace_fields
+from querycad_language.readings.asked import Asked, asked_in
+from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.question import Question
+from querycad_language.text import Text
+
+
+def yes_no(question: Question) -> Iterator[Draft]:
+    """'Is the bore 25 mm?', 'Is the hole on the front threaded?', 'Are all holes equally deep?'"""
+    text = question.text
+    start = _verb_start(question)
+    if start is None or text.is_word(start + 1, "there"):
+        return
+    asked = [one for one in asked_in(question) if one.start > start]
+    parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
+    if len(parts) > 1 and parts[0].query and parts[1].query and text.is_word(parts[1].start, "a", "an"):
+        said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
+        yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
+    for index, mention in enumerate(parts[:2]):
+        base: Features = {"check": 1.0, "count_far": float(index)}
+        used = {start} | mention.used
+        target = mention.query
+        if target is not None:
+            yield from _alike(text, start, target, asked, base, used)
+            yield from _parallel(text, start, mention, parts, base, used)
+            if target.sizes:
+                bare = replace_fields(target, sizes=target.sizes[:-1])
+                yield from _checked(text, bare, target.sizes[-1], asked, base, used)
+        found = _size_after(question, mention.end)
+        if found is not None:
+            yield from _checked(text, target, found[0], asked, base, used | found[1])
+        if target is not None:
+            yield from _predicates(text, mention, target, base, used)
+            yield from _attributes(text, mention, target, base, used)
+
+
+def _alike(
+    text: Text, start: int, target: PartQuery, asked: Sequence[Asked], base: Features, used: set[int]
+) -> Iterator[Draft]:
+    """'Are the holes all the same size?'"""
+    same = {i for i in range(start, len(text)) if text.find(i, "same")}
+    if same:
+        for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
+            get = Get(one.measures, replace_fields(target, plural=True))
+            yield Draft(Uniform(get), base, used | same | one.used)
+
+
+def _parallel(
+    text: Text, start: int, mention: Mention, parts: Sequence[Mention], base: Features, used: set[int]
+) -> Iterator[Draft]:
+    """'Are the slots parallel?', 'Is the bore perpendicular to the face?'"""
+    assert mention.query is not None
+    other = next((m for m in parts if m.start > mention.end), None)
+    second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
+    for word, square in (("parallel", False), ("perpendicular", True)):
+        at = {i for i in range(start, len(text)) if text.find(i, word)}
+        if at:
+            yield Draft(Parallel(mention.query, second, square), base, used | at | more)
+
+
+def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
+    """'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
+    if (target.adjectives or target.lacking) and _adjective_last(text, mention):
+        adjectives = target.adjectives[:-1] if not target.lacking else target.adjectives
+        bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
+        yield Draft(Every(bare, target), base, used)
+    if target.sides:
+        yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
+
+
+def _predicates(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
+    """'Are the ports really round?': what is said of them behind the noun."""
+    for at in range(mention.end, len(text)):
+        span = text.find(at, "adjective")
+        if span is None or at in used or not span.value.tags:
+            continue
+        said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
+        if text.is_word(at - 1, "not", "non"):
+            said = replace_fields(target, lacking=(*target.lacking, span.value.name))
+        yield Draft(Every(target, said), {**base, "predicate": 1.0}, used | set(span.tokens))
+        return
+
+
+def _verb_start(question: Question) -> int | None:
+    """Where a clause begins that is answered by yes or no."""
+    text, (start, end) = question.text, question.asking
+    if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))):
+        return start
+    if text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n"):
+        return start
+    at = next((i for i in range(start, end) if text.find(i, "be", "do") and not text.find(i, "ask", "count")), None)
+    if at is None or text.is_word(at - 1, "there"):
+        return None
+    if any(text.is_word(i, "what", "how", "which", "where") for i in range(start, end)):
+        return None
+    return at if all(_leads(text, i) for i in range(start, at)) else None
+
+
+def _leads(text: Text, at: int) -> bool:
+    """May the word stand before a yes-or-no question: 'please tell me whether'?"""
+    if text.find(at, "ask", "where", "count", "noun", "measure") and not text.is_word(at, "that", "this"):
+        return False
+    polite = text.find(at, "chatter", "courtesy", "imperative", "function")
+    return polite is not None or text.is_word(at, ",", "if", "whether")
+
+
+def _size_after(question: Question, at: int) -> tuple[SizeFilter, set[int]] | None:
+    text = question.text
+    for begin in range(at, min(len(text), at + 6)):
+        found = question.phrases.size(begin)
+        if found is not None:
+            return found[0], set(range(begin, found[1]))
+    return None
+
+
+def _checked(
+    text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked], base: Features, used: set[int]
+) -> Iterator[Draft]:
+    measure = size.measure or (asked[0].measures[0] if asked else Measure.MAGNITUDE)
+    tokens = used.union(*(one.used for one in asked))
+    least = size.relation is Relation.EQUAL and text.has("least")
+    relation = Relation.AT_LEAST if least else size.relation
+    yield Draft(Check(Get((measure,), target), relation, size.low, size.high), base, tokens)
+
+
+def _adjective_last(text: Text, mention: Mention) -> bool:
+    return (
+        text.find(mention.end - 1, "adjective", "trait") is not None and text.find(mention.end - 1, "noun") is None
+    ) or mention.head < mention.end - 1

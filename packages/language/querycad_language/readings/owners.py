@@ -1,0 +1,112 @@
+"""Which part is a measure asked of? The words between them link the two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from querycad_contracts import Place
+from querycad_language.forms import Target
+from querycad_language.phrases import Mention, replace_fields
+from querycad_language.tokens import Kind
+
+from .asked import Asked
+from .drafts import Features
+from .question import Question
+
+STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
+"""Links that grammar makes: where there is one, other parts are hardly meant."""
+
+
+class Owner(NamedTuple):
+    """What a measure may be asked of. `used`: the tokens that name and link it."""
+
+    target: Target
+    used: set[int]
+    features: Features
+
+
+def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
+    """All that the measure may be asked of."""
+    text = question.text
+    linked = [(mention, _link(question, asked, mention)) for mention in question.mentions]
+    linked = [(m, link) for m, link in linked if link != "overlap"]
+    pronoun = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
+    owned = any(link in STRONG and not m.pronoun for m, link in linked)
+    nearest = 0
+    for mention, link in sorted(linked, key=lambda pair: abs(pair[0].head - asked.start)):
+        if mention.pronoun or (mention.query is None and link not in STRONG):
+            continue
+        features = {f"link_{link}": 1.0}
+        if pronoun and link in ("earlier", "before", "far_before", "topic", "having"):
+            features = {"link_pronoun": 1.0, "pronoun_steps": float(nearest)}
+        if owned and link not in STRONG:
+            features["owner_passed"] = 1.0
+        nearest += 1
+        used = set(mention.used)
+        if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
+            used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
+        yield Owner(mention.query, used, features)
+    yield from _compound_of(linked, asked)
+    features = {"link_whole": 1.0}
+    if owned:
+        features["owner_passed"] = 1.0
+    if pronoun:
+        features = {"link_whole_pronoun": 1.0}
+    if any(not m.pronoun and m.query is not None for m in question.mentions):
+        features["parts_passed"] = 1.0
+    sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
+    yield Owner(None, sides, features)
+
+
+def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Asked) -> Iterator[Owner]:
+    """'the counterbore diameter of the small holes': of the counterbores of those."""
+    before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
+    of = [m for m, link in linked if link in ("of", "preposition") and m.query is not None and not m.pronoun]
+    if before is None or before.query is None or not of or of[0].query is None:
+        return
+    places = (*before.query.places, Place(relation="of", what=of[0].query))
+    joined = replace_fields(before.query, places=places, plural=of[0].query.plural)
+    used = set(before.used | of[0].used | set(range(asked.end, of[0].start)))
+    yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})
+
+
+def _link(question: Question, asked: Asked, mention: Mention) -> str:
+    """How do the words link a measure to a part?"""
+    apart = question.sentence_of(mention.start) != question.sentence_of(asked.start)
+    if mention.end <= asked.start:
+        return "earlier" if apart else _link_before(question, asked, mention)
+    if mention.start >= asked.end:
+        return "later" if apart else _link_behind(question, asked, mention)
+    return "overlap"
+
+
+def _link_before(question: Question, asked: Asked, mention: Mention) -> str:
+    """The part is named before the measure."""
+    text, between = question.text, range(mention.end, asked.start)
+    if not between:
+        return "compound"
+    if any(text.tokens[i].kind is Kind.POSSESSIVE for i in between):
+        return "possessive"
+    if any(text.is_word(i, ",", "(", "-") for i in between):
+        return "topic"
+    if any(text.find(i, "have", "ask") for i in between):
+        return "having"
+    return "before" if all(not text.is_content(i) for i in between) else "far_before"
+
+
+def _link_behind(question: Question, asked: Asked, mention: Mention) -> str:
+    """The part is named behind the measure."""
+    text, between = question.text, range(asked.end, mention.start)
+    others = [other for other in question.mentions if not other.pronoun]
+    if any(asked.end <= other.start and other.end <= mention.start for other in others):
+        return "far"
+    if any(text.is_content(i) for i in between):
+        return "far"
+    if between and text.is_word(between[0], "of", "for"):
+        return "of"
+    if not between:
+        return "of" if asked.how == "noun" else "subject"
+    if any(text.find(i, "be", "do", "have") for i in between) or asked.how != "noun":
+        return "subject"
+    return "preposition" if any(text.find(i, "place") for i in between) else "after"

@@ -1,0 +1,84 @@
+"""Words that a reading passes over: which are they, and of what class?"""
+
+from __future__ import annotations
+
+from querycad_language.tokens import Kind
+
+from .drafts import Draft, Reading
+from .question import Question
+
+_CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
+    ("courtesy", frozenset(("courtesy",))),
+    ("side", frozenset(("side", "view"))),
+    ("negation", frozenset(("negation", "except"))),
+    ("noun", frozenset(("noun",))),
+    ("function", frozenset(("whole", "pronoun", "ask"))),
+    ("measure", frozenset(("measure", "distance", "gap"))),
+    ("comparison", frozenset(("scale", "same", "most", "least", "different"))),
+    ("function", frozenset(("function", "be", "side_preposition"))),
+    ("chatter", frozenset(("chatter", "imperative", "have", "relation", "place", "quantifier", "each"))),
+    ("adjective", frozenset(("adjective",))),
+    ("function", frozenset(("side_noun", "article", "axis_preposition", "total"))),
+)
+"""The class of a word by the categories that the lexicon has it in; the first that fits."""
+
+
+def finished(question: Question, draft: Draft) -> Reading:
+    """The reading with what it skips, by class; of other sentences than the asking one apart."""
+    text = question.text
+    features = dict(draft.features)
+    skipped: list[tuple[str, str]] = []
+    depth = 0
+    aside = _axis_asides(question) | {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
+    for at, token in enumerate(text.tokens):
+        depth += text.is_word(at, "(") - text.is_word(at, ")")
+        if at in draft.used or token.kind is Kind.SYMBOL or at in aside:
+            continue
+        kind = _class(question, at)
+        if kind in ("function", "courtesy"):
+            continue
+        skipped.append((kind, token.raw))
+        where = "skip" if question.in_question(at) and depth <= 0 else "aside"
+        name = f"{where}_{kind}"
+        features[name] = features.get(name, 0.0) + 1.0
+    edits = sum(token.corrected for at, token in enumerate(text.tokens) if at in draft.used)
+    if edits:
+        features["corrected"] = float(edits)
+    return Reading(draft.form, features, tuple(skipped), frozenset(draft.used))
+
+
+def _axis_asides(question: Question) -> set[int]:
+    """'along its axis': the words say how a length is taken, and hardly ever which."""
+    text = question.text
+    found: set[int] = set()
+    for at in range(len(text)):
+        if text.find(at, "axis_preposition") and not text.is_word(at, "in", "by"):
+            end = next(
+                (i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "centerline")), None
+            )
+            if end is not None:
+                found |= set(range(at, end + 1))
+    return found
+
+
+def _class(question: Question, at: int) -> str:
+    """Which class has a word that is passed over?"""
+    text, token = question.text, question.text.tokens[at]
+    if token.kind in (Kind.QUANTITY, Kind.THREAD, Kind.TIMES, Kind.NUMBER):
+        return "number"
+    if token.kind is Kind.POSSESSIVE:
+        return "function"
+    own = {span.category for span in text.spans[at]}
+    for other in range(max(0, at - 3), at):  # inside a longer phrase that begins before
+        longer = {span.category for span in text.spans[other] if span.end > at}
+        own |= longer - {"noun", "measure", "adjective"}
+    unclassed = "chatter" if own else "unknown"
+    if not text.is_word(at, "except", "excluding"):
+        own.discard("except")
+    name = next((name for name, categories in _CLASSES if own & categories), unclassed)
+    if name == "side" and "chatter" in own and text.is_word(at, "back", "right"):
+        return "function"
+    if name == "adjective":
+        adjectives = [span.value for span in text.spans[at] if span.category == "adjective"]
+        return "adjective" if any(one.tags or one.order for one in adjectives) else "chatter"
+    return name
