@@ -122,7 +122,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             if kind in WHOLE:
                 return [("{0}.extents[1]", "own")]
             return [
-                ("{0}.depth", "own" if kind in CUT else "foreign"),
+                ("{0}.depth", "own" if kind in CUT or "hollow" in part.tags else "foreign"),
                 ("{0}.height", "derived"),
                 ("{0}.extents[1]", "foreign"),
             ]

@@ -121,7 +121,7 @@ def test_a_rank_takes_the_first_of_an_order() -> None:
 def test_one_of_several_is_every_way_to_choose() -> None:
     ways = ground(PLATE, PartQuery(noun="hole", words=("hole",), definite=True))
     chosen = {name for way in ways for name in way.features}
-    assert {"largest_for_one", "several_for_one"} <= chosen
+    assert {"group_for_one", "several_for_one"} <= chosen
 
 
 def test_exceptions_are_taken_away_and_further_kinds_added() -> None:
