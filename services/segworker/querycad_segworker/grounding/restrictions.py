@@ -1,0 +1,186 @@
+"""What restricts: colours, threads, adjectives, sizes; what cannot be checked is said."""
+
+from __future__ import annotations
+
+import colorsys
+import math
+from collections.abc import Iterator
+
+from querycad_contracts import Measure, Relation, SizeFilter
+from querycad_language.lexicon import lexicon
+
+from .inventory import THREAD_TOLERANCE_M, Inventory, by_size, values_of
+from .names import all_words
+from .ways import Request, Way, kept
+
+DRAWN_M = 0.05e-3
+"""Stated sizes are met to drawing accuracy, or to half of their last digit."""
+NEAR = 0.02
+"""A nominal size may differ by this share from what is modelled."""
+
+
+def colored(request: Request, way: Way) -> Iterator[Way]:
+    """Those of a colour: 'the red bolts'; a colour without a noun, or of a body, is one of bodies."""
+    if not request.query.colors:
+        yield way
+        return
+    hues = lexicon().hues
+    color = request.query.colors[0]
+    yield from kept(way, [p for p in way.parts if _has_color(p.color, color, hues)], "color", f"'{color}'")
+    if request.query.noun in ("", "body", "object"):
+        bodies = [b for b in request.inventory.bodies if _has_color(b.color, color, hues)]
+        if bodies and not any(b in way.parts for b in bodies):
+            yield way.to(bodies, "color_agrees")
+
+
+def _has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]]) -> bool:
+    """Does a hexadecimal colour go by this name? Greys by saturation below 15 %, black and white by brightness."""
+    if color is None:
+        return False
+    r, g, b = (int(color[i : i + 2], 16) / 255 for i in (1, 3, 5))
+    hue, saturation, value = colorsys.rgb_to_hsv(r, g, b)
+    if name == "black":
+        return value < 0.2
+    if name == "white":
+        return saturation < 0.15 and value > 0.9
+    if name in ("gray", "silver"):
+        return saturation < 0.15 and 0.2 <= value <= 0.9
+    low, high = hues[name]
+    degrees = math.degrees(hue * math.tau)
+    inside = low <= degrees < high if low < high else degrees >= low or degrees < high
+    return saturation >= 0.15 and value >= 0.2 and inside
+
+
+def threaded(request: Request, way: Way) -> Iterator[Way]:
+    """Those that a thread's name marks, or whose diameter fits it: 'the M5 holes'."""
+    if not request.query.threads:
+        yield way
+        return
+    name = request.query.threads[0]
+    nominal = lexicon().threads.get(name) or lexicon().threads.get(name.partition("x")[0]) or ()
+    size = float(name[1:].partition("x")[0]) * 1e-3 if name[0] == "m" else 0.0
+    marked = [
+        p
+        for p in way.parts
+        if p.kind == "body" and any(w == name or w.startswith(f"{name}x") for w in all_words(p.name))
+    ]
+    fitting = [
+        p
+        for p in way.parts
+        if any(abs(v - d) <= THREAD_TOLERANCE_M for v in values_of(p, Measure.DIAMETER) for d in (*nominal, size))
+    ]
+    yield from kept(way, marked or fitting, "thread", f"'{name}'")
+
+
+def narrowed(request: Request, way: Way) -> Iterator[Way]:
+    """Adjectives, and what the parts must not have; words that are not known, which the names of bodies may hold."""
+    inventory, query = request.inventory, request.query
+    ways = [way]
+    for name in query.adjectives:
+        ways = [after for one in ways for after in _adjective(inventory, one, name, query.count)]
+    for name in query.lacking:
+        adjective = lexicon().adjectives.get(name)
+        if adjective is not None:
+            tags = (*adjective.tags, *adjective.fallback[: 0 if adjective.loose else None])
+            ways = [one.to([p for p in one.parts if not inventory.has(p, tags)], "lacking") for one in ways]
+    for one in ways:
+        if query.unknown:
+            yield from _unknown(request, one)
+        else:
+            yield one
+
+
+def _unknown(request: Request, way: Way) -> Iterator[Way]:
+    """Words that are not known: names of bodies or of the file may hold them, or they say which size."""
+    words = request.query.unknown
+    marked = [p for p in way.parts if p.kind == "body" and all(word in all_words(p.name) for word in words)]
+    if marked:
+        yield way.to(marked, "unknown_named")
+    elif request.inventory.file_named(words):
+        yield way.to(way.parts, "unknown_is_file")
+    else:
+        said = f"'{' '.join(words)}'"
+        yield way.to(way.parts, "unknown_words", float(len(words)), said)
+        groups = by_size(way.parts)
+        for group in groups if 1 < len(groups) < 5 and request.query.plural else ():
+            yield way.to(group, "unknown_group", 1.0, said)
+
+
+def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> Iterator[Way]:
+    adjective = lexicon().adjectives.get(name)
+    if adjective is None or not way.parts:
+        yield way
+        return
+    kept = [p for p in way.parts if inventory.has(p, adjective.tags)] if adjective.tags else []
+    wider = [p for p in way.parts if inventory.has(p, adjective.fallback)] if adjective.fallback else []
+    if adjective.whole:
+        yield way.to(way.parts, "whole_adjective" if way.features.get("whole_sense") else "adjective_nothing")
+    elif kept and not (adjective.order and len(kept) == len(way.parts)):
+        yield way.to(kept, "adjective_agrees")
+    elif wider:
+        yield way.to(wider, "adjective_wider")
+    elif adjective.order:
+        ordered = inventory.ordered(way.parts, adjective, count)
+        narrowed = len(ordered) < len(way.parts)
+        yield way.to(ordered, "adjective_order" if narrowed else "adjective_nothing")
+        if narrowed:
+            yield way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
+    elif adjective.lacks:
+        yield way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")
+    elif not adjective.tags:
+        yield way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")
+    else:
+        yield way.to(way.parts, "adjective_loose" if adjective.loose else "adjective_dropped", unchecked=f"'{name}'")
+        if not adjective.loose:
+            yield way.to((), "adjective_empties")
+
+
+def sized(request: Request, way: Way) -> Iterator[Way]:
+    """Those with the stated sizes: 'the 5 mm holes'."""
+    ways = [way]
+    for size in request.query.sizes:
+        ways = [after for one in ways for after in _of_size(one, size)]
+    yield from ways
+
+
+def _of_size(way: Way, size: SizeFilter) -> Iterator[Way]:
+    said = f"'{size.low * 1e3:.4g} mm'"
+    exact = [p for p in way.parts if any(compares(v, size) for v in values_of(p, size.measure))]
+    if exact or size.relation not in (Relation.EQUAL, Relation.ABOUT):
+        yield from kept(way, exact, "size", said)
+        return
+    near = [p for p in way.parts if any(abs(v - size.low) <= NEAR * size.low for v in values_of(p, size.measure))]
+    if near:
+        yield way.to(near, "size_near")
+        return
+    other = (
+        [p for p in way.parts if any(compares(v, size) for m in Measure for v in values_of(p, m))]
+        if size.measure
+        else []
+    )
+    if other:
+        yield way.to(other, "size_of_other_measure")
+    yield from kept(way, [], "size", said)
+
+
+def compares(value: float, size: SizeFilter) -> bool:
+    """Does a value compare so with a stated size? Metres; equal is within drawing accuracy or half a per cent."""
+    slack = 1e-6
+    match size.relation:
+        case Relation.EQUAL:
+            return abs(value - size.low) <= max(DRAWN_M if size.low > 1e-3 else 0.05 * size.low, 0.002 * size.low)
+        case Relation.ABOUT:
+            return abs(value - size.low) <= 0.1 * size.low
+        case Relation.UNEQUAL:
+            return abs(value - size.low) > DRAWN_M
+        case Relation.LESS:
+            return value < size.low - slack
+        case Relation.AT_MOST:
+            return value <= size.low + slack
+        case Relation.MORE:
+            return value > size.low + slack
+        case Relation.AT_LEAST:
+            return value >= size.low - slack
+        case Relation.BETWEEN:
+            low, high = sorted((size.low, size.high or size.low))
+            return low - slack <= value <= high + slack

@@ -1,0 +1,77 @@
+"""What a noun means on one model: the senses that it has parts for, names of bodies, the whole."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from querycad_contracts import PartQuery
+from querycad_language.lexicon import Sense, lexicon
+
+from .inventory import Inventory
+from .ways import Request, Way
+
+
+def bases(request: Request) -> Iterator[Way]:
+    """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
+    inventory, query = request.inventory, request.query
+    noun = lexicon().nouns.get(query.noun) if query.known else None
+    words = [word for word in query.words if word not in ("the",)] or query.noun.split()
+    named = list(_by_name(inventory, words, query.noun.split()))
+    yield from named
+    if noun is not None:
+        yield from _senses(inventory, noun.senses, noun.product)
+        others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
+        if query.definite and not others and inventory.alone and inventory.model is not None and not noun.product:
+            yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
+    elif not query.noun:
+        yield Way(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
+    elif not named:
+        yield from _unknown(inventory, query, words)
+
+
+def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) -> Iterator[Way]:
+    """Bodies that are called so, and the model where its file is."""
+    for body_words in dict.fromkeys((tuple(words), tuple(noun))):
+        named = inventory.body_named(body_words)
+        if named:
+            best = max(share for _, share in named)
+            bodies = tuple(body for body, share in named if share == best)
+            yield Way(bodies, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
+    if inventory.model is not None and inventory.file_named(words):
+        features = {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)}
+        yield Way((inventory.model,), features)
+
+
+def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Way]:
+    """Nothing is known of the noun: its last word may be one, or it is what the whole model is."""
+    last = lexicon().nouns.get(words[-1]) if words else None
+    if last is not None and len(words) > 1:
+        for way in _senses(inventory, last.senses, last.product):
+            yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
+    if inventory.model is not None and not query.plural:
+        yield Way((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
+    yield Way((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
+
+
+def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Iterator[Way]:
+    seen: set[tuple[str, ...]] = set()
+    rank = 0
+    for sense in senses:
+        parts = inventory.of_sense(sense)
+        key = tuple(part.id for part in parts)
+        if not parts or key in seen:
+            continue
+        seen.add(key)
+        features = {"sense_stretch": sense.stretch, "sense_rank": float(rank)}
+        rank += 1
+        if sense.name:
+            features["sense_named"] = 1.0
+        if parts[0].kind == "model":
+            features["whole_sense"] = 1.0
+            if inventory.alone:
+                features["whole_alone"] = 1.0
+        yield Way(tuple(parts), features)
+    if product and inventory.model is not None and not any("model" in sense.kind for sense in senses):
+        yield Way((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
+    if rank == 0:
+        yield Way((), {"nothing": 1.0})
