@@ -79,7 +79,7 @@ def _different_counts(question: Question, used: set[int], measure: Span) -> Iter
 
 
 def _count_of(mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[Draft]:
-    """How many of them; of another part's where one is named: 'how many teeth does the gear have?'"""
+    """How many of them; of another part's where one is named: 'how many ribs does the bracket have?'"""
     query = mention.query
     if query is None:
         if mention.pronoun and not mention.plural:
