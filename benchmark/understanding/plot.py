@@ -29,7 +29,9 @@ def draw(told: Sequence[Told], path: Path = PICTURE) -> None:
     for i in range(10):
         inside = [one for one in known if i / 10 <= one.confidence < (i + 1) / 10 + (i == 9)]
         if inside:
-            points.append((sum(one.confidence for one in inside) / len(inside), sum(one.right for one in inside) / len(inside)))
+            points.append(
+                (sum(one.confidence for one in inside) / len(inside), sum(one.right for one in inside) / len(inside))
+            )
     right.plot([0, 1], [0, 1], color="0.7", linewidth=1)
     right.plot([p for p, _ in points], [q for _, q in points], marker="o", markersize=4)
     right.set(xlabel="confidence", ylabel="share of right answers", xlim=(0, 1), ylim=(0, 1))

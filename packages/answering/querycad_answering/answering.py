@@ -55,8 +55,8 @@ def answer_question(
 ) -> AnswerRecord:
     """What is the answer? Never raises for what is wrong with a question or program: the record's `failure` says it.
 
-    `unit` is the one that `answer.text` is written in, unless the words ask for another; `answer.value` is SI whatever it is. `view` is what readings are
-    ranked on, `summary` what a language model is told of the model.
+    `unit` is the one that `answer.text` is written in, unless the words ask for another; `answer.value` is SI whatever
+    it is. `view` is what readings are ranked on, `summary` what a language model is told of the model.
     """
     clock = _Clock()
     unit = asked_unit(question) or unit

@@ -114,9 +114,9 @@ def _assigned(code: str) -> dict[str, ast.expr]:
 
 
 _LENGTHS = (
-    "radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch", "outer_diameter", "inner_diameter",
-    "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius", "mouth_length", "mouth_width",
-    "bottom_length", "bottom_width",
+    "radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch", "outer_diameter",
+    "inner_diameter", "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius",
+    "mouth_length", "mouth_width", "bottom_length", "bottom_width",
 )  # fmt: skip
 _DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance")
 _KNOWN = frozenset({*_SCALARS, *_TRIPLES, *_LENGTHS, *_DISTANCES})
