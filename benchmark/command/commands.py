@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import datetime
+import json
 import re
 import sys
 import tempfile
@@ -73,6 +74,9 @@ def _all(options: argparse.Namespace, console: Console) -> int:
         runs.append(_measure(read_benchmark(folder, models), Path(options.out) / folder.name, options, console))
     if not runs:
         raise BadBenchmark(f"no benchmark here: neither {OWN} nor {THEIRS}")
+    if (figures := cross_validated_figures(OWN / "understanding" / "results.json")) is not None:
+        console.print("cross-validated by writer and model, as `make fit` wrote it down:", highlight=False)
+        console.print(figures, highlight=False)
     fallen = falls(runs, read_floor(OWN / "floor.json"))
     for fall in fallen:
         print(f"querycad: below the floor: {fall}", file=sys.stderr)
@@ -81,6 +85,13 @@ def _all(options: argparse.Namespace, console: Console) -> int:
         written = record(runs, OWN, datetime.datetime.now(datetime.UTC).date())
         console.print("recorded: " + ", ".join(str(path) for path in written))
     return EXIT_BELOW_FLOOR if fallen else EXIT_DONE
+
+
+def cross_validated_figures(path: Path) -> str | None:
+    """The table that `make fit` keeps beside the weights; None where there is none."""
+    if not path.is_file():
+        return None
+    return "\n".join(json.loads(path.read_text(encoding="utf-8"))["table"])
 
 
 def _score(options: argparse.Namespace, console: Console) -> int:

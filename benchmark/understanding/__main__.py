@@ -18,6 +18,7 @@ from .collect import Row, collect
 from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
 from .data import Question, asked, questions
 from .fit import Table
+from .plot import draw
 
 PRIOR = Path(__file__).with_name("prior.toml")
 RESULTS = Path(__file__).with_name("results.json")
@@ -48,6 +49,7 @@ def _fit(jobs: int, rounds: int) -> int:
         right = sum(one.right for one in told) / len(told)
         _write(table, calibration, data, right)
     print(text)
+    draw(told)
     curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
     RESULTS.write_text(
         json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n",
