@@ -164,6 +164,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.THICKNESS:
             return _thickness(part, stepped)
         case Measure.WALL_THICKNESS:
+            if stepped and kind in WHOLE:  # a flange with a hub is no tube
+                return [("{0}.thickness", "own"), ("max({0}.radii) - min({0}.radii)", "derived")]
             if stepped:
                 return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.thickness", "own")]
             return [("{0}.thickness", "own")]

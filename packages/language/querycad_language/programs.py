@@ -177,7 +177,7 @@ class _Writer:
             return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
         expression = self._read(measure, parts) if measure is not Measure.TIP else "{0}.center"
         if measure is Measure.MASS:
-            expression = f"{expression} * {form.density or 1000.0:g}"
+            expression = f"{expression} * {_density(form):g}"
         kind = answer_type(measure)
         if measure in (Measure.SIZE, Measure.MAGNITUDE):
             kind = (
@@ -226,7 +226,7 @@ class _Writer:
 
     def _of_whole(self, form: Get) -> tuple[str, AnswerType]:
         if form.measures[0] is Measure.MASS:
-            return f"shape.volume * {form.density or 1000.0:g}", AnswerType.NUMBER
+            return f"shape.volume * {_density(form):g}", AnswerType.NUMBER
         if form.measures[0] in (Measure.NAME, Measure.COLOR):
             name = form.measures[0].value
             return f"[body.{name} for body in shape.bodies]", AnswerType.TEXTS
@@ -476,6 +476,13 @@ class _Writer:
             raise Unwritable
         self._grades.append("own" if self._option == 0 else "derived")
         return modes[self._option]
+
+
+def _density(form: Get) -> float:
+    """The stated density in kg/m3; a STEP file holds none. Raises Unwritable."""
+    if form.density is None:
+        raise Unwritable
+    return form.density
 
 
 def _of_shape(expression: str) -> bool:
