@@ -32,7 +32,6 @@ from .forms import (
 )
 from .measures import WHOLE, Grade, answer_type, is_length, of_several, options
 
-MODEL = Part.model_construct  # the whole model stands for itself where a form has no target
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 _SLACK = 1e-6
 _SYMBOLS = {
@@ -479,7 +478,7 @@ class _Writer:
 
 
 def _density(form: Get) -> float:
-    """The stated density in kg/m3; a STEP file holds none. Raises Unwritable."""
+    """The stated density in kg/m3. Raises Unwritable where none is: a STEP file holds none."""
     if form.density is None:
         raise Unwritable
     return form.density
@@ -495,8 +494,6 @@ def _of_shape(expression: str) -> bool:
 def _call(query: PartQuery, sense: int) -> str:
     """The argument of find_parts: the query as a dictionary, without what is empty."""
     implied = {"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set()
-    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied)
-    if sense:
-        fields["sense"] = sense
+    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied) | ({"sense": sense} if sense else {})
     text = json.dumps(fields, ensure_ascii=False)
     return text.replace(": true", ": True").replace(": false", ": False").replace(": null", ": None")
