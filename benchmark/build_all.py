@@ -60,13 +60,17 @@ def question_file(script: Script) -> str:
 
 def write(name: str, folder: Path) -> Path:
     """Where is the model's STEP file? ValueError: the shape is not valid, or not as many solids as the script says."""
+    script = load(name)
+    return exported(name, script.model, script.shape, folder)
+
+
+def exported(name: str, model: Model, shape: Any, folder: Path) -> Path:
+    """Where is the STEP file of a shape that a script built? ValueError as for `write`."""
     from build123d import Compound, Part
     from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
 
     from _example import export
 
-    script = load(name)
-    model, shape = script.model, script.shape
     if len(shape.solids()) != model.bodies or not shape.is_valid:
         raise ValueError(f"{name}: {len(shape.solids())} solids instead of {model.bodies}, or an invalid one")
     if model.form is Form.BSPLINE:

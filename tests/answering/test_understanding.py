@@ -107,6 +107,8 @@ def test_words_that_carry_meaning_are_never_skipped_without_a_word() -> None:
         ("How many zorbs are there?", "zorb"),
         ("What does it cost?", "price"),
         ("What material is it made of?", "material"),
+        ("How heavy is it?", "density"),
+        ("What does the plate weigh?", "density"),
         ("Which tolerance has the hole?", "tolerance"),
         ("Who designed this part?", "designed"),
     ],

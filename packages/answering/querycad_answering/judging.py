@@ -83,10 +83,11 @@ def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:
         message = f"the model has {len(known)} such part{'' if len(known) == 1 else 's'}: too few for what is asked"
         return Failure(category="not_grounded", message=message)
     missing = outcome.missing_attribute
-    if missing is None or not missing.part:
+    if missing is None:
         return None
     label = known[missing.part].label if missing.part in known else missing.part
-    message = f"no {missing.attribute.replace('_', ' ')} is known of {label} ({missing.part})"
+    whose = f"{label} ({missing.part})" if missing.part else "the whole model"
+    message = f"no {missing.attribute.replace('_', ' ')} is known of {whose}"
     return Failure(category="not_grounded", message=message, missing_attribute=missing)
 
 

@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from querycad_contracts import Failure, Grounded, PartQuery
+from querycad_contracts import Failure, Grounded, Measure, PartQuery
 from querycad_language.describe import describe, noun_phrase
-from querycad_language.forms import Count, Every, Exists, queries
+from querycad_language.forms import Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader, Reading
 from querycad_language.tokens import DENSITY
@@ -30,6 +30,7 @@ _MEASURED = ("measure", "count", "exists", "distance", "gap")
 _CANNOT_KNOW = {
     "price": "a STEP file holds no price",
     "tolerance": "a STEP file of this kind holds no tolerance and no surface finish: it is the nominal shape",
+    "density": "a STEP file holds no density: state one, such as 7850 kg/m3, or ask for the volume",
     "material": "a STEP file does not say which material the part is made of",
     "strength": "a STEP file holds no load and no strength",
     "author": "who designed the part is not read from the file",
@@ -78,6 +79,9 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     text = asked.reader.text
     if any(token.power == DENSITY for token in text.tokens):
         return None
+    first = next(iter(asked.readings), None)
+    if first is not None and isinstance(first.form, Get) and Measure.MASS in first.form.measures:
+        return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]
     inside = {i for span in unknowable for i in range(span.start, span.end)}

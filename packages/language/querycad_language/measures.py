@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Literal
 
@@ -164,7 +165,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.THICKNESS:
             return _thickness(part, stepped)
         case Measure.WALL_THICKNESS:
-            if stepped:
+            if stepped and not (kind in WHOLE and not _is_plain_tube(part)):
                 return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.thickness", "own")]
             return [("{0}.thickness", "own")]
         case Measure.MAGNITUDE:
@@ -236,6 +237,15 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             return [(_end(_ENDS[measure]), "own")]
         case _:
             return [("{0}." + measure.value, "own")]
+
+
+def _is_plain_tube(part: Part) -> bool:
+    """Is a body a tube and nothing else, by its volume? A flange with a hub is none."""
+    if part.axis is None or part.volume is None:
+        return True
+    along = max(range(3), key=lambda i: abs(part.axis[i]) if part.axis else 0.0)
+    tube = math.pi * (max(part.radii) ** 2 - min(part.radii) ** 2) * part.extents[along]
+    return abs(part.volume - tube) <= 0.05 * tube
 
 
 def _chamfer() -> list[tuple[str, Grade]]:

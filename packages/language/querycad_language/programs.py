@@ -32,7 +32,6 @@ from .forms import (
 )
 from .measures import WHOLE, Grade, answer_type, is_length, of_several, options
 
-MODEL = Part.model_construct  # the whole model stands for itself where a form has no target
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 _SLACK = 1e-6
 _SYMBOLS = {
@@ -177,7 +176,7 @@ class _Writer:
             return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
         expression = self._read(measure, parts) if measure is not Measure.TIP else "{0}.center"
         if measure is Measure.MASS:
-            expression = f"{expression} * {form.density or 1000.0:g}"
+            expression = f"{expression} * {_density(form):g}"
         kind = answer_type(measure)
         if measure in (Measure.SIZE, Measure.MAGNITUDE):
             kind = (
@@ -226,7 +225,7 @@ class _Writer:
 
     def _of_whole(self, form: Get) -> tuple[str, AnswerType]:
         if form.measures[0] is Measure.MASS:
-            return f"shape.volume * {form.density or 1000.0:g}", AnswerType.NUMBER
+            return f"shape.volume * {_density(form):g}", AnswerType.NUMBER
         if form.measures[0] in (Measure.NAME, Measure.COLOR):
             name = form.measures[0].value
             return f"[body.{name} for body in shape.bodies]", AnswerType.TEXTS
@@ -478,6 +477,13 @@ class _Writer:
         return modes[self._option]
 
 
+def _density(form: Get) -> float:
+    """The stated density in kg/m3. Raises Unwritable where none is: a STEP file holds none."""
+    if form.density is None:
+        raise Unwritable
+    return form.density
+
+
 def _of_shape(expression: str) -> bool:
     """Does the guest's `shape` have what is read of it?"""
     known = ("center", "extents", "half_extents", "volume", "area", "thickness", "name", "width", "depth", "height")
@@ -488,8 +494,6 @@ def _of_shape(expression: str) -> bool:
 def _call(query: PartQuery, sense: int) -> str:
     """The argument of find_parts: the query as a dictionary, without what is empty."""
     implied = {"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set()
-    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied)
-    if sense:
-        fields["sense"] = sense
+    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied) | ({"sense": sense} if sense else {})
     text = json.dumps(fields, ensure_ascii=False)
     return text.replace(": true", ": True").replace(": false", ": False").replace(": null", ": None")
