@@ -36,7 +36,7 @@ def best(question: str) -> Reading:
 @pytest.mark.parametrize(
     ("question", "kind"),
     [
-        ("How many keyways are there?", Count),
+        ("How many blind slots have we got here?", Count),
         ("Is there a slot?", Exists),
         ("What is the depth of the slot?", Get),
         ("How far apart are the slots?", Distance),
