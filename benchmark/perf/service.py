@@ -114,7 +114,7 @@ def measure(options: ServiceOptions, progress: Callable[[str], None] = lambda _:
         if options.chaos:
             progress("chaos")
             with running(scratch / "hurt", workers=2) as service, Client(service.url) as client:
-                chaos = hurt(service, known(client, options.model), options.chaos)
+                chaos = chaos_under_load(service, known(client, options.model), options.chaos)
     return ServiceReport(figures=figures, chaos=chaos)
 
 
@@ -209,7 +209,7 @@ def drawn_per_s(service: Service, model: str, sizes: Iterator[int], count: int =
         return count / (time.perf_counter() - start)
 
 
-def hurt(service: Service, model: str, count: int) -> Chaos:
+def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
     """Asks while segworker, question worker, sandbox and api are killed, once each, and the store is restarted."""
     blows: tuple[tuple[str, Callable[[], None]], ...] = (
         ("segworker killed", lambda: service.kill("querycad_segworker.worker", "segcad")),

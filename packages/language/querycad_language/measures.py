@@ -241,9 +241,10 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
 
 def _is_plain_tube(part: Part) -> bool:
     """Is a body a tube and nothing else, by its volume? A flange with a hub is none."""
-    if part.axis is None or part.volume is None:
+    axis = part.axis
+    if axis is None or part.volume is None:
         return True
-    along = max(range(3), key=lambda i: abs(part.axis[i]) if part.axis else 0.0)
+    along = max(range(3), key=lambda i: abs(axis[i]))
     tube = math.pi * (max(part.radii) ** 2 - min(part.radii) ** 2) * part.extents[along]
     return abs(part.volume - tube) <= 0.05 * tube
 

@@ -34,8 +34,8 @@ def segment(options: argparse.Namespace) -> int:
 
 def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, faces: tuple[Face, ...]) -> int:
     from querycad_segworker.grounding.fusion import sightings
-    from querycad_segworker.segcad.engines.blind import BLIND
     from querycad_segworker.segcad.engines.known import KnownParts
+    from querycad_segworker.segcad.engines.null_models import NULL_MODELS
     from querycad_segworker.segcad.inspection.show import SHEET, look_and_draw, save_views
     from querycad_segworker.segcad.ports import VisionOptions, WeightsAbsent
 
@@ -67,7 +67,7 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
         try:
             models = load_models(weights_folder(), numbers.box_threshold)
         except (WeightsAbsent, UnknownLayout) as state:
-            models, absent = BLIND, str(state)
+            models, absent = NULL_MODELS, str(state)
     out = Path(options.out)
     seen = look_and_draw(artefacts, len(faces), options.phrase, models, out / SHEET, numbers, save_views(out))
     for one in sightings(seen, options.phrase, model.parts, faces):

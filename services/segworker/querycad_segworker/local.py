@@ -13,7 +13,7 @@ from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
 from .grounding.region import faces_of_id, region
-from .grounding.sight import Keep, Networks, Sight, keep_here, no_networks
+from .grounding.vision import Keep, Networks, Vision, keep_here, no_networks
 from .measuring import Kernel
 from .model import Artefacts, Model
 from .vectors import cross, dot, line_distance, norm
@@ -41,7 +41,7 @@ class LocalSegCad:
         `keep` puts the sheets that show how where others find them.
         """
         self.artefacts = artefacts
-        self._sight = Sight(artefacts, networks, vision, keep)
+        self._vision = Vision(artefacts, networks, vision, keep)
         self._kernel = Kernel(artefacts.kernel_faces)
         self.model = model or artefacts.load_model()
 
@@ -101,7 +101,7 @@ class LocalSegCad:
         by_words = find(self._inventory, description, sides)
         if self.grounding is GroundedBy.GEOMETRY:
             return by_words
-        return self._sight.ground(by_words, self.grounding, self.model.parts, self._faces)
+        return self._vision.ground(by_words, self.grounding, self.model.parts, self._faces)
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""

@@ -48,7 +48,7 @@ from querycad_contracts import (
 )
 
 from .errors import FileProblem
-from .grounding.sight import Networks, networks_in
+from .grounding.vision import Networks, networks_in
 from .ingest import IngestLimits, ingest
 from .local import LocalSegCad
 from .model import Artefacts, ModelStore, sheets_of

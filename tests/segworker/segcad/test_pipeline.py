@@ -11,13 +11,13 @@ from PIL import Image
 from tests.segworker.shapes import Found, cut, cylinder, find, plate, write_step
 
 from querycad_contracts import AnswerRecord, GroundedBy, Side, Status
-from querycad_segworker.grounding.sight import networks_in
+from querycad_segworker.grounding.vision import networks_in
 from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore
 from querycad_segworker.render.evidence import draw_evidence
-from querycad_segworker.segcad.engines.blind import BLIND
 from querycad_segworker.segcad.engines.known import KnownParts
+from querycad_segworker.segcad.engines.null_models import NULL_MODELS
 from querycad_segworker.segcad.inspection.stage_pictures import contact_sheet, draw_view
 from querycad_segworker.segcad.pipeline import Looked
 from querycad_segworker.segcad.pipeline import find as look_for
@@ -169,5 +169,5 @@ def test_parts_that_were_seen_can_be_measured(ingested: LocalSegCad) -> None:
 
 def test_without_networks_nothing_is_seen(drilled: Found) -> None:
     options = VisionOptions(width=320, height=180)
-    seen = look_for(make_renderer(drilled.mesh), graph(drilled), len(drilled.brep.faces), "hole", BLIND, options)
+    seen = look_for(make_renderer(drilled.mesh), graph(drilled), len(drilled.brep.faces), "hole", NULL_MODELS, options)
     assert seen.finds == ()

@@ -16,7 +16,7 @@ _OPERATIONS: dict[str, Literal["ratio", "apart", "plus"]] = {"ratio": "ratio", "
 
 
 def comparisons(question: Question) -> Iterator[Draft]:
-    """'How much longer is A than B?', 'the ratio of … to …', 'the difference between …'."""
+    """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
     yield from _combined(question)
 

@@ -13,7 +13,7 @@ from querycad_language.readings.question import Question
 
 
 def counts(question: Question) -> Iterator[Draft]:
-    """'How many holes are there?', 'the number of different depths of the slots'."""
+    """'How many blind slots are there?', 'What is the number of different depths of the keyways?'"""
     text = question.text
     for span in text.all("count"):
         if not _counts(question, span):
@@ -95,7 +95,7 @@ def _count_of(mention: Mention, used: set[int], features: Features, others: Sequ
 
 
 def exists(question: Question) -> Iterator[Draft]:
-    """'Is there a slot?', 'Does the plate have a slot?'"""
+    """'Is there a keyway in the shaft?', 'Does the lever have a rib?'"""
     text = question.text
     for span in text.all("exists"):
         if not question.in_question(span.start) or text.find(span.start, "count"):

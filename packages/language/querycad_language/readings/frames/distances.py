@@ -42,7 +42,7 @@ class _Pair(NamedTuple):
 
 
 def distances(question: Question) -> Iterator[Draft]:
-    """'How far apart are the holes?', 'the distance from A to B', 'the height of A above B'."""
+    """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
     for start, end, said, used in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
@@ -172,7 +172,7 @@ def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
 
 
 def angles(question: Question) -> Iterator[Draft]:
-    """'the angle between the arms', 'the angle between A and B'."""
+    """'What is the angle between the two arms?', 'What is the angle between the rib and the lever?'"""
     text = question.text
     for span in text.all("measure"):
         if span.value is not Measure.ANGLE or not question.in_question(span.start):

@@ -16,7 +16,10 @@ _BEYOND = ("above", "over", "beyond", "past", "below", "proud", "higher", "out")
 
 
 def overhangs(question: Question) -> Iterator[Draft]:
-    """'By how much does the tube project above the nut?': between the outer planes of both on that side."""
+    """Between the outer planes of two parts on one side.
+
+    'By how much does the spindle project above the nut?', 'How far does the pin stick out beyond the lever?'
+    """
     text = question.text
     reach = next((span for span in text.all("reach")), None)
     nouns = [m for m in question.mentions if m.query is not None and not m.pronoun]

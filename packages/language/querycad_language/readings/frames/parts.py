@@ -12,7 +12,7 @@ from querycad_language.text import Text
 
 
 def parts(question: Question) -> Iterator[Draft]:
-    """'Which holes are deeper than 11 mm?', 'On which side is the slot?', 'What is the largest hole?'"""
+    """'Which ribs are higher than 11 mm?', 'On which side is the keyway?', 'What is the largest rib?'"""
     text = question.text
     start = question.asking[0]
     side = next((i for i in range(start, len(text) - 1) if _asks_for_side(text, i)), None)
@@ -42,7 +42,7 @@ def _asks_for_side(text: Text, at: int) -> bool:
 
 
 def bare(question: Question) -> Iterator[Draft]:
-    """No measure is named at all: 'mounting holes?'"""
+    """No measure is named at all: 'keyways of the spindle?', 'the spindle?'"""
     for mention in question.mentions[:3]:
         if mention.query is not None:
             yield Draft(Get((Measure.MAGNITUDE,), mention.query), {"named_only": 1.0}, set(mention.used))

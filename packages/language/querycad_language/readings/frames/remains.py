@@ -16,7 +16,7 @@ _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measur
 
 
 def material(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
-    """'How thick is the bar between the windows?', 'What thickness remains under the pocket?'"""
+    """'How thick is the web between the keyways?', 'What thickness remains under the keyway?'"""
     text = question.text
     if get.measures[0] not in _THICKNESSES:
         return
@@ -43,7 +43,7 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
 
 
 def less(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
-    """'How high is the object without the shaft?': less what the shaft has of it."""
+    """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it without the head?'"""
     text = question.text
     lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)
     if get.measures[0] not in lengths or len(get.measures) > 1:

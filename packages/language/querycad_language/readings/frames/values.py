@@ -27,7 +27,7 @@ _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum"
 
 
 def values(question: Question) -> Iterator[Draft]:
-    """A measure of a part, or of the whole."""
+    """A measure of a part or of the whole: 'How deep is the keyway?', 'What is the width of the lever?'"""
     asked_for = asked_in(question)
     for asked in asked_for:
         if not question.in_question(asked.start) and any(question.in_question(other.start) for other in asked_for):

@@ -14,7 +14,7 @@ from querycad_language.text import Text
 
 
 def yes_no(question: Question) -> Iterator[Draft]:
-    """'Is the bore 25 mm?', 'Is the hole on the front threaded?', 'Are all holes equally deep?'"""
+    """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     text = question.text
     start = _verb_start(question)
     if start is None or text.is_word(start + 1, "there"):

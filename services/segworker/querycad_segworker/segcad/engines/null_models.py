@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from querycad_segworker.segcad.ports import Detection, Masks, VisionModels
 
 
-class _Blind:
+class _NullModel:
     def detect(self, image: NDArray[np.uint8], phrase: str) -> list[Detection]:  # noqa: ARG002 - the port's names
         return []
 
@@ -16,5 +16,5 @@ class _Blind:
         return Masks(np.zeros((len(boxes), *image.shape[:2]), dtype=np.bool_), np.zeros(len(boxes), dtype=np.float32))
 
 
-BLIND = VisionModels(_Blind(), _Blind())
+NULL_MODELS = VisionModels(_NullModel(), _NullModel())
 """Finds nothing."""

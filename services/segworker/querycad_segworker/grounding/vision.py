@@ -29,7 +29,7 @@ def keep_here(unfinished: Path, place: Path) -> None:
     unfinished.replace(place)
 
 
-class Sight:
+class Vision:
     """What vision finds in one model."""
 
     def __init__(
