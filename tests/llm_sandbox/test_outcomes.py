@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from pathlib import Path
 from time import sleep
 
+import psutil
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
@@ -277,9 +278,8 @@ def test_duration_is_told(sandbox: Sandbox, segcad: FakeSegCad) -> None:
 def workers() -> set[int]:
     """Process ids of this process's children that run the interpreter."""
     pids = set()
-    for task in Path("/proc/self/task").iterdir():
-        for pid in (task / "children").read_text().split():
-            name = Path(f"/proc/{pid}/comm")
-            if name.exists() and name.read_text().strip() == "monty":
-                pids.add(int(pid))
+    for child in psutil.Process().children():
+        with contextlib.suppress(psutil.NoSuchProcess):
+            if child.name() == "monty":
+                pids.add(child.pid)
     return pids
