@@ -20,8 +20,21 @@ PROSE = re.sub(r"^```.*?^```$", "", PAGE, flags=re.MULTILINE | re.DOTALL)
 EXAMPLES = dict(re.findall(r"^### (.+?)\n(.*?)(?=^### |\Z)", PAGE, re.MULTILINE | re.DOTALL))
 COPIED = ("packages", "services", "tests", "docs", "examples")
 NAMED = re.findall(r"`([\w./]+(?:/|\.py|\.pyi|\.toml|\.md))(?::(\w+))?`", PROSE)
+SOURCES = [
+    path.read_text(encoding="utf-8")
+    for path in [
+        ROOT / "pyproject.toml",
+        *(p for top in ("packages", "services", "tests") for p in (ROOT / top).rglob("*.py")),
+    ]
+    if path != Path(__file__)
+]
 MAX_LINES = 150
 MAX_STEPS = 9
+
+
+def steps(example: str) -> str:
+    """An example without its code."""
+    return re.sub(r"^```.*?^```$", "", example, flags=re.MULTILINE | re.DOTALL)
 
 
 def places(name: str) -> Iterator[Path]:
@@ -48,6 +61,12 @@ def test_every_file_that_is_named_is_there_with_what_it_defines(name: str, symbo
     found = list(places(name))
     assert found, f"no {name}"
     assert not symbol or symbol in defined(found[0]), f"no {symbol} in {name}"
+
+
+@pytest.mark.parametrize("name", sorted(set(re.findall(r"`([A-Za-z_]\w*)`", "".join(map(steps, EXAMPLES.values()))))))
+def test_every_name_in_a_step_is_one_of_the_sources(name: str) -> None:
+    pattern = rf"^class {name}\b" if name[0].isupper() else rf"\b{name}\b"
+    assert any(re.search(pattern, source, re.MULTILINE) for source in SOURCES), name
 
 
 @pytest.mark.parametrize("name", ["chamfer_size"])
