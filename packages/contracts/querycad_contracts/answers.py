@@ -236,3 +236,23 @@ class AnswerRecord(Frozen):
     agreement: Agreement | None = Field(None, description="Null where only one program was written.")
     alternatives: tuple[Alternative, ...] = Field((), description="Readings, and programs, with another answer.")
     tokens: TokenUse | None = Field(None, description="Of all attempts; null where no language model was asked.")
+
+    @classmethod
+    def failed(cls, question: str, failure: Failure) -> AnswerRecord:
+        """The record of a question that no program was run for."""
+        return cls(
+            question=question,
+            status=Status.FAILED,
+            answer=None,
+            code=None,
+            codegen=None,
+            parts=(),
+            timings_ms={},
+            warnings=(),
+            failure=failure,
+        )
+
+    @classmethod
+    def cancelled(cls, question: str) -> AnswerRecord:
+        """The record of a question that somebody called off."""
+        return cls.failed(question, Failure(category="cancelled", message="the question was cancelled"))

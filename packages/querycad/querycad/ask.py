@@ -178,17 +178,8 @@ def _draw(
 
 
 def _unreadable(question: str, problem: FileProblem) -> AnswerRecord:
-    return AnswerRecord(
-        question=question,
-        status=Status.FAILED,
-        answer=None,
-        code=None,
-        codegen=None,
-        parts=(),
-        timings_ms={},
-        warnings=(),
-        failure=Failure(category="bad_input", message=str(problem), retryable=problem.retryable),
-    )
+    failure = Failure(category="bad_input", message=str(problem), retryable=problem.retryable)
+    return AnswerRecord.failed(question, failure)
 
 
 def _complain(message: str) -> int:

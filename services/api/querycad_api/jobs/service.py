@@ -6,8 +6,6 @@ from querycad_api.dependencies import Services
 from querycad_api.problems import JobIsDone, JobNotFound, NothingMore, PictureNotFound
 from querycad_contracts import AnswerRecord, Job
 
-from .records import cancelled
-
 
 async def followed(services: Services, job: str, last_event: str) -> Job:
     """The job whose events are told after the last one. Raises JobNotFound, and NothingMore to who was told all."""
@@ -21,7 +19,7 @@ async def cancel(services: Services, job: str) -> Job:
     """Ends the job with the failure `cancelled` and stops what runs for it. Raises JobNotFound and JobIsDone."""
     found = await services.job(job)
     task = await services.state.task(job)
-    if task is None or not await services.state.end_job(task, cancelled(found.question)):
+    if task is None or not await services.state.end_job(task, AnswerRecord.cancelled(found.question)):
         raise JobIsDone("the question has its answer already")
     await services.broker.stop([job])
     return await services.job(job)

@@ -9,9 +9,8 @@ from datetime import UTC, datetime
 from typing import BinaryIO
 
 from querycad_api.dependencies import Services
-from querycad_api.jobs.records import cancelled
 from querycad_api.problems import ServiceUnavailable
-from querycad_contracts import ModelResource, ModelStatus, models_name, picture_name, upload_name
+from querycad_contracts import AnswerRecord, ModelResource, ModelStatus, models_name, picture_name, upload_name
 
 from .uploads import Received, received, shown_name
 
@@ -43,7 +42,7 @@ async def delete(services: Services, model: str) -> None:
     """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
     state, tenant = services.state, services.caller.tenant
     tasks = await state.tasks_about(tenant, model)
-    stopped = [task.job for task in tasks if await state.end_job(task, cancelled(task.question))]
+    stopped = [task.job for task in tasks if await state.end_job(task, AnswerRecord.cancelled(task.question))]
     async with state.files_of(model):
         nobodys = await state.forget_model(tenant, model)
         await state.forget_jobs(tasks)

@@ -18,7 +18,6 @@ from redis.retry import Retry
 
 from querycad_answering.answering import answer_question
 from querycad_answering.llm import LlmWriter
-from querycad_api.jobs.records import cancelled, failed
 from querycad_api.settings import ApiSettings
 from querycad_api.store.ledger import Begun, Ledger
 from querycad_contracts import (
@@ -112,7 +111,7 @@ class Questions:
             return None  # done, or deleted
         if job.attempt > ATTEMPTS:
             message = f"given up: {ATTEMPTS} workers died while they answered this"
-            self._finish(task, job, failed(task.question, Failure(category="internal", message=message)))
+            self._finish(task, job, AnswerRecord.failed(task.question, Failure(category="internal", message=message)))
             return None
         if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
             self.ledger.wait_job(task.job, "the model's file is being read")
@@ -126,14 +125,14 @@ class Questions:
                 self.ledger.wait_job(task.job, "the sandbox does not answer")
                 return PAUSE_S
             failure = Failure(category="internal", message="the sandbox does not answer; try again", retryable=True)
-            record = failed(task.question, failure)
+            record = AnswerRecord.failed(task.question, failure)
         except SoftTimeLimitExceeded:
             if (time.perf_counter() - start) < self._settings.question_s - 1:
                 log.info("job %s: stopped", task.job)  # called off; if another job was meant, this one begins again
                 self.ledger.wait_job(task.job, "interrupted")
                 return 0.0
             message = f"not answered within {self._settings.question_s} s"
-            record = failed(task.question, Failure(category="limit", message=message, retryable=True))
+            record = AnswerRecord.failed(task.question, Failure(category="limit", message=message, retryable=True))
         self._finish(task, job, record)
         return None
 
@@ -146,10 +145,10 @@ class Questions:
 
     def _record(self, task: QuestionTask, model: ModelResource | None, model_ms: float) -> AnswerRecord:
         if model is None:  # deleted, as the question came
-            return cancelled(task.question)
+            return AnswerRecord.cancelled(task.question)
         if model.summary is None:
             late = Failure(category="internal", message="the model's file was not read in time", retryable=True)
-            return failed(task.question, model.failure or late)
+            return AnswerRecord.failed(task.question, model.failure or late)
 
         def run(program: Program) -> RunOutcome:
             self.ledger.wrote(task.job, program.code, program.codegen)
@@ -161,11 +160,13 @@ class Questions:
             view = self.segcad.view(task.model, task.grounding)
             record = answer_question(task.question, run, view, task.unit, task, summary=model.summary, llm=self._llm)
         except RunRefused as refused:
-            return failed(task.question, refused.failure)
+            return AnswerRecord.failed(task.question, refused.failure)
         except (SoftTimeLimitExceeded, SandboxUnavailable):
             raise
         except Exception:
             log.exception("job %s failed", task.job)
-            return failed(task.question, Failure(category="internal", message="the question could not be answered"))
+            return AnswerRecord.failed(
+                task.question, Failure(category="internal", message="the question could not be answered")
+            )
         warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
