@@ -173,11 +173,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.SIZE:
             if kind == "hole":
                 return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
-            if kind in ("fillet", "round", "bend"):
-                return [("{0}.radius", "own")]
-            if kind == "chamfer":
-                return [("min({0}.extents)", "own"), ("{0}.width", "derived")]
-            return [("{0}.extents", "own")]
+            return _magnitude(part, round_part) if kind in BLENDS else [("{0}.extents", "own")]
         case Measure.SHORT_SIDE:
             return [
                 ("min({0}.local_size[:2])", "own"),
