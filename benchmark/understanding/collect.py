@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pickle
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -13,6 +12,7 @@ from typing import Any
 
 from querycad_answering.candidates import candidates, with_value
 from querycad_contracts import Part, RunOutcome, RunStatus
+from querycad_language.readings import read
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.names import vocabulary
@@ -68,7 +68,7 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
     found = []
     names = vocabulary(segcad.model.parts)
     try:
-        ranked = candidates(one.question, segcad.ground, whole, names, LIMIT)
+        ranked = candidates(read(one.question, names), segcad.ground, whole, LIMIT)
     except Exception as error:
         print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
         return []
@@ -90,14 +90,3 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
         done = with_value(candidate, outcome.value, whole.extents)
         found.append(Tried(done.features, outcome.value, is_right(outcome.value, one), candidate.written.code))
     return found
-
-
-def save(rows: Sequence[Row], path: Path) -> None:
-    """Keeps the candidates for fitting."""
-    path.write_bytes(pickle.dumps(list(rows)))
-
-
-def load(path: Path) -> list[Row]:
-    """The candidates that were kept."""
-    rows: list[Row] = pickle.loads(path.read_bytes())  # noqa: S301 - our own file
-    return rows

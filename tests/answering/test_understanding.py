@@ -20,6 +20,7 @@ from querycad_contracts import (
     RunStatus,
     Status,
 )
+from querycad_language.readings import read
 from querycad_sandbox import Sandbox
 from querycad_segworker.grounding.find import find
 
@@ -46,7 +47,7 @@ def ask(question: str, run: Any, model: ModelView, **options: Any) -> AnswerReco
 
 def test_candidates_are_ranked_and_each_program_is_one() -> None:
     model = view(*THREE)
-    found = candidates("What is the depth of the largest hole?", model.ground, model.whole)
+    found = candidates(read("What is the depth of the largest hole?"), model.ground, model.whole)
     scores = [one.score for one in found]
     assert scores == sorted(scores, reverse=True)
     assert len({one.written.code for one in found}) == len(found)

@@ -10,8 +10,9 @@ from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import Count, Distance, Every, Exists, Form, Get, Reduce, queries
+from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
-from querycad_language.readings import Reading, read
+from querycad_language.readings import Reading
 from querycad_language.weights import weights
 
 GROUNDINGS = 5
@@ -42,11 +43,8 @@ class Candidate:
         return math.fsum(table.get(name, 0.0) * value for name, value in self.features.items())
 
 
-def candidates(
-    question: str, ground: Ground, whole: Part, names: Iterable[str] = (), limit: int = RUNS
-) -> list[Candidate]:
+def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: int = RUNS) -> list[Candidate]:
     """The candidates that are worth running, the best first. `whole`: the part that stands for the model."""
-    readings = read(question, names)
     asked: list[PartQuery] = []
     for reading in readings:
         asked += [query for query in queries(reading.form) if query not in asked]
@@ -106,27 +104,6 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     return features
 
 
-_WIDE = frozenset(
-    ("big", "large", "larger", "bigger", "wide", "wider", "outer", "outside", "external", "major", "enlarged", "upper")
-)
-_NARROW = frozenset(
-    (
-        "small",
-        "smaller",
-        "narrow",
-        "narrower",
-        "inner",
-        "inside",
-        "internal",
-        "minor",
-        "pilot",
-        "tap",
-        "tapped",
-        "threaded",
-    )
-)
-
-
 def _of_steps(form: Form, code: str) -> Features:
     """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?"""
     words = {
@@ -145,14 +122,14 @@ def _of_steps(form: Form, code: str) -> Features:
     if "max(p.radii)" in code or "outer_diameter" in code:
         return {
             "step_widest": 1.0,
-            "step_widest_said": float(bool(words & _WIDE)),
-            "step_widest_denied": float(bool(words & _NARROW)),
+            "step_widest_said": float(bool(words & lexicon().steps["widest"])),
+            "step_widest_denied": float(bool(words & lexicon().steps["narrowest"])),
         }
     if "min(p.radii)" in code or "inner_diameter" in code:
         return {
             "step_narrowest": 1.0,
-            "step_narrowest_said": float(bool(words & _NARROW)),
-            "step_narrowest_denied": float(bool(words & _WIDE)),
+            "step_narrowest_said": float(bool(words & lexicon().steps["narrowest"])),
+            "step_narrowest_denied": float(bool(words & lexicon().steps["widest"])),
         }
     return {}
 

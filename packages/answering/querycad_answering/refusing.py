@@ -5,13 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 from querycad_contracts import Failure, Grounded, Measure, PartQuery
 from querycad_language.describe import describe, noun_phrase
 from querycad_language.forms import Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
-from querycad_language.readings import Reader, Reading
+from querycad_language.readings import Reader
 from querycad_language.tokens import DENSITY
 from querycad_language.weights import weights
 
@@ -38,23 +37,14 @@ _CANNOT_KNOW = {
 }
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Refused:
-    """A question that may have to be refused, read again."""
+    """A question that may have to be refused."""
 
-    question: str
-    names: frozenset[str]
+    reader: Reader
+    """The words, which sentence asks, and all that can be meant."""
     kinds: tuple[str, ...]
-
-    @cached_property
-    def reader(self) -> Reader:
-        """The words, and which sentence asks."""
-        return Reader(self.question, self.names)
-
-    @cached_property
-    def readings(self) -> list[Reading]:
-        """All that can be meant."""
-        return self.reader.readings()
+    """Kinds of part that the model has."""
 
     def absent(self, query: PartQuery, grounded: Grounded) -> Failure:
         """The part is not there: which word is missing, and which kinds of part there are?"""
@@ -79,7 +69,7 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     text = asked.reader.text
     if any(token.power == DENSITY for token in text.tokens):
         return None
-    first = next(iter(asked.readings), None)
+    first = next(iter(asked.reader.readings), None)
     if first is not None and isinstance(first.form, Get) and Measure.MASS in first.form.measures:
         return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
@@ -111,7 +101,7 @@ def _categories(asked: Refused, at: int) -> set[str]:
 def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:
     """Is nothing asked, or of nothing that is known at all?"""
     if best is None:
-        return None if asked.readings else unread(asked)
+        return None if asked.reader.readings else unread(asked)
     if "named_only" not in best.features:
         return None
     unknown = any({"unknown_whole", "unknown_noun"} & set(grounded.features) for grounded in best.grounds.values())
@@ -120,10 +110,10 @@ def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:
 
 def unread(asked: Refused) -> Failure:
     """What is said where there is no reading, or none that makes sense of the model's parts."""
-    if not asked.readings:
+    if not asked.reader.readings:
         message = "no question is recognised in this: ask for a measure, a number or a place of a part"
         return Failure(category="not_understood", message=message)
-    best = asked.readings[0]
+    best = asked.reader.readings[0]
     meant = describe(best.form)
     if "named_only" in best.features:
         return Failure(category="not_understood", message=f"nothing is asked that can be answered: '{meant}'")
@@ -139,7 +129,7 @@ def absent(asked: Refused, best: Candidate | None, grounded: Mapping[PartQuery, 
         return None
     table = weights()
     found: tuple[float, Failure] | None = None
-    for reading in asked.readings:
+    for reading in asked.reader.readings:
         if isinstance(reading.form, Count | Exists | Every):
             continue
         for query in queries(reading.form):

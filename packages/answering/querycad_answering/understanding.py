@@ -20,6 +20,7 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
+from querycad_language.readings import Reader
 
 from .candidates import Candidate, Ground, candidates, with_value
 from .judging import Verdict, judge
@@ -73,9 +74,13 @@ class Understanding:
         self.grounded: dict[PartQuery, Sequence[Grounded]] = {}
 
     @cached_property
+    def _asked(self) -> Refused:
+        return Refused(Reader(self._question, self._view.names), self._view.kinds)
+
+    @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
-        found = candidates(self._question, self._ground, self._view.whole, self._view.names)
+        found = candidates(self._asked.reader.readings, self._ground, self._view.whole)
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
         return fitting or found
@@ -88,7 +93,7 @@ class Understanding:
     @cached_property
     def refused(self) -> Failure | None:
         """Why is no program run at all?"""
-        asked = Refused(self._question, self._view.names, self._view.kinds)
+        asked = self._asked
         best = next(iter(self.ranked), None)
         return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
 
@@ -127,19 +132,17 @@ class Understanding:
                 rest = [one for i, one in enumerate(found) if i != index]
                 return self._understood(best, verdict, self._others(best.candidate, rest, unit))
         if not tried:
-            failure = unread(Refused(self._question, self._view.names, self._view.kinds))
-            return Understood(verdict=Verdict(failure=failure))
+            return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
 
     def _missing(self, best: Value, least: float) -> Failure | None:
         """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""
-        asked = Refused(self._question, self._view.names, self._view.kinds)
         for query, taken in best.candidate.grounds.items():
             if any(taken.features.get(name) for name in TAKEN_FOR_WHOLE):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
-                if empty is not None and best.confidence < asked.instead_of(query, least):
-                    return asked.absent(query, empty)
+                if empty is not None and best.confidence < self._asked.instead_of(query, least):
+                    return self._asked.absent(query, empty)
         return None
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:

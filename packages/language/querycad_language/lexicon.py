@@ -98,6 +98,8 @@ class Lexicon:
     units: dict[str, tuple[float, int]] = field(default_factory=dict)
     spelling: dict[str, str] = field(default_factory=dict)
     irregular: dict[str, str] = field(default_factory=dict)
+    steps: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Words that tell the widest or the narrowest step of a stepped part."""
     uninflected: frozenset[str] = frozenset()
     phrases: dict[str, list[tuple[str, Any]]] = field(default_factory=dict)
     """Phrase to its meanings: (category, value)."""
@@ -177,6 +179,7 @@ def lexicon() -> Lexicon:
     lex = Lexicon(
         spelling=words.pop("spelling"), irregular=words.pop("irregular"),
         uninflected=frozenset(words.pop("singular")["words"]),
+        steps={step: frozenset(names) for step, names in words.pop("step").items()},
     )  # fmt: skip
     _add_parts(lex, _load("parts"))
     _add_adjectives(lex, _load("adjectives")["adjective"])

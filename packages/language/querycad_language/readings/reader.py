@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
+from functools import cached_property
 
 from querycad_language.forms import Form
 
@@ -29,6 +30,7 @@ FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
 class Reader(Question):
     """Finds the readings of one question."""
 
+    @cached_property
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
         drafts = [draft for frame in FRAMES for draft in frame(self)] or list(bare(self))
@@ -61,4 +63,4 @@ def _prior(reading: Reading) -> float:
 
 def read(question: str, names: Iterable[str] = ()) -> list[Reading]:
     """What can a question mean? The readings that the words link best come first; none where nothing is asked."""
-    return Reader(question, names).readings()
+    return Reader(question, names).readings
