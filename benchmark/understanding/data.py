@@ -14,7 +14,7 @@ from typing import Any
 SHARED = Path("../shared")
 OWN = Path("build/benchmark")
 LAST_LOOK = Path("build/last_look")
-"""Models of the questions that were sealed until the end; `python -m benchmark.last_look` builds them."""
+"""Models of the questions that were sealed until the end; `python -m benchmark.build_all --last-look` builds them."""
 SI = {
     "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6,
     "mm3": 1e-9, "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,

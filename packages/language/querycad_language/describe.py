@@ -22,6 +22,8 @@ from .forms import (
     Parts,
     Plane,
     Reduce,
+    Several,
+    Towards,
     Uniform,
 )
 
@@ -42,7 +44,7 @@ _REDUCES = {
 _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
 
 
-def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
+def describe(form: Form) -> str:  # noqa: C901, PLR0911 - one case a form
     """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
     match form:
         case Get(measures, target, reduce):
@@ -67,6 +69,8 @@ def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
                 else f"from {_anchor(first)} to {_anchor(second)}"
             )
             return f"{_REDUCES[reduce]}distance {how}{both}{along}"
+        case Several(forms):
+            return " and ".join(describe(one) for one in forms)
         case Angle(first, second):
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
         case Combine(operation, left, right):
@@ -86,6 +90,8 @@ def describe(form: Form) -> str:  # noqa: PLR0911 - one case a form
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
         case Parts(target):
             return noun_phrase(target)
+        case Towards(target, sides):
+            return f"side of {noun_phrase(target)}: {', '.join(sides[:-1])} or {sides[-1]}"
 
 
 def _measure(measure: Measure) -> str:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
 from enum import StrEnum
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypeVar, cast
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
 
@@ -91,6 +91,13 @@ LONGEST, SHORTER = 3, 4
 
 
 @dataclass(frozen=True, slots=True)
+class Several:
+    """One value each of several distances: 'the spacing in x and in y'."""
+
+    of: tuple[Distance, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Angle:
     """Which angle do two parts enclose, or every two of the first?"""
 
@@ -155,7 +162,17 @@ class Parts:
     target: PartQuery
 
 
-Form: TypeAlias = Get | Count | Distance | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts
+@dataclass(frozen=True, slots=True)
+class Towards:
+    """Towards which of the sides do the parts lie, or open?"""
+
+    target: PartQuery
+    sides: tuple[Side, ...]
+
+
+Form: TypeAlias = (
+    Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
+)
 
 
 def queries(form: object) -> Iterator[PartQuery]:
@@ -170,6 +187,23 @@ def queries(form: object) -> Iterator[PartQuery]:
 def _queries(form: object) -> Iterator[PartQuery]:
     if isinstance(form, PartQuery):
         yield form
+    elif isinstance(form, tuple):
+        for one in form:
+            yield from _queries(one)
     elif is_dataclass(form):
         for field in fields(form):
             yield from _queries(getattr(form, field.name))
+
+
+F = TypeVar("F")
+
+
+def with_query(form: F, old: PartQuery, new: PartQuery) -> F:
+    """The form with another query in place of one."""
+    if form == old:
+        return cast("F", new)
+    if isinstance(form, tuple):
+        return cast("F", tuple(with_query(one, old, new) for one in form))
+    if not is_dataclass(form) or isinstance(form, type):
+        return form
+    return replace(form, **{field.name: with_query(getattr(form, field.name), old, new) for field in fields(form)})

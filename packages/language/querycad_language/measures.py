@@ -272,12 +272,9 @@ def _thickness(part: Part, stepped: bool) -> list[tuple[str, Grade]]:
             ("2 * max({0}.radii)", "derived"),
         ]
     if kind == "boss":
-        flat = "flat" in part.tags
-        return [
-            ("{0}.height", "own" if flat else "derived"),
-            ("{0}.thickness", "own"),
-            ("{0}.diameter", "foreign" if flat else "derived"),
-        ]
+        if "flat" in part.tags:
+            return [("{0}.height", "own"), ("{0}.thickness", "own"), ("{0}.diameter", "foreign")]
+        return [("{0}.diameter", "own"), ("{0}.thickness", "own"), ("{0}.height", "derived")]
     return [
         ("{0}.thickness", "own"),
         ("{0}.width", "derived"),

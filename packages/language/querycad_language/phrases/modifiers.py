@@ -148,8 +148,8 @@ def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'except the one in the middle'."""
     text = phrases.text
     span = text.find(at, "except")
-    if span is None or depth >= MAX_DEPTH:
-        return at
+    if span is None or depth > 0:
+        return at  # 'holes in the ring except the large one' excludes a hole
     other = phrases.at(span.end, depth + 1)
     if other is None or other.query is None:
         return at

@@ -111,7 +111,8 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
-    if span is None or depth >= MAX_DEPTH:
+    longer = text.find(at, "measure")  # 'across flats'
+    if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end):
         return at
     start = span.end
     size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from querycad_contracts import PartQuery, SizeFilter
+from querycad_contracts import PartQuery, Place, SizeFilter
 from querycad_language.text import Text
+from querycad_language.tokens import Kind
 
 from .before import before_noun
 from .head import head_of, mention_of
 from .mention import Draft, Mention, replace_fields
 from .modifiers import modifiers
+from .places import seen
 from .sizes import size
 
 
@@ -28,7 +30,8 @@ class Phrases:
             return None
         key = (start, depth, joined)
         if key not in self._known:
-            self._known[key] = self._read(start, depth, joined)
+            mention = self._read(start, depth, joined)
+            self._known[key] = self._owned(mention, depth, joined) if mention is not None else None
         return self._known[key]
 
     def mentions(self) -> list[Mention]:
@@ -44,8 +47,19 @@ class Phrases:
                 found.append(self._resolved(mention, found))
                 at = mention.end
             else:
-                at += 1
+                measure = self.text.find(at, "measure")  # 'width across flats' names no flats
+                at = measure.end if measure is not None else at + 1
         return found
+
+    def _owned(self, mention: Mention, depth: int, joined: bool) -> Mention:
+        """'the cover's holes': the holes of the cover."""
+        possessive = mention.end < len(self.text) and self.text.tokens[mention.end].kind is Kind.POSSESSIVE
+        own = self.at(mention.end + 1, depth, joined) if possessive else None
+        if own is None or own.query is None or own.pronoun:
+            return mention
+        owner = () if mention.query is None else (Place(relation="of", what=mention.query),)
+        query = replace_fields(own.query, places=(*own.query.places, *owner), definite=True)
+        return replace(own, start=mention.start, query=query, used=mention.used | {mention.end} | own.used)
 
     def _resolved(self, mention: Mention, before: list[Mention]) -> Mention:
         """'the 14 mm ones': of the noun that was mentioned before."""
@@ -75,6 +89,13 @@ class Phrases:
             return mention
         end = modifiers(self, at, draft, depth, joined)
         return mention_of(text, start, end, draft)
+
+    def view(self, at: int) -> Mention | None:
+        """A side that is said here apart from a part, as a mention without a noun."""
+        draft = Draft()
+        end = seen(self, at, draft, 1)
+        draft.used.update(range(at, end))
+        return mention_of(self.text, at, end, draft) if end > at else None
 
     def size(self, at: int) -> tuple[SizeFilter, int] | None:
         """A stated size that begins here, and where it ends."""

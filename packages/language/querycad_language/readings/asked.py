@@ -63,7 +63,10 @@ def _how_many(text: Text, at: int) -> Asked | None:
 
 def _how(text: Text, at: int) -> Asked | None:
     """'How deep is …?', 'How far does … stick out?'"""
-    scale = text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
+    stuff = text.find(at + 2, "stuff") if text.is_word(at + 1, "much") else None
+    if stuff is not None:  # 'how much metal is left under the slot?'
+        return Asked(at, stuff.end, (Measure.THICKNESS,), "how", used=frozenset(range(at, stuff.end)))
+    scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)
     if text.is_word(at + 1, "far", "much"):
@@ -75,7 +78,7 @@ def _how(text: Text, at: int) -> Asked | None:
 
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
-    if (verb := text.find(at, "verbs")) and verb.value is Measure.MASS and at not in taken:
+    if (verb := text.find(at, "verbs")) and verb.value in (Measure.MASS, Measure.NAME) and at not in taken:
         return Asked(at, verb.end, (verb.value,), "verb", used=frozenset(verb.tokens))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 
-from querycad_language.phrases import Phrases
+from querycad_contracts import PartQuery
+from querycad_language.phrases import Mention, Phrases, replace_fields
 from querycad_language.text import Text
 
 
@@ -15,7 +17,19 @@ class Question:
         self.text = Text(question, frozenset(names))
         self.phrases = Phrases(self.text)
         self.mentions = self.phrases.mentions()
-        self.asking = _asking_sentence(self.text)
+        self.asking, self.claims = _asking_sentence(self.text)
+
+    @cached_property
+    def views(self) -> list[Mention]:
+        """Sides that are said apart from a part: 'Looking from the left, …', '… do you see on the top?'"""
+        found: list[Mention] = []
+        at = 0
+        while at < len(self.text):
+            phrase = next((mention for mention in self.mentions if mention.start <= at < mention.end), None)
+            if phrase is None and (phrase := self.phrases.view(at)) is not None:
+                found.append(phrase)
+            at = phrase.end if phrase is not None else at + 1
+        return found
 
     def in_question(self, at: int) -> bool:
         """Is the token in the sentence that asks?"""
@@ -30,8 +44,18 @@ class Question:
         return at < len(self.text) and self.text.tokens[at].raw.lower() in self.text.lexicon.units
 
 
-def _asking_sentence(text: Text) -> tuple[int, int]:
-    """The sentence that asks: the last one with a question word or an order, else the last one."""
+def seen_from(query: PartQuery, view: Mention) -> PartQuery:
+    """The part, from the sides that are said apart from it."""
+    assert view.query is not None
+    sides, places = (*query.sides, *view.query.sides), (*query.places, *view.query.places)
+    return replace_fields(query, sides=sides, unseen=(*query.unseen, *view.query.unseen), places=places)
+
+
+def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
+    """The sentence that asks, and whether it is a claim that a tag makes a question of: '…. Is that correct?'
+
+    It is the last one with a question word or an order, else the last one.
+    """
     best: tuple[int, tuple[int, int]] = (-1, (0, len(text)))
     for index, (start, end) in enumerate(text.sentences):
         score = 0
@@ -42,4 +66,28 @@ def _asking_sentence(text: Text) -> tuple[int, int]:
         if any(text.find(i, "measure", "distance", "gap") for i in range(start, end)):
             score += 2
         best = max(best, (score * 100 + index, (start, end)))
-    return best[1]
+    start, end = best[1]
+    begin = _tag(text, start, end)
+    if begin == end:
+        return best[1], False
+    if begin > start:
+        return (start, begin), True
+    before = [sentence for sentence in text.sentences if sentence[1] <= start]
+    return (before[-1], True) if before else (best[1], False)
+
+
+_IN_TAGS = ("confirm", "be", "pronoun", "article", "function", "whole")
+
+
+def _tag(text: Text, start: int, end: int) -> int:
+    """Where a tag such as ', right?' or 'is this correct?' begins; the sentence's end where there is none."""
+    begin, found = end, False
+    while begin > start:
+        if not text.find(begin - 1, *_IN_TAGS) and text.words[begin - 1] != ",":
+            break
+        begin -= 1
+        found = found or text.find(begin, "confirm") is not None
+    if begin > start:  # within a sentence the tag stands behind a comma
+        comma = next((i for i in range(begin, end) if text.words[i] == ","), None)
+        begin = comma if comma is not None and any(text.find(i, "confirm") for i in range(comma, end)) else end
+    return begin if found else end

@@ -6,7 +6,8 @@ import math
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 
-from querycad_language.forms import Form
+from querycad_language.forms import Distance, Form, Several, queries, with_query
+from querycad_language.phrases import Mention
 
 from .drafts import Draft, Reading
 from .frames.comparisons import comparisons
@@ -17,7 +18,7 @@ from .frames.parts import bare, parts
 from .frames.values import values
 from .frames.yes_no import yes_no
 from .passed import finished
-from .question import Question
+from .question import Question, seen_from
 
 MAX_READINGS = 14
 """More are never looked at; those that the words link best come first."""
@@ -34,6 +35,7 @@ class Reader(Question):
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
         drafts = [draft for frame in FRAMES for draft in frame(self)] or list(bare(self))
+        drafts += [one for draft in drafts for view in self.views for one in _viewed(draft, view)]
         best: dict[Form, Reading] = {}
         for draft in drafts:
             reading = finished(self, draft)
@@ -41,6 +43,17 @@ class Reader(Question):
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading
         return sorted(best.values(), key=_prior, reverse=True)[:MAX_READINGS]
+
+
+def _viewed(draft: Draft, view: Mention) -> Iterator[Draft]:
+    """The form of the parts that are seen from a side that stands apart from them."""
+    target = next(queries(draft.form), None)
+    if target is None or target.sides or target.unseen or isinstance(draft.form, Distance | Several):
+        return
+    if draft.used & view.used:
+        return  # the part is named in the side: 'on the underside of the foot'
+    form = with_query(draft.form, target, seen_from(target, view))
+    yield Draft(form, {**draft.features, "view_apart": 1.0}, draft.used | view.used)
 
 
 _PRIOR = {

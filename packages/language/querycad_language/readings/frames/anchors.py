@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from querycad_contracts import PartQuery, Place
 from querycad_language.forms import Anchor, Boundary, Origin, Plane
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
+
+
+def without(query: PartQuery, place: Place) -> PartQuery:
+    """The part without that place."""
+    return replace_fields(query, places=tuple(one for one in query.places if one is not place))
 
 
 class Spot(NamedTuple):
@@ -29,15 +35,30 @@ def anchors_of(question: Question) -> list[Spot]:
             continue
         found.append(Spot(mention.head, mention.query, set(mention.used), mention.query.plural))
         taken |= mention.used
-        sides = (*mention.query.ends, *mention.query.sides)
-        if mention.query.noun in ("face", "surface", "end face", "side face", "flat face") and sides:
-            holder = next((p.what for p in mention.query.places if p.what is not None), None)
-            plane: Anchor = Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+        for place in mention.query.places:  # of 'the hole pattern' and 'the row of holes' the holes
+            if place.what is not None and place.relation in ("", "of") and _is_pattern(text, mention.query.noun):
+                inner = replace_fields(place.what, plural=True)
+                found.append(Spot(mention.head, inner, set(mention.used), plural=True))
+        if plane := plane_of(mention.query):
             found.append(Spot(mention.head, plane, set(mention.used)))
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     found += planes_of(question)
     found.sort(key=lambda one: one.at)
     return found
+
+
+def plane_of(query: PartQuery) -> Plane | Boundary | None:
+    """Of 'the top face of the flange', 'the left face': the outer plane that is meant."""
+    sides = (*query.ends, *query.sides)
+    if query.noun not in ("face", "surface", "end face", "side face", "flat face") or not sides:
+        return None
+    holder = next((place.what for place in query.places if place.what is not None), None)
+    return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+
+
+def _is_pattern(text: Text, noun: str) -> bool:
+    known = text.lexicon.nouns.get(noun)
+    return known is not None and known.senses[0].kind == ("pattern",)
 
 
 def _of_model(text: Text, at: int) -> Spot | None:
@@ -50,7 +71,7 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if ground := text.find(at, "ground"):
         return Spot(at, Boundary(ground.value), set(ground.tokens))
     side = text.find(at, "side")
-    if side and text.find(at - 1, "article", "side_preposition"):
+    if side and text.find(at - 1, "article", "side_preposition", "place"):
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 

@@ -30,3 +30,10 @@ def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int
         if lead or span.end - span.start > 1 or text.is_word(span.start, "horizontally", "vertically"):
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
+
+
+def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
+    """The axes where several are named: 'in x and in y', 'X / Y'; and the tokens that say so."""
+    spans = [span for span in question.text.all("axis") if span.value < LONGEST]
+    axes = tuple(dict.fromkeys(span.value for span in spans))
+    return (axes, {i for span in spans for i in (span.start - 1, *span.tokens)}) if len(axes) > 1 else ((), set())

@@ -46,7 +46,7 @@ def _counts(question: Question, span: Span) -> bool:
     """Does the phrase ask for a number: not 'how much longer', 'how many millimetres', 'by how much'?"""
     text = question.text
     much = text.is_word(span.start + 1, "much")
-    if text.is_word(span.start, "how") and much and text.find(span.end, "scale"):
+    if text.is_word(span.start, "how") and much and text.find(span.end, "scale", "stuff"):
         return False
     if question.is_unit(span.end) or (much and text.is_word(span.start - 1, "by")):
         return False

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from dataclasses import replace
+from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Anchor, Angle, Boundary, Distance, Plane, Reduce
+from querycad_language.forms import Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
-from .anchors import Spot, anchors_of
-from .axes import axis_named
+from .anchors import Spot, anchors_of, plane_of, without
+from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "usual"]
-_CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid"))
+_CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = frozenset((
     Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
 ))  # fmt: skip
@@ -30,6 +31,7 @@ class _Words(NamedTuple):
     end: int
     mode: Mode
     used: set[int]
+    named: bool = True
 
 
 class _Pair(NamedTuple):
@@ -43,21 +45,30 @@ class _Pair(NamedTuple):
 
 def distances(question: Question) -> Iterator[Draft]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
-    for start, end, said, used in _distance_words(question):
+    for start, end, said, used, named in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
+        axes, listed = axes_listed(question)
         for first, second, more, features in _pairs(question, start):
             form = Distance(first, second, mode, axis, reduce)
-            yield Draft(form, {"distance": 1.0, **features}, used | more | along | extreme | centred)
+            features = {"distance" if named else "distance_unnamed": 1.0, **features}
+            yield Draft(form, features, used | more | along | extreme | centred)
+            if axes and second == "each other":
+                several = Several(tuple(replace(form, axis=one) for one in axes))
+                yield Draft(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:
     text = question.text
     yield from _unnamed(question)
     for span in text.all("distance", "gap"):
-        if question.in_question(span.start):
-            yield _Words(span.start, span.end, "surfaces" if span.category == "gap" else "usual", set(span.tokens))
+        noun = text.find(span.start, "noun")
+        if question.in_question(span.start) and not (noun and noun.end > span.end):  # a pitch circle is no pitch
+            used = {*span.tokens, *text.at_phrases("between")}
+            for at in text.at_words("how") if span.category == "gap" else ():  # 'how wide is the gap'
+                used |= {at, *(scale.tokens if (scale := text.find(at + 1, "scale")) else ())}
+            yield _Words(span.start, span.end, "surfaces" if span.category == "gap" else "usual", used)
     for at in range(*question.asking):
         if text.is_word(at, "how"):
             yield from _how(question, at)
@@ -72,18 +83,22 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     """'hole center to hole center', 'from the pin to the edge': neither a distance nor a measure is named."""
     text = question.text
     measures = [span for i in range(len(text)) if (span := text.find(i, "measure"))]
-    if text.at_phrases("distance", "gap", "count") or any(span.value is not Measure.POSITION for span in measures):
+    if text.at_phrases("distance", "gap", "count"):
+        return
+    if any(span.value not in (Measure.POSITION, Measure.AXIS) for span in measures):
         return
     centred = bool(text.at_phrases("center_to_center"))
     joining = text.at_words("to", "above", "from")
     if centred or (joining - {0, len(text) - 1} and len(question.mentions) > 1):
-        yield _Words(0, 0, "centers" if centred else "usual", joining)
+        yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
 
 
 def _how(question: Question, at: int) -> Iterator[_Words]:
     """'How far …?', 'How much gap …?', 'How high above …?'"""
     text = question.text
     gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
+    if text.is_word(at + 1, "much") and (stuff := text.find(at + 2, "stuff")) and text.has("between"):
+        yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining")})
     if text.is_word(at + 1, "far") or (text.is_word(at + 1, "much") and gap):
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
@@ -102,7 +117,8 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
     if text.has("between"):
         facing |= text.at_phrases("remaining")
-    named = {i for i in range(len(text)) if text.words[i] in _CENTRE_OF and text.is_word(i + 1, "of")}
+    ends = {mention.end for mention in question.mentions}
+    named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of") or i in ends}
     if named:
         return "centers", named
     return ("surfaces", facing) if facing else (mode, set())
@@ -122,34 +138,83 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
 
 def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     """Every two parts of a plural one; two that are named; one from the middle or the outside of the model."""
-    anchors = anchors_of(question)
-    after = [one for one in anchors if one.at >= start]
-    before = [one for one in anchors if one.at < start]
+    named = _ends(question)
+    for spots in named:
+        for spot in spots:
+            yield from _between(spot)
+    ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
+    after = [spots for spots in ends if spots[0].at >= start]
+    before = [spots for spots in ends if spots[0].at < start]
     neighbors = question.text.at_phrases("neighbor")
-    for at, anchor, used, plural in [*after[:3], *before[-2:]]:
-        if isinstance(anchor, PartQuery):
-            features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
-            features["count_two"] = float(anchor.count == 2)
-            if at < start:
-                features["anchor_before"] = 1.0
-            yield _Pair(anchor, "each other", used | neighbors, features)
+    for spots in [*after[:3], *before[-2:]]:
+        for at, anchor, used, plural in spots:
+            if isinstance(anchor, PartQuery):
+                features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
+                features["count_two"] = float(anchor.count == 2)
+                if at < start:
+                    features["anchor_before"] = 1.0
+                yield _Pair(anchor, "each other", used | neighbors, features)
     yield from _two(before, after)
+    yield from _levels(question, ends)
     middle = question.text.at_words("center", "middle")
-    for spot in [*after[:2], *before[-1:]]:
-        yield from _from_model(spot, middle)
+    for spots in [*after[:2], *before[-1:]]:
+        for spot in spots:
+            yield from _from_model(spot, middle)
 
 
-def _two(before: Sequence[Spot], after: Sequence[Spot]) -> Iterator[_Pair]:
+def _ends(question: Question) -> list[list[Spot]]:
+    """What a distance can be measured from, from left to right; what the same words can mean stands together."""
+    found: list[list[Spot]] = []
+    for spot in anchors_of(question):
+        if found and any(spot.used & other.used for other in found[-1]):
+            found[-1].append(spot)
+        else:
+            found.append([spot])
+    return found
+
+
+def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """Two anchors behind the words that ask, or one before and one behind them."""
     pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else [])]
     pairs += [(after[0], after[2])] if len(after) > 2 else []
-    for index, (one, two) in enumerate(pairs):
-        both_parts = isinstance(one.anchor, PartQuery) and isinstance(two.anchor, PartQuery)
-        if not isinstance(one.anchor, PartQuery | Plane) and not isinstance(two.anchor, PartQuery | Plane):
+    for index, (ones, others) in enumerate(pairs):
+        for one, two in product(ones, others):
+            if isinstance(one.anchor, PartQuery | Plane) or isinstance(two.anchor, PartQuery | Plane):
+                features = {"two_anchors": 1.0, "pair_passed": float(index)}
+                yield _Pair(one.anchor, two.anchor, one.used | two.used, features)
+
+
+def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
+    """'How high above the base is the bore?': from the top or the underside of what is named, or from the ground."""
+    text = question.text
+    for span in text.all("place"):
+        if span.value not in ("above", "below"):
             continue
-        if both_parts or not one.used & two.used:
-            features = {"two_anchors": 1.0, "pair_passed": float(index)}
-            yield _Pair(one.anchor, two.anchor, one.used | two.used, features)
+        behind = next((spots for spots in ends if spots[0].at >= span.end), None)
+        for other in [spots for spots in ends if spots is not behind][:3]:
+            for spot, base in product(other, behind or ()):
+                if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
+                    yield from _over(spot.anchor, base.anchor, spot.used | base.used | set(span.tokens))
+    for spot in chain.from_iterable(ends):
+        part = spot.anchor
+        for place in part.places if isinstance(part, PartQuery) else ():
+            if isinstance(part, PartQuery) and place.what is not None and place.relation in ("above", "below"):
+                yield from _over(without(part, place), place.what, spot.used)
+
+
+def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
+    yield _Pair(Plane(Side.TOP, base), part, used, {"level": 1.0, "level_top": 1.0})
+    yield _Pair(Plane(Side.BOTTOM, base), part, used, {"level": 1.0, "level_bottom": 1.0})
+    yield _Pair(part, Boundary(Side.BOTTOM), used, {"level": 1.0, "level_ground": 1.0})
+
+
+def _between(spot: Spot) -> Iterator[_Pair]:
+    """'the gap between the nut and the lever', 'the web between the slots'."""
+    for place in spot.anchor.places if isinstance(spot.anchor, PartQuery) else ():
+        if place.relation == "between" and place.what is not None:
+            first = replace_fields(place.what, also=(), plural=place.what.plural or not place.what.also)
+            second: Anchor | Literal["each other"] = place.what.also[0] if place.what.also else "each other"
+            yield _Pair(first, second, spot.used, {"place_between": 1.0})
 
 
 def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
@@ -164,8 +229,9 @@ def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
         yield _Pair(anchor, None, spot.used | middle, {"from_middle": 1.0})
     for place in anchor.places:
         if place.what is not None and place.relation in ("of", "above", "below", "on", "in", "near"):
-            bare = replace_fields(anchor, places=tuple(p for p in anchor.places if p is not place))
-            yield _Pair(bare, place.what, spot.used, {"place_as_anchor": 1.0})
+            for other in (place.what, plane_of(place.what)):
+                if other is not None:
+                    yield _Pair(without(anchor, place), other, spot.used, {"place_as_anchor": 1.0})
     for side in anchor.sides:
         bare = replace_fields(anchor, sides=tuple(s for s in anchor.sides if s is not side))
         yield _Pair(bare, Boundary(side), spot.used, {"side_as_anchor": 1.0})

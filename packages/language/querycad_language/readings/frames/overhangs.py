@@ -6,11 +6,10 @@ from collections.abc import Iterator
 
 from querycad_contracts import Side
 from querycad_language.forms import Distance, Plane
-from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
-from .anchors import planes_of
+from .anchors import planes_of, without
 
 _BEYOND = ("above", "over", "beyond", "past", "below", "proud", "higher", "out")
 
@@ -42,10 +41,9 @@ def overhangs(question: Question) -> Iterator[Draft]:
         )
     for place in first.places:
         if place.what is not None and place.relation in ("above", "below", "of", "on"):
-            bare = replace_fields(first, places=tuple(p for p in first.places if p is not place))
             side = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
             yield Draft(
-                Distance(Plane(side, bare), Plane(side, place.what)),
+                Distance(Plane(side, without(first, place)), Plane(side, place.what)),
                 {"overhang": 1.0, "overhang_side": 1.0},
                 used,
             )

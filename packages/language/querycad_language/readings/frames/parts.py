@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
-from querycad_contracts import Measure
-from querycad_language.forms import Count, Get, Parts
+from querycad_contracts import Measure, Side
+from querycad_language.forms import Count, Get, Parts, Towards
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -16,6 +18,7 @@ def parts(question: Question) -> Iterator[Draft]:
     text = question.text
     start = question.asking[0]
     side = next((i for i in range(start, len(text) - 1) if _asks_for_side(text, i)), None)
+    offered, named = _offered(text)
     for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= start][:3]):
         query = mention.query
         assert query is not None
@@ -25,6 +28,11 @@ def parts(question: Question) -> Iterator[Draft]:
                 {"which_side": 1.0, "count_far": float(index)},
                 {side - 1, side, side + 1} | mention.used,
             )
+        if offered or side is not None:
+            used = named | ({side - 1, side, side + 1} if side is not None else set()) | mention.used
+            target = replace_fields(query, sides=(), ends=())
+            features = {"which_side": 1.0, "sides_offered": float(bool(offered)), "count_far": float(index)}
+            yield Draft(Towards(target, offered or tuple(Side)), features, used)
         lead = range(start, mention.start + 1)
         if any(text.is_word(i, "which", "list", "show", "name", "mark", "highlight") for i in lead) and index == 0:
             yield Draft(Parts(query), {"which": 1.0}, {i for i in lead if not text.is_content(i)} | mention.used)
@@ -39,6 +47,16 @@ def _asks_for_side(text: Text, at: int) -> bool:
     """'which side', 'on what face'."""
     face = text.is_word(at + 1, "face") and text.is_word(at - 1, "on", "in")
     return text.is_word(at, "which", "what") and (text.is_word(at + 1, "side") or face)
+
+
+def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
+    """The sides to choose from, and where they stand: 'left or right', 'on the top, the front or the back'."""
+    spans = list(text.all("side"))
+    for first, last in pairwise(spans):
+        if last.start - first.end < 6 and any(text.is_word(i, "or") for i in range(first.end, last.start)):
+            sides = tuple(dict.fromkeys(span.value for span in spans))
+            return sides, {i for i in range(spans[0].start, spans[-1].end) if not text.find(i, "noun")}
+    return (), set()
 
 
 def bare(question: Question) -> Iterator[Draft]:

@@ -43,18 +43,23 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
 
 
 def less(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
-    """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it without the head?'"""
+    """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it under its head?'"""
     text = question.text
     lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)
     if get.measures[0] not in lengths or len(get.measures) > 1:
         return
-    for span in text.all("minus"):
+    for span in [*text.all("minus"), *(span for span in text.all("place") if span.value == "below")]:
         other = question.phrases.at(text.skip(span.end, "article", "measure", "function"), joined=False)
-        if other is None or other.query is None or span.start < 2:
+        if other is None or other.query is None or (span.category == "minus" and span.start < 2):
             continue
+        head = text.is_word(other.head, "head") and (get.target is None or get.target.noun != other.query.noun)
+        if span.category == "place" and not head:
+            continue  # screws are measured under the head (ISO 4014), nothing else is
         target = get.target
         if target is not None:
-            target = replace_fields(target, places=tuple(p for p in target.places if not p.negated), excluded=())
+            kept = tuple(p for p in target.places if not p.negated and p.what != other.query)
+            target = replace_fields(target, places=kept, excluded=())
         owned = used | set(range(span.start, other.end))
-        combine = Combine("minus", replace(get, target=target), Get(get.measures, other.query))
+        part = Measure.HEIGHT if span.category == "place" else get.measures[0]
+        combine = Combine("minus", replace(get, target=target), Get((part,), other.query))
         yield Draft(combine, {**features, "less_part": 1.0}, owned)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from querycad_contracts import Measure
 from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_language.measures import is_length
 from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
@@ -29,20 +30,33 @@ _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum"
 def values(question: Question) -> Iterator[Draft]:
     """A measure of a part or of the whole: 'How deep is the keyway?', 'What is the width of the lever?'"""
     asked_for = asked_in(question)
-    for asked in asked_for:
+    for asked in [*asked_for, *_together(question, asked_for)]:
         if not question.in_question(asked.start) and any(question.in_question(other.start) for other in asked_for):
             continue
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
             get = draft.form
             assert isinstance(get, Get)
-            if asked is not asked_for[0]:
+            if asked not in asked_for:
+                draft.features["asked_together"] = 1.0
+            elif asked is not asked_for[0]:
                 draft.features["later_measure"] = 1.0
             yield from _with_axis(question, draft)
             if asked.how == "where":
                 yield from _points(question, get, draft)
             yield from less(question, get, draft.features, draft.used)
             yield from material(question, get, draft.features, draft.used)
+
+
+def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]:
+    """'How deep is the slot, and how wide is it?': measures of one owner that are asked one after the other."""
+    both = list({one.measures: one for one in reversed(asked_for) if question.in_question(one.start)}.values())[::-1]
+    if len(both) == 2 and all(len(one.measures) == 1 and is_length(one.measures[0]) for one in both):
+        first, second = both
+        joined = any(question.text.is_word(i, "and", ",", "&", "x") for i in range(first.end, second.start))
+        if joined:
+            measures = (*first.measures, *second.measures)
+            yield replace(first, measures=measures, used=first.used | second.used)
 
 
 def _value(question: Question, asked: Asked, owner: Owner) -> Draft:

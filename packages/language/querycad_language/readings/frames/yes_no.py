@@ -24,7 +24,7 @@ def yes_no(question: Question) -> Iterator[Draft]:
     if len(parts) > 1 and parts[0].query and parts[1].query and text.is_word(parts[1].start, "a", "an"):
         said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
         yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
-    for index, mention in enumerate(parts[:2]):
+    for index, mention in enumerate(parts[: 3 if question.claims else 2]):
         base: Features = {"check": 1.0, "count_far": float(index)}
         used = {start} | mention.used
         target = mention.query
@@ -37,9 +37,20 @@ def yes_no(question: Question) -> Iterator[Draft]:
         found = _size_after(question, mention.end)
         if found is not None:
             yield from _checked(text, target, found[0], asked, base, used | found[1])
+        for inner in _placed(target):
+            if inner.sizes:  # 'do the holes lie on a circle of 50 mm?'
+                yield from _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], (), base, used)
         if target is not None:
             yield from _predicates(text, mention, target, base, used)
             yield from _attributes(text, mention, target, base, used)
+
+
+def _placed(query: PartQuery | None) -> Iterator[PartQuery]:
+    """The parts that say where a part is, and where those are."""
+    for place in query.places if query is not None else ():
+        if place.what is not None:
+            yield place.what
+            yield from _placed(place.what)
 
 
 def _alike(
@@ -92,6 +103,8 @@ def _predicates(text: Text, mention: Mention, target: PartQuery, base: Features,
 def _verb_start(question: Question) -> int | None:
     """Where a clause begins that is answered by yes or no."""
     text, (start, end) = question.text, question.asking
+    if question.claims:
+        return start
     if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))):
         return start
     if text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n"):

@@ -1,0 +1,93 @@
+"""A program while it is written: its lines, the parts that it finds, and how natural its measures are."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from querycad_contracts import AnswerType, Measure, Part, PartQuery
+from querycad_language.measures import WHOLE, Grade, options
+
+_VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """A program, the type of its result, and how natural the measures that it reads are for the parts."""
+
+    code: str
+    expects: AnswerType
+    grades: tuple[Grade, ...] = ()
+    option: int = 0
+
+
+Grounds = Mapping[PartQuery, tuple[Sequence[Part], int]]
+"""The parts that each query of a form was grounded on, and which of its groundings that is."""
+
+
+class Unwritable(Exception):
+    """The form makes no sense of these parts: a distance with one part only, say."""
+
+
+class Draft:
+    """One program. `option`: which meaning of a measure is taken for these parts."""
+
+    def __init__(self, grounds: Grounds, whole: Part, option: int) -> None:
+        self.grounds = grounds
+        self.whole = whole
+        self.option = option
+        self.lines: list[str] = []
+        self.names: dict[PartQuery, str] = {}
+        self.grades: list[Grade] = []
+
+    def parts(self, query: PartQuery) -> str:
+        """The variable with the parts of a query."""
+        if query not in self.names:
+            name = "parts" if not self.names else f"others{len(self.names) if len(self.names) > 1 else ''}"
+            self.names[query] = name
+            _, sense = self.grounds[query]
+            self.lines.append(f"{name} = find_parts({_call(query, sense)})")
+        return self.names[query]
+
+    def of(self, query: PartQuery) -> Sequence[Part]:
+        """The parts that a query was grounded on."""
+        return self.grounds[query][0]
+
+    def read(self, measure: Measure, parts: Sequence[Part], scalar: bool = False) -> str:
+        """The expression of a measure for parts of these kinds, '{0}' for the part; one number of each if `scalar`."""
+        if not parts:
+            return "{0}." + measure.value
+        counts: dict[str, int] = {}
+        for part in parts:
+            counts[part.kind] = counts.get(part.kind, 0) + 1
+        usual = max(counts, key=lambda kind: counts[kind])
+        sample = next(part for part in parts if part.kind == usual)
+        known = [one for one in options(measure, sample) if not (scalar and one[0].endswith(_VECTORS))]
+        if self.option >= len(known):
+            raise Unwritable
+        expression, grade = known[self.option]
+        self.grades.append(grade)
+        return expression
+
+    def beside(self, measure: Measure, others: Sequence[Measure], parts: Sequence[Part]) -> str:
+        """The same where length and width are asked together: of a body they are its longest sides, longest first."""
+        both = Measure.LENGTH in others and Measure.WIDTH in others
+        if both and all(part.kind in WHOLE for part in parts) and measure in (Measure.LENGTH, Measure.WIDTH):
+            return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"
+        return self.read(measure, parts)
+
+    def chosen(self, modes: Sequence[str]) -> str:
+        """The one of several meanings that this program takes. Raises Unwritable where there are fewer."""
+        if self.option >= len(modes):
+            raise Unwritable
+        self.grades.append("own" if self.option == 0 else "derived")
+        return modes[self.option]
+
+
+def _call(query: PartQuery, sense: int) -> str:
+    """The argument of find_parts: the query as a dictionary, without what is empty."""
+    implied = {"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set()
+    fields = query.model_dump(mode="json", exclude_defaults=True, exclude=implied) | ({"sense": sense} if sense else {})
+    text = json.dumps(fields, ensure_ascii=False)
+    return text.replace(": true", ": True").replace(": false", ": False").replace(": null", ": None")
