@@ -12,7 +12,7 @@ import json
 import tomllib
 from pathlib import Path
 
-from querycad_language.weights import weights_file
+from querycad_language.weights import calibration, grouped, weights, weights_file
 
 from .collect import Row, collect
 from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
@@ -23,6 +23,8 @@ from .plot import draw
 PRIOR = Path(__file__).with_name("prior.toml")
 RESULTS = Path(__file__).with_name("results.json")
 STORE = Path("build/understanding")
+LEAST = 0.03
+"""Weights of a measure of a kind that are smaller are not written."""
 
 
 def main() -> int:
@@ -43,11 +45,11 @@ def _fit(jobs: int, rounds: int) -> int:
     data = questions()
     for _ in range(rounds):
         rows = collect(data, STORE, jobs)
-        table, calibration = weights_of(rows, prior)
+        table, doubts = weights_of(rows, prior)
         told = cross_validated(rows, prior)
         text = summary(told)
         right = sum(one.right for one in told) / len(told)
-        _write(table, calibration, data, right)
+        _write(table, doubts, data, right)
     print(text)
     draw(told)
     curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
@@ -59,10 +61,9 @@ def _fit(jobs: int, rounds: int) -> int:
 
 
 def _score(files: list[Path], jobs: int) -> int:
-    table = tomllib.loads(weights_file().read_text(encoding="utf-8"))
     data = [one for file in files for one in asked(file)] if files else questions(held_out=True)
     rows: list[Row] = collect(data, STORE, jobs)
-    print(summary(judged(rows, table["weights"], table["calibration"])))
+    print(summary(judged(rows, weights(), calibration())))
     return 0
 
 
@@ -72,15 +73,22 @@ def _hash(data: list[Question]) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def _write(table: Table, calibration: Table, data: list[Question], right: float) -> None:
+def _write(table: Table, doubts: Table, data: list[Question], right: float) -> None:
     """The weights as a readable table, with what they were fitted on."""
     lines = [
         "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
         f"# {len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right.",
-        "", "[weights]", *(f"{name} = {value}" for name, value in sorted(table.items())),
-        "", "[calibration]", *(f"{name} = {value}" for name, value in calibration.items()), "",
+        "", "[weights]", *(f"{name} = {value}" for name, value in sorted(table.items()) if " " not in name),
+        "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
     ]  # fmt: skip
+    for group, measures in grouped(table).items():
+        lines += [f"[{group}]", *(f"{name} = {_inline(of)}" for name, of in measures.items()), ""]
     weights_file().write_text("\n".join(lines), encoding="utf-8")
+
+
+def _inline(table: Table) -> str:
+    """A table on one line, without what weighs next to nothing."""
+    return "{ " + ", ".join(f'"{name}" = {weight}' for name, weight in table.items() if abs(weight) >= LEAST) + " }"
 
 
 if __name__ == "__main__":

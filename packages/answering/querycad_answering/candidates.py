@@ -75,7 +75,7 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
                 continue
             features = _features(reading, grounds, written)
             yield Candidate(reading, grounds, written, features)
-            if not written.grades:
+            if not written.reads:
                 break
 
 
@@ -85,8 +85,9 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     for grounded in grounds.values():
         for name, value in grounded.features.items():
             features[name] = features.get(name, 0.0) + value
-    for grade in written.grades:
-        features[f"measure_{grade}"] = features.get(f"measure_{grade}", 0.0) + 1.0 / len(written.grades)
+    for read in written.reads:
+        for name in (f"measure_{read.grade}", f"{read.measure} of {read.kind}", f"{read.measure} as {read.expression}"):
+            features[name] = features.get(name, 0.0) + 1.0 / len(written.reads)
     if written.option:
         features["measure_option"] = float(written.option)
     features[f"form_{type(reading.form).__name__.lower()}"] = 1.0

@@ -14,7 +14,7 @@ CLOSED = frozenset([
     "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus",
     "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
-    "remaining", "axis",
+    "remaining", "axis", "stuff",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))

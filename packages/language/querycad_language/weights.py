@@ -6,6 +6,7 @@ import tomllib
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 
 def weights_file() -> Path:
@@ -13,9 +14,32 @@ def weights_file() -> Path:
     return Path(str(files(__package__).joinpath("data").joinpath("weights.toml")))
 
 
+GROUPS = ("of", "as")
+"""Tables of their own: how natural a measure is of a kind of part, and what it means: 'depth of hole'."""
+
+
 @cache
-def _table() -> dict[str, dict[str, float]]:
+def _table() -> dict[str, dict[str, Any]]:
     return tomllib.loads(files(__package__).joinpath("data").joinpath("weights.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def _fitted() -> dict[str, float]:
+    table = dict(_table()["weights"])
+    for group in GROUPS:
+        for measure, of in _table().get(group, {}).items():
+            table.update({f"{measure} {group} {name}": weight for name, weight in of.items()})
+    return table
+
+
+def grouped(table: dict[str, float]) -> dict[str, dict[str, dict[str, float]]]:
+    """The weights of each group as the file holds them: measure, then kind or expression."""
+    found: dict[str, dict[str, dict[str, float]]] = {group: {} for group in GROUPS}
+    for name, weight in sorted(table.items()):
+        measure, group, of = (*name.split(" ", 2), "", "")[:3]
+        if group in GROUPS:
+            found[group].setdefault(measure, {})[of] = weight
+    return found
 
 
 _used: dict[str, float] | None = None
@@ -25,7 +49,7 @@ def weights() -> dict[str, float]:
     """The weight of each feature; a feature without one weighs nothing."""
     if _used is not None:
         return _used
-    return _table()["weights"]
+    return _fitted()
 
 
 def calibration() -> dict[str, float]:

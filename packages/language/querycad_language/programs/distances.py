@@ -131,9 +131,10 @@ def _from_plane(draft: Draft, first: object, second: object, mode: str) -> str:
     center = f"abs(p.center[{axis}] - ({at}))"
     ends = [f"abs(p.center[{axis}] {sign} p.half_extents[{axis}] - ({at}))" for sign in "+-"]
     round_parts = any(part.axis is not None for part in draft.of(other))
-    far, near = f"max({', '.join(ends)})", f"min({', '.join(ends)})"
-    modes = {"centers": [center], "surfaces": [near, far]}.get(mode)
-    expression = draft.chosen(modes or ([center, far, near] if round_parts else [near, far, center]))
+    modes = {"center": center, "far": f"max({', '.join(ends)})", "near": f"min({', '.join(ends)})"}
+    usual = ("center", "far", "near") if round_parts else ("near", "far", "center")
+    names = {"centers": ("center",), "surfaces": ("near", "far")}.get(mode, usual)
+    expression = draft.chosen({name: modes[name] for name in names}, _kind(draft.of(other)))
     draft.lines.append(f"found = [{expression} for p in {parts}]")
     return "found" if other.plural else "found[0] if len(different(found, 1e-05)) == 1 else found"
 
@@ -162,52 +163,48 @@ def _between(draft: Draft, form: Distance, parts: Sequence[Part], two: bool) -> 
     )
     alike = len({part.kind for part in parts}) == 1
     usual = alike or all(part.axis is not None for part in parts)
-    modes = (
-        [form.mode]
-        if form.mode != "usual"
-        else (["centers", "surfaces"] if usual and not (flat and two) else ["surfaces", "centers"])
-    )
-    if draft.option >= len(modes):
-        raise Unwritable
-    draft.grades.append("own" if draft.option == 0 else "derived")
-    centers = modes[draft.option] == "centers"
+    own = ("center", "near") if usual and not (flat and two) else ("near", "center")
+    names = {"centers": ("center",), "surfaces": ("near",)}.get(form.mode, own)
+    modes = {"center": "a.center_distance(b)", "near": "a.distance_to(b)"}
     if form.axis is not None:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
-        return apart if centers else f"max(0.0, {apart} - a.half_extents[{form.axis}] - b.half_extents[{form.axis}])"
-    return "a.center_distance(b)" if centers else "a.distance_to(b)"
+        ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
+        modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
+    return draft.chosen({name: modes[name] for name in names}, _kind(parts))
+
+
+def _kind(parts: Sequence[Part]) -> str:
+    """What a distance is measured from: the kind of the parts, or both."""
+    return "+".join(sorted({part.kind for part in parts})[:2])
 
 
 def _to_place(draft: Draft, first: PartQuery, place: Boundary | Origin | None, form: Distance) -> str:
     parts = draft.parts(first)
     found = draft.of(first)
     if isinstance(place, Boundary) and place.side is None:
-        expression = "p.edge_distance()"
-        modes = [expression]
+        modes = {"near": "p.edge_distance()"}
         if form.mode != "surfaces" and found and found[0].radius is not None:
-            modes = (
-                ["p.edge_distance() + p.radius", expression]
-                if form.mode == "centers"
-                else [expression, "p.edge_distance() + p.radius"]
-            )
-        expression = draft.chosen(modes)
+            center = {"center": "p.edge_distance() + p.radius"}
+            modes = center | modes if form.mode == "centers" else modes | center
     elif isinstance(place, Boundary):
         assert place.side is not None
         i = next(i for i, value in enumerate(place.side.outward) if value)
         positive = place.side.outward[i] > 0
-        center = f"shape.max_corner[{i}] - p.center[{i}]" if positive else f"p.center[{i}] - shape.min_corner[{i}]"
-        near, far = f"{center} - p.half_extents[{i}]", f"{center} + p.half_extents[{i}]"
+        middle = f"shape.max_corner[{i}] - p.center[{i}]" if positive else f"p.center[{i}] - shape.min_corner[{i}]"
+        ends = {"near": f"{middle} - p.half_extents[{i}]", "far": f"{middle} + p.half_extents[{i}]"}
         round_parts = bool(found) and found[0].kind in ("hole", "boss", "cylinder")
-        modes = [center, near, far] if form.mode == "centers" or round_parts else [near, center, far]
-        expression = draft.chosen(modes[:1] if form.mode == "surfaces" else modes)
+        modes = {"center": middle} | ends if form.mode == "centers" or round_parts else ends | {"center": middle}
+        modes = {"near": ends["near"]} if form.mode == "surfaces" else modes
     else:
         point = "shape.center" if place is None else "(0.0, 0.0, 0.0)"
         along_axis = f"abs(p.center[{form.axis}] - {point}[{form.axis}])"
-        expression = along_axis if form.axis is not None else f"distance(p.center, {point})"
+        modes = {"center": along_axis if form.axis is not None else f"distance(p.center, {point})"}
         if form.axis is None and found and found[0].axis is not None and place is None:
             along = max(range(3), key=lambda i: abs(found[0].axis[i]))  # type: ignore[index]
             planar = [i for i in range(3) if i != along]
             terms = " + ".join(f"(p.center[{i}] - shape.center[{i}]) ** 2" for i in planar)
-            expression = draft.chosen([f"({terms}) ** 0.5", expression])
+            modes = {"axis": f"({terms}) ** 0.5"} | modes
+    expression = draft.chosen(modes, _kind(found))
     draft.lines.append(f"found = [{expression} for p in {parts}]")
     if form.reduce is Reduce.LARGEST:
         return "max(found)"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery
 from querycad_language.measures import WHOLE, Grade, options
@@ -12,13 +13,22 @@ from querycad_language.measures import WHOLE, Grade, options
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 
 
+class Read(NamedTuple):
+    """A measure that a program reads of parts of a kind: what it means there, and how natural that is."""
+
+    measure: str
+    kind: str
+    expression: str
+    grade: Grade
+
+
 @dataclass(frozen=True, slots=True)
 class Written:
-    """A program, the type of its result, and how natural the measures that it reads are for the parts."""
+    """A program, the type of its result, and the measures that it reads."""
 
     code: str
     expects: AnswerType
-    grades: tuple[Grade, ...] = ()
+    reads: tuple[Read, ...] = ()
     option: int = 0
 
 
@@ -39,7 +49,7 @@ class Draft:
         self.option = option
         self.lines: list[str] = []
         self.names: dict[PartQuery, str] = {}
-        self.grades: list[Grade] = []
+        self.reads: list[Read] = []
 
     def parts(self, query: PartQuery) -> str:
         """The variable with the parts of a query."""
@@ -67,7 +77,7 @@ class Draft:
         if self.option >= len(known):
             raise Unwritable
         expression, grade = known[self.option]
-        self.grades.append(grade)
+        self.reads.append(Read(measure.value, usual, expression, grade))
         return expression
 
     def beside(self, measure: Measure, others: Sequence[Measure], parts: Sequence[Part]) -> str:
@@ -77,12 +87,13 @@ class Draft:
             return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"
         return self.read(measure, parts)
 
-    def chosen(self, modes: Sequence[str]) -> str:
-        """The one of several meanings that this program takes. Raises Unwritable where there are fewer."""
+    def chosen(self, modes: Mapping[str, str], kind: str) -> str:
+        """The one of several named meanings of a distance that this program takes. Raises Unwritable: fewer."""
         if self.option >= len(modes):
             raise Unwritable
-        self.grades.append("own" if self.option == 0 else "derived")
-        return modes[self.option]
+        name = list(modes)[self.option]
+        self.reads.append(Read("distance", kind, name, "own" if self.option == 0 else "derived"))
+        return modes[name]
 
 
 def _call(query: PartQuery, sense: int) -> str:

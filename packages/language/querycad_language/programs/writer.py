@@ -37,7 +37,7 @@ def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written
     """The program for a form. `option`: which meaning of the measure for these parts. Raises Unwritable."""
     draft = Draft(grounds, whole, option)
     result, kind = _form(draft, form)
-    return Written("\n".join([*draft.lines, f"solution = {result}"]), kind, tuple(draft.grades), option)
+    return Written("\n".join([*draft.lines, f"solution = {result}"]), kind, tuple(draft.reads), option)
 
 
 def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911 - one case a form

@@ -8,6 +8,7 @@ from functools import cached_property
 
 from querycad_language.forms import Distance, Form, Several, queries, with_query
 from querycad_language.phrases import Mention
+from querycad_language.weights import weights
 
 from .drafts import Draft, Reading
 from .frames.comparisons import comparisons
@@ -56,22 +57,10 @@ def _viewed(draft: Draft, view: Mention) -> Iterator[Draft]:
     yield Draft(form, {**draft.features, "view_apart": 1.0}, draft.used | view.used)
 
 
-_PRIOR = {
-    "skip_number": -3.0, "skip_side": -3.0, "skip_noun": -2.0, "skip_measure": -1.5, "skip_negation": -3.0,
-    "skip_comparison": -1.5, "skip_unknown": -1.0, "skip_adjective": -1.0, "skip_chatter": -0.1,
-    "aside_number": -0.5, "aside_side": -0.5, "aside_noun": -0.3, "aside_measure": -0.3,
-    "link_of": 2.0, "link_subject": 2.0, "link_compound": 2.0, "link_possessive": 2.0, "link_having": 1.5,
-    "link_preposition": 1.5, "link_pronoun": 1.0, "link_before": 0.5, "link_topic": 0.7, "link_earlier": 0.2,
-    "link_later": -0.5, "link_far": -1.0, "link_far_before": -0.5, "owner_passed": -2.0, "parts_passed": -0.5,
-    "later_measure": -0.3, "count_next": 2.0, "count_far": -1.0, "count_before": 0.5, "owner_after": 0.3,
-    "distance": 0.5, "named_only": -2.5, "along_axis": 1.0, "less_part": 1.0, "two_anchors": 0.5,
-    "pair_passed": -1.0, "exists": 1.0, "check": 1.0,
-}  # fmt: skip
-"""Rough weights that only decide which readings are looked at; the fitted ones rank them."""
-
-
 def _prior(reading: Reading) -> float:
-    return math.fsum(_PRIOR.get(name, 0.0) * value for name, value in reading.features.items())
+    """What the fitted weights say of the words alone."""
+    table = weights()
+    return math.fsum(table.get(name, 0.0) * value for name, value in reading.features.items())
 
 
 def read(question: str, names: Iterable[str] = ()) -> list[Reading]:
