@@ -22,7 +22,7 @@ from .collect import Row
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
-CAUTION = 1.45
+CAUTION = 1.6
 """A wrong answer weighs that much more than a right one in calibration: wrong and sure is the worst outcome."""
 Table = dict[str, float]
 
@@ -102,7 +102,7 @@ def answered(row: Row, table: Table) -> Answered:
     return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)
 
 
-def calibrate(rows: Sequence[Row], table: Table, l2: float = 1.0) -> Table:
+def calibrate(rows: Sequence[Row], table: Table, l2: float = 5.0) -> Table:
     """How probable is it that an answer is right? Logistic weights of its share and of its doubts."""
     told = [one for one in (answered(row, table) for row in rows) if not one.refused]
     against = [doubts(one.features, one.score) for one in told]
