@@ -214,7 +214,15 @@ class PartKind(StrEnum):
         return self in _EDGE_BREAKS
 
 
-_STANDING_OUT = frozenset((PartKind.BOSS, PartKind.ELEVATION, PartKind.PROTRUSION, PartKind.PRISM, PartKind.RIB))
+_STANDING_OUT = frozenset(
+    (
+        PartKind.BOSS,
+        PartKind.ELEVATION,
+        PartKind.PRISM,
+        PartKind.PROTRUSION,
+        PartKind.RIB,
+    )
+)
 _CUT_IN = frozenset(
     (
         PartKind.HOLE,

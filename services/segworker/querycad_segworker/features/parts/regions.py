@@ -31,10 +31,9 @@ ASIDE = 0.75
 """Cosine of 41 degrees: a rim whose face looks farther off the opening's direction leaves it open there."""
 SQUARE = 1e-2
 """Sine of the angle by which walls may deviate from upright, and a floor from level."""
-_CUT = frozenset(kind for kind in PartKind if kind.cuts_in) | {PartKind.CAVITY, PartKind.GEAR, PartKind.TOOTH}
-_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {
-    PartKind.GEAR, PartKind.TOOTH, PartKind.PIPE, PartKind.WALL, PartKind.RING_SECTOR,
-}  # fmt: skip
+_BOTH = frozenset((PartKind.GEAR, PartKind.TOOTH, PartKind.PIPE))
+_CUT = _BOTH | {kind for kind in PartKind if kind.cuts_in} | {PartKind.CAVITY}
+_OUT = _BOTH | {kind for kind in PartKind if kind.stands_out} | {PartKind.WALL, PartKind.RING_SECTOR}
 
 
 def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances: Tolerances) -> list[Part]:
@@ -43,12 +42,12 @@ def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances
         return []
     cuts = [part for part in parts if part.kind in _CUT]
     cut = frozenset(face for part in cuts for face in part.faces)
-    through = frozenset(face for part in cuts if "through" in part.tags for face in part.faces)
+    across = {face for part in cuts if part.kind is not PartKind.STEP for face in part.faces}
     out = frozenset(face for part in parts if part.kind in _OUT for face in part.faces)
     maker = _Maker(brep, volumes, volumes.moments, tolerances, cut)
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
     found: dict[bool, list[Part]] = {True: [], False: []}
-    for region in closed_regions(brep, volumes.moments, through, cut):
+    for region in closed_regions(brep, volumes.moments, across):
         taken = faces_area(brep, region.faces & (cut if region.sinks else out))
         if taken <= TAKEN * faces_area(brep, region.faces):
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)

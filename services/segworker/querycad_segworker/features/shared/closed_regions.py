@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord
-from querycad_segworker.vectors import ORIGIN, add, mean, scale
+from querycad_segworker.vectors import ORIGIN, add, box_extents, box_union, mean, scale
 
 from .adjacency import is_blend
 from .walls import Groups
 
 MINOR = 0.5
-"""What has a larger share of its body's surface is the body: the rest stands on it."""
+"""What has a larger share of its body's surface, or of the box around it, is the body: the rest stands on it."""
 FACING_IN = 0.3
 """Walls of a hollow look at each other, those of what stands out away from each other: by so much of their whole, 1
 where all do. A step with one wall has 1, a floor around something that stands on it less than 0."""
@@ -55,21 +55,17 @@ class Region:
     sinks: bool
 
 
-def closed_regions(brep: Brep, moments: Moments, through: Collection[int], cut: Collection[int]) -> list[Region]:
+def closed_regions(brep: Brep, moments: Moments, cut: Collection[int]) -> list[Region]:
     """All maximal regions of the solids, hollows first, each kind by lowest face id.
 
     Hollows end at convex edges, what stands out at concave ones; neither ends where faces meet smoothly. A round
     counts as the convex edge that it breaks, a fillet as the concave one. The foot of what stands out makes no hollow
-    of the floor around it. `through`, `cut`: faces of known cuts, of those that go through and of all: they do not
-    join what they are cut into to what lies behind; blind ones count where something stands out without them only.
+    of the floor around it. `cut`: faces of known cuts, which do not join what they are cut into to what lies behind.
     """
     graph = _Graph(brep, moments)
     first = graph.hollows(frozenset())
     ways = {face for region in first if region.opening is None for face in region.faces}
-    standing = graph.standing({*through, *ways})
-    known = {face for region in standing for face in region.faces}
-    standing += [r for r in graph.standing({*cut}.union(*(r.faces for r in first))) if known.isdisjoint(r.faces)]
-    standing.sort(key=lambda region: min(region.faces))
+    standing = graph.standing(ways.union(cut))
     feet = frozenset(edge for region in standing for edge in region.border)
     return [*(graph.hollows(feet) if feet else first), *standing]
 
@@ -111,9 +107,9 @@ class _Graph:
     def _hollow(self, group: frozenset[int], feet: Collection[int]) -> Region | None:
         links = [(edge, other) for face in group for edge, other in self._brep.neighbours(face)]
         border = {edge.id for edge, other in links if other not in group}
-        if not border or group <= self._fillets:
+        at_foot = {face for e in border.intersection(feet) for face in self._brep.edges[e].faces}
+        if not border or group <= self._fillets & at_foot:
             return None  # a void, a body without a convex edge, the foot of something
-        at_foot = {face for e in border & set(feet) for face in self._brep.edges[e].faces}
         sharp = any(e.convexity is EdgeConvexity.CONCAVE and b in group and e.id not in feet for e, b in links)
         fillets = group & self._fillets - at_foot
         region = self._region(group, border, sinks=True)
@@ -125,6 +121,8 @@ class _Graph:
         body = self._brep.bodies[self._brep.faces[min(group)].body]
         if sum(self._brep.faces[face].area for face in group) > MINOR * body.area:
             return None
+        if self._room(group) > MINOR * self._room(body.faces):
+            return None
         links = [(edge, other) for face in group for edge, other in self._brep.neighbours(face)]
         border = {edge.id for edge, other in links if self._is_foot(edge, other, group)}
         if not border:
@@ -132,7 +130,13 @@ class _Graph:
         region = self._region(group, border, sinks=False)
         if any(edge.convexity is EdgeConvexity.CONVEX and other in group for edge, other in links):
             return region if self._facing_in(region) < -FACING_IN else None
-        return region if self._bows(region) < -BOW else None
+        closed = all(other in group or edge.id in border for edge, other in links)
+        return region if closed and self._bows(region) < -BOW else None
+
+    def _room(self, faces: Iterable[int]) -> float:
+        """How much do these faces span, m3?"""
+        box = box_union(self._brep.faces[face].box for face in faces)
+        return 0.0 if box is None else math.prod(box_extents(box))
 
     def _is_foot(self, edge: EdgeRecord, other: int, group: Collection[int]) -> bool:
         return other not in group and (edge.convexity is EdgeConvexity.CONCAVE or other in self._fillets)
