@@ -167,7 +167,11 @@ class PartKind(StrEnum):
     CUTOUT = "cutout"
     CYLINDER = "cylinder"
     CROSSBAR = "crossbar"
+    DEPRESSION = "depression"
+    """Whatever convex edges close off, where no narrower kind has it."""
     DIMPLE = "dimple"
+    ELEVATION = "elevation"
+    """Whatever concave edges close off, where no narrower kind has it."""
     FACE = "face"
     FILLET = "fillet"
     FLOOR = "floor"
@@ -210,7 +214,15 @@ class PartKind(StrEnum):
         return self in _EDGE_BREAKS
 
 
-_STANDING_OUT = frozenset((PartKind.BOSS, PartKind.PROTRUSION, PartKind.PRISM, PartKind.RIB))
+_STANDING_OUT = frozenset(
+    (
+        PartKind.BOSS,
+        PartKind.ELEVATION,
+        PartKind.PRISM,
+        PartKind.PROTRUSION,
+        PartKind.RIB,
+    )
+)
 _CUT_IN = frozenset(
     (
         PartKind.HOLE,
@@ -221,6 +233,7 @@ _CUT_IN = frozenset(
         PartKind.STEP,
         PartKind.NOTCH,
         PartKind.GROOVE,
+        PartKind.DEPRESSION,
         PartKind.DIMPLE,
         PartKind.COUNTERBORE,
         PartKind.COUNTERSINK,

@@ -16,11 +16,11 @@ ROUND = frozenset([
     "gear", "groove", "dimple", "bearing", "screw", "arc", "pattern", "ring_sector", "crossbar",
 ])  # fmt: skip
 STANDING = frozenset(
-    ("boss", "crossbar", "cylinder", "cone", "pipe", "protrusion", "prism", "rib", "screw", "tooth", "bump")
+    ("boss", "crossbar", "cylinder", "cone", "elevation", "pipe", "protrusion", "prism", "rib", "screw", "tooth")
 )
 CUT = frozenset([
     "hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink",
-    "spotface", "dimple", "cavity", "recess",
+    "spotface", "depression", "dimple", "cavity",
 ])  # fmt: skip
 WHOLE = frozenset(("model", "body"))
 BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))

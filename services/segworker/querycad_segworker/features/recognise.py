@@ -47,6 +47,7 @@ from .parts.protrusions import (
     rib_part,
     tooth_parts,
 )
+from .parts.regions import region_parts
 from .parts.relations import with_relations
 from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .parts.turned_pieces import crossbars
@@ -185,6 +186,7 @@ def _parts(
         *_numbered(knurls, lambda knurl, n: knurl_part(brep, knurl, n)),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
+    parts += region_parts(brep, parts, volumes, tolerances)
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, turned, tolerances, is_clear), bearings)

@@ -14,7 +14,7 @@ FACING = 0.7
 """Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 MADE_OF = ("pattern", "gear")
 """Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
-STANDING_OUT = frozenset(("boss", "protrusion", "prism", "rib", "body"))
+STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))
 
 
 def carries(place: Part, part: Part) -> bool:

@@ -15,6 +15,9 @@ NEAR_SENSE = 0.2
 SOLID = frozenset(("body", "boss", "prism", "pipe", "ring_sector", "torus", "gear"))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway."""
 
+NAMELESS = frozenset(("depression", "elevation"))
+"""Kinds of what no family has taken: a word means them where it means nothing else."""
+
 
 def bases(request: Request) -> Iterator[Way]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
@@ -66,7 +69,7 @@ def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Ite
     for sense in senses:
         parts = inventory.of_sense(sense)
         key = tuple(part.id for part in parts)
-        if not parts or key in seen:
+        if not parts or key in seen or (rank and NAMELESS.issuperset(sense.kind)):
             continue
         seen.add(key)
         features = {"sense_stretch": sense.stretch, "sense_rank": float(rank)}

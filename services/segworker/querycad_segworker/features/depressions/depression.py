@@ -33,6 +33,8 @@ class DepressionKind(StrEnum):
     """Closed on itself around an island that is level with its rim, as for an O-ring in a face."""
     CAVITY = "cavity"
     """A void inside the material, without an opening."""
+    DEPRESSION = "depression"
+    """None of these: closed off by convex edges, in any form."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -57,7 +57,10 @@ def recognise_depressions(
             sunk = graph.behind(face, loop)
             if not sunk or sunk & used:
                 continue
-            for depression in _behind_rim(brep, graph, face, loop, sunk, tolerances):
+            behind = _behind_rim(brep, graph, face, loop, sunk, tolerances)
+            if not behind:
+                used.update(sunk)  # closed all around: no step or slot, which run out at a border
+            for depression in behind:
                 used.update(depression.faces)
                 found.append(depression)
     groups = graph.concave_groups(used)

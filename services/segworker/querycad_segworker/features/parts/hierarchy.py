@@ -9,9 +9,10 @@ from querycad_contracts import Part, PartKind
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import parallel
 
-CARRIERS = frozenset(
-    ("boss", "prism", "protrusion", "rib", "pocket", "cutout", "slot", "channel", "step", "notch", "groove", "gear")
-)
+CARRIERS = frozenset([
+    "boss", "prism", "protrusion", "elevation", "rib", "pocket", "cutout", "depression", "slot", "channel", "step",
+    "notch", "groove", "gear",
+])  # fmt: skip
 """Kinds with faces of their own that others open on or stand on; bodies hold all parts whose faces are theirs."""
 
 

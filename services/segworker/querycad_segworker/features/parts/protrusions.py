@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Part
+from querycad_contracts import Part, PartKind
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.protrusions.ribs import Rib
@@ -24,15 +24,17 @@ from querycad_segworker.vectors import add, box_center, box_extents, scale
 from .volumes import Volumes
 
 
-def protrusion_part(brep: Brep, found: Protrusion, number: int, volumes: Volumes) -> Part:
-    """A protrusion of any outline but a circle."""
+def protrusion_part(
+    brep: Brep, found: Protrusion, number: int, volumes: Volumes, kind: PartKind = PartKind.PROTRUSION
+) -> Part:
+    """A protrusion of any outline but a circle, or what stands out without a family."""
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
     return Part(
-        id=f"protrusion-{number}",
-        kind="protrusion",
+        id=f"{kind}-{number}",
+        kind=kind,
         tags=(found.outline, *found.tags),
-        label=f"{outlined(found.outline, 'protrusion')}, {size} mm, height {millimetres(found.height)}",
+        label=f"{outlined(found.outline, kind)}, {size} mm, height {millimetres(found.height)}",
         faces=found.faces,
         center=found.center,
         extents=extents,
@@ -46,7 +48,7 @@ def protrusion_part(brep: Brep, found: Protrusion, number: int, volumes: Volumes
         local_size=(found.length, found.width, found.height),
         volume=volumes.of_protrusion(found),
         area=faces_area(brep, found.faces),
-        evidence=geometry(f"{len(found.faces)} faces that rise from a face inside one of its boundary loops"),
+        evidence=geometry(f"{len(found.faces)} faces that rise from what they stand on, closed off by concave edges"),
     )
 
 

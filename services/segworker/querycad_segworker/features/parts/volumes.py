@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.protrusions.protrusions import Protrusion
+from querycad_segworker.features.shared.closed_regions import Moments
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
 from querycad_segworker.vectors import cross, dist, dot, scale, sub
@@ -30,7 +30,7 @@ class Volumes:
 
     def __init__(self, brep: Brep, mesh: Mesh | None) -> None:
         self._brep = brep
-        self._fluxes = _fluxes(brep, mesh) if mesh is not None else None
+        self.moments = _moments(brep, mesh) if mesh is not None else None
 
     def of(self, found: Depression) -> float | None:
         """How large is the space, in cubic metres? None where its openings do not lie in planes."""
@@ -41,9 +41,9 @@ class Volumes:
         prism = self._prism(found)
         if prism is not None:
             return prism
-        if self._fluxes is None:
+        if self.moments is None:
             return None
-        fluxes, areas = self._fluxes
+        fluxes, areas = self.moments.flux_m3, self.moments.area_m2
         faces, center = list(found.faces), np.array(found.center)
         area = areas[faces].sum(axis=0)
         flux = float(fluxes[faces].sum() - area @ center)
@@ -56,9 +56,9 @@ class Volumes:
 
     def of_protrusion(self, found: Protrusion) -> float | None:
         """How much material stands out, in cubic metres? None where its faces do not close on a plane."""
-        if self._fluxes is None:
+        if self.moments is None:
             return None
-        fluxes, areas = self._fluxes
+        fluxes, areas = self.moments.flux_m3, self.moments.area_m2
         faces, base = list(found.faces), np.array(found.base)
         area = areas[faces].sum(axis=0)
         size = float(sum(self._brep.faces[f].area for f in faces))
@@ -122,8 +122,7 @@ def _path(edges: list[EdgeRecord]) -> list[tuple[Vector, EdgeRecord, Vector]]:
     return path
 
 
-def _fluxes(brep: Brep, mesh: Mesh) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Of each face: (F,) integral of point times outward normal, m3; (F, 3) integral of the outward normal, m2."""
+def _moments(brep: Brep, mesh: Mesh) -> Moments:
     a, b, c = (mesh.vertices_m[mesh.triangles[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a) / 2
     flux, area = np.zeros(len(brep.faces)), np.zeros((len(brep.faces), 3))
@@ -136,4 +135,4 @@ def _fluxes(brep: Brep, mesh: Mesh) -> tuple[NDArray[np.float64], NDArray[np.flo
         elif face.kind in (SurfaceKind.CYLINDER, SurfaceKind.SPHERE):
             # Points are origin plus radius times normal, plus for a cylinder a way along the axis, across the normal.
             flux[face.id] = face.outward * face.radius * face.area + dot(face.origin, tuple(area[face.id]))
-    return flux, area
+    return Moments(flux, area)

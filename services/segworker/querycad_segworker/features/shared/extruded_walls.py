@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
@@ -49,7 +49,7 @@ def tunnel_of(brep: Brep, group: Collection[int]) -> Tunnel | None:
     corners = [edge.angle for i in links for j, edge in links[i].items() if i < j]
     turn = sum(corners) + sum(face.sweep for face in faces if face.kind is SurfaceKind.CYLINDER)
     closed = ends == 0
-    return Tunnel(axis, closed, 2 * math.pi if closed else turn, _section(faces, corners, closed))
+    return Tunnel(axis, closed, 2 * math.pi if closed else turn, section_of(faces, corners, closed=closed))
 
 
 def _common_direction(faces: Collection[FaceRecord]) -> Vector | None:
@@ -87,14 +87,15 @@ def _two_links(brep: Brep, faces: Collection[FaceRecord]) -> bool:
     return len(lines) > 1 and any(f.kind is SurfaceKind.CYLINDER for f in faces)
 
 
-def _section(faces: Collection[FaceRecord], corners: list[float], closed: bool) -> str:
+def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, closed: bool = True) -> str:
+    """The name of the section of walls that run along one direction; `corners`: the angles that they meet at."""
     flats = _distinct([f for f in faces if f.kind is SurfaceKind.PLANE])
     rounds = [f for f in faces if f.kind is SurfaceKind.CYLINDER]
     if len(flats) == 2 and rounds and _is_obround(flats[0], flats[1], rounds):
         return "obround"
     if not flats:
         return "circular"
-    if len(flats) == 1:
+    if len(flats) == 1 or (closed and len(flats) == 2):
         return "free"
     sharp = [angle for angle in corners if angle > REGULAR_RAD]
     if not closed and sharp and max(sharp) - min(sharp) < REGULAR_RAD and not rounds:
@@ -118,7 +119,7 @@ def _distinct(planes: Collection[FaceRecord]) -> list[FaceRecord]:
 def _is_obround(a: FaceRecord, b: FaceRecord, rounds: Collection[FaceRecord]) -> bool:
     """Do two flats face each other at the diameter of the rounds between them?"""
     gap = dot(sub(b.point, a.point), a.axis)
-    return dot(a.axis, b.axis) < -0.999 and all(abs(gap - 2 * f.radius) < 0.02 * gap for f in rounds)
+    return dot(a.axis, b.axis) < -0.999 and all(abs(abs(gap) - 2 * f.radius) < 0.02 * abs(gap) for f in rounds)
 
 
 def upwards(direction: Vector) -> Vector:
