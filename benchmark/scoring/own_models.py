@@ -10,20 +10,23 @@ from pathlib import Path
 from .items import BadBenchmark
 
 MODELS = Path("build/benchmark")
+LAST_LOOK = Path("build/last_look")
 _SCRIPT = Path("benchmark/build_all.py")
 BUILD_TIMEOUT_S = 600.0
 
 
-def own_models(jobs: int) -> Path | None:
+def own_models(jobs: int, last_look: bool = False) -> Path | None:
     """The folder with the models of ./benchmark, built now if need be; None where no script builds them.
 
-    Raises BadBenchmark when the script fails.
+    `last_look`: those of benchmark/last_look instead. Raises BadBenchmark when the script fails.
     """
+    folder, scripts = (LAST_LOOK, "benchmark/last_look/models") if last_look else (MODELS, "benchmark/models")
     if not _SCRIPT.is_file():
         return None
-    if _is_stale():
-        print("building the models of benchmark/ …", file=sys.stderr)
-        command = [sys.executable, "-m", "benchmark.build_all", str(MODELS), "--jobs", str(jobs)]
+    if _is_stale(folder, Path(scripts)):
+        print(f"building the models of {scripts} …", file=sys.stderr)
+        command = [sys.executable, "-m", "benchmark.build_all", str(folder), "--jobs", str(jobs)]
+        command += ["--last-look"] if last_look else []
         try:
             subprocess.run(
                 command,
@@ -38,13 +41,13 @@ def own_models(jobs: int) -> Path | None:
             raise BadBenchmark(f"{_SCRIPT} failed: {last}") from error
         except subprocess.TimeoutExpired as error:
             raise BadBenchmark(f"{_SCRIPT} did not end within {BUILD_TIMEOUT_S:.0f} s") from error
-    return MODELS
+    return folder
 
 
-def _is_stale() -> bool:
+def _is_stale(folder: Path, source: Path) -> bool:
     """Is a model missing, or older than a script that models are built with?"""
-    scripts = [*Path("benchmark/models").glob("build_*.py")]
-    models = [MODELS / f"{path.stem.removeprefix('build_')}.step" for path in scripts]
+    scripts = [*source.glob("build_*.py")]
+    models = [folder / f"{path.stem.removeprefix('build_')}.step" for path in scripts]
     if not all(model.is_file() for model in models):
         return True
     shared = [*Path("benchmark").glob("*.py"), *Path("examples").glob("_*.py")]

@@ -12,6 +12,7 @@ import json
 import tomllib
 from pathlib import Path
 
+from benchmark.scoring.own_models import own_models
 from querycad_language.weights import calibration, grouped, weights, weights_file
 
 from .collect import Row, collect
@@ -37,6 +38,8 @@ def main() -> int:
         "--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights"
     )
     options = parser.parse_args()
+    own_models(options.jobs)
+    own_models(options.jobs, last_look=True)
     return _fit(options.jobs, options.rounds) if options.command == "fit" else _score(options.files, options.jobs)
 
 

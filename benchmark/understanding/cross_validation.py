@@ -100,7 +100,7 @@ def summary(told: Sequence[Told]) -> str:
         groups[one.fold.partition("-")[0]].append(one)
         groups["all"].append(one)
         if one.fold not in ("facts", "cad", "cad-qa") and not one.fold.startswith("own"):
-            groups["ten hands"].append(one)
+            groups["the hands"].append(one)
     lines = [f"{'left out':14} {'questions':>9} {'right':>6} {'reachable':>9} {'sure':>6} {'wrong and sure':>14}"]
     for name, ones in groups.items():
         count = len(ones)

@@ -11,10 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from benchmark.scoring.own_models import LAST_LOOK, MODELS
+
 SHARED = Path("../shared")
-OWN = Path("build/benchmark")
-LAST_LOOK = Path("build/last_look")
-"""Models of the questions that were sealed until the end; `python -m benchmark.build_all --last-look` builds them."""
 SI = {
     "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6,
     "mm3": 1e-9, "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,
@@ -50,7 +49,7 @@ def _own(held_out: bool) -> Iterator[Question]:
         for item in data["items"]:
             yield Question(
                 f"own:{path.stem}",
-                OWN / data["model"],
+                MODELS / data["model"],
                 item.get("writer", "own"),
                 item["question"],
                 item["value"],
@@ -81,7 +80,7 @@ def model_file(model: str) -> Path:
     if where == "sealed":
         return LAST_LOOK / f"{name}.step"
     example = Path("examples") / f"{name}.step"
-    return example if example.is_file() else OWN / f"{name}.step"
+    return example if example.is_file() else MODELS / f"{name}.step"
 
 
 def asked(path: Path) -> Iterator[Question]:
