@@ -103,7 +103,7 @@ def _anchor(anchor: object) -> str:
         case PartQuery():
             return noun_phrase(anchor)
         case Plane(side, of):
-            return f"the {side.value} of {noun_phrase(of)}"
+            return f"the {side.value if side else 'end'} of {noun_phrase(of)}"
         case Boundary(side):
             return f"the {side.value} of the model" if side else "the edge"
         case Behind():

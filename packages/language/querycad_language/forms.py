@@ -36,9 +36,12 @@ class Boundary:
 
 @dataclass(frozen=True, slots=True)
 class Plane:
-    """The outermost plane of a part on one side: the underside of a foot, the front face of a flange."""
+    """The outermost plane of a part on one side: the underside of a foot, the front face of a flange.
 
-    side: Side
+    Without a side: where the part reaches furthest beyond the other one, along its own length.
+    """
+
+    side: Side | None
     of: PartQuery
 
 

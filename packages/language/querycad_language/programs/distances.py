@@ -112,8 +112,12 @@ def _behind(parts: Sequence[Part]) -> Side:
 
 def _from_plane(draft: Draft, first: object, second: object, mode: str) -> str:
     """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""
+    if isinstance(first, Plane) and isinstance(second, Plane) and first.side is None:
+        side = _beyond(draft.of(first.of), draft.of(second.of))
+        first, second = replace(first, side=side), replace(second, side=side)
     plane, other = (first, second) if isinstance(first, Plane) else (second, first)
     assert isinstance(plane, Plane)
+    assert plane.side is not None
     axis = next(i for i, value in enumerate(plane.side.outward) if value)
     at = _plane_at(draft, plane, axis)
     if isinstance(other, Plane):
@@ -139,15 +143,32 @@ def _from_plane(draft: Draft, first: object, second: object, mode: str) -> str:
     return "found" if other.plural else "found[0] if len(different(found, 1e-05)) == 1 else found"
 
 
+def _beyond(parts: Sequence[Part], others: Sequence[Part]) -> Side:
+    """The end of a part, along its axis or its longest side, that reaches furthest beyond other parts."""
+    if not parts or not others:
+        raise Unwritable
+    part = parts[0]
+    along = max(range(3), key=lambda i: abs(part.axis[i]) if part.axis is not None else part.extents[i])
+
+    def reach(side: Side) -> float:
+        sign = side.outward[along]
+        far = [sign * one.center[along] + one.extents[along] / 2 for one in others]
+        return sign * part.center[along] + part.extents[along] / 2 - max(far)
+
+    return max((side for side in Side if side.outward[along]), key=reach)
+
+
 def _each_of(draft: Draft, plane: Plane, axis: int, level: str) -> str:
     """How far the plane, or that of each of several parts, lies from a level."""
     if not plane.of.plural:
         return f"abs({_plane_at(draft, plane, axis)} - {level})"
+    assert plane.side is not None
     sign = "+" if plane.side.outward[axis] > 0 else "-"
     return f"[abs(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {draft.parts(plane.of)}]"
 
 
 def _plane_at(draft: Draft, plane: Plane, axis: int) -> str:
+    assert plane.side is not None
     sign, pick = ("+", "max") if plane.side.outward[axis] > 0 else ("-", "min")
     if not draft.of(plane.of):
         raise Unwritable

@@ -106,7 +106,7 @@ def _link_behind(question: Question, asked: Asked, mention: Mention) -> str:
         return "far"
     if any(text.is_content(i) for i in between):
         return "far"
-    if between and text.is_word(between[0], "of", "for"):
+    if between and text.is_word(between[0], "of", "for") and not text.is_word(between[0] - 1, "out"):
         return "of"
     if not between:
         return "of" if asked.how == "noun" else "subject"

@@ -220,7 +220,7 @@ def _between(spot: Spot) -> Iterator[_Pair]:
 def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
     """From the outside or the middle of the model, or from the place or side in the phrase itself."""
     anchor = spot.anchor
-    if isinstance(anchor, Plane):
+    if isinstance(anchor, Plane) and anchor.side is not None:
         ground = Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite
         yield _Pair(anchor, Boundary(ground), spot.used, {"from_plane": 1.0})
     if not isinstance(anchor, PartQuery):
