@@ -28,6 +28,7 @@ from .geometry import (
     Face,
     Frozen,
     GroundedBy,
+    Outline,
     Part,
     PartKind,
     Refusal,
@@ -38,14 +39,16 @@ from .geometry import (
 )
 from .logs import LogFormat, current_request, start_logging, working_for
 from .processes import end_with_parent
-from .queries import Grounded, Measure, PartQuery, Place, Rank, Relation, SizeFilter
+from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
+from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
     NO_ACCOUNTS,
     DistanceTask,
     EdgeDistanceTask,
+    ExtentTask,
     FacesTask,
+    FindFacesTask,
     FindPartsTask,
     GroundedIds,
     GroundedParts,
@@ -115,12 +118,16 @@ __all__ = [
     "EdgeDistanceTask",
     "Evidence",
     "Expectation",
+    "ExtentTask",
     "Face",
+    "FaceQuery",
     "FacesTask",
     "Failure",
     "FileStore",
+    "FindFacesTask",
     "FindPartsTask",
     "FolderStore",
+    "FoundFaces",
     "Frame",
     "Frozen",
     "GroundTask",
@@ -140,6 +147,7 @@ __all__ = [
     "JobStatus",
     "JobsPage",
     "LengthUnit",
+    "Line",
     "LlmOptions",
     "LogFormat",
     "Measure",
@@ -150,6 +158,7 @@ __all__ = [
     "ModelSummary",
     "ModelTask",
     "ModelsPage",
+    "Outline",
     "Part",
     "PartKind",
     "PartQuery",

@@ -10,9 +10,9 @@ from uuid import uuid4
 from pydantic import Field
 
 from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
-from .geometry import Frozen, GroundedBy, Part, Shape, Side
+from .geometry import Frozen, GroundedBy, Part, Shape, Side, Vector
 from .logs import current_request
-from .queries import Grounded, PartQuery
+from .queries import FaceQuery, Grounded, PartQuery
 from .runs import RunId, RunLimits, RunStatus
 
 T = TypeVar("T")
@@ -44,6 +44,8 @@ class TaskName(StrEnum):
     FIND_PARTS = "querycad.find_parts"  # FindPartsTask -> TaskOutcome[Grounding]
     GROUND = "querycad.ground"  # GroundTask -> TaskOutcome[GroundedParts]
     FACES = "querycad.faces"  # FacesTask -> TaskOutcome[tuple[Face, ...]]
+    FIND_FACES = "querycad.find_faces"  # FindFacesTask -> TaskOutcome[FoundFaces]
+    EXTENT = "querycad.extent"  # ExtentTask -> TaskOutcome[float]
     DISTANCE = "querycad.distance"  # DistanceTask -> TaskOutcome[float]
     EDGE_DISTANCE = "querycad.edge_distance"  # EdgeDistanceTask -> TaskOutcome[float]
     PARTS = "querycad.parts"  # PartsTask -> TaskOutcome[PartsPage]
@@ -149,6 +151,19 @@ class FacesTask(ModelTask):
     """What are these faces?"""
 
     ids: tuple[int, ...]
+
+
+class FindFacesTask(ModelTask):
+    """Which faces are so?"""
+
+    query: FaceQuery
+
+
+class ExtentTask(ModelTask):
+    """How far does a part extend along a direction?"""
+
+    part: str
+    direction: Vector
 
 
 class DistanceTask(ModelTask):

@@ -15,7 +15,7 @@ Measures = dict[str, Any]
 
 
 def part_measures(part: Part) -> Measures:
-    """What does a program see of a part? Its `faces` come on demand.
+    """What does a program see of a part? Its `faces`, `frame` and `openings` come on demand.
 
     A hole, pocket or slot (what has an opening) has no depth but its own; what protrudes (what has a tip) no height
     but its own; for anything else depth and height are the extents along y and z, as the guest API says. What has no
@@ -74,7 +74,7 @@ def part_measures(part: Part) -> Measures:
 
 
 def face_measures(face: Face) -> Measures:
-    """What does a program see of a face?"""
+    """What does a program see of a face? Its `neighbours`, `part` and `frame` come on demand."""
     return _present(
         {
             "id": face.id,
@@ -86,6 +86,11 @@ def face_measures(face: Face) -> Measures:
             "radius": face.radius,
             "normal": face.normal,
             "axis": face.axis,
+            "axis_point": face.axis_point,
+            "length": face.length,
+            "outline": None if face.outline is None else face.outline.value,
+            "local_size": face.local_size,
+            "body": face.body,
         }
     )
 
@@ -127,6 +132,7 @@ def shape_measures(shape: Shape) -> Measures:
             "thickness": shape.thickness,
             "face_count": shape.face_count,
             "edge_count": shape.edge_count,
+            "up": None if shape.up is None else shape.up.value,
         }
     )
 

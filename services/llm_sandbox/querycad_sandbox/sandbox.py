@@ -88,7 +88,7 @@ class Sandbox:
         control = control or RunControl()
         control.begin(limits)
         interpreters, checker = self._start()
-        run = Run(Guest(segcad, control), limits, control)
+        run = Run(Guest(segcad, control, absence_raises="AttributeError" in code), limits, control)
         try:
             _check_text(code, limits)
             if check and (problems := checker.problems(code)):
