@@ -17,24 +17,24 @@ Side: TypeAlias = Literal["top", "bottom", "left", "right", "front", "back"]
 Outline: TypeAlias = Literal["circle", "rectangle", "slot", "free"]
 
 class Frame:
-    """Axes of something's own."""
+    """Own axes."""
 
     origin: Vector
     x: Vector
-    """Along its longest straight edge across z. Of what is round, any direction across z."""
+    """Its length. Along its longest straight edge across z; of what is round, any direction across z."""
     y: Vector
     z: Vector
     """Along its axis or normal."""
 
 class Opening:
-    """Where a hole, pocket or slot meets the outside."""
+    """Of a hole, pocket or slot."""
 
     center: Vector
     normal: Vector
     outline: Outline
 
 class Face:
-    """One face of the model's surface."""
+    """One face of the surface."""
 
     id: int
     kind: Literal["plane", "cylinder", "cone", "sphere", "torus", "freeform"]
@@ -51,7 +51,7 @@ class Face:
     """Of a cylinder, cone or torus, of length 1. `axis_point` is the point of it beside `center`."""
     axis_point: Vector
     length: float
-    """Of a cylinder or cone along its axis; of a plane its longer side."""
+    """Along its axis; of a plane its longer side."""
     outline: Outline
     """Of a plane. Its outer boundary."""
     local_size: Vector
@@ -83,9 +83,9 @@ class Shape:
 
     name: str
     center: Vector
-    """Centre of the bounding box."""
+    """Of the bounding box."""
     extents: Vector
-    """Full size along x (width), y (depth) and z (height)."""
+    """Full size along x, y, z."""
     half_extents: Vector
     min_corner: Vector
     max_corner: Vector
@@ -103,25 +103,25 @@ class Shape:
     """Likely. The top, unless the model would hardly stand on its bottom."""
 
 class Part:
-    """A part or feature of the model: a hole, a shaft, a slot, a body …"""
+    """A part or feature: a hole, a shaft, a slot, a body …"""
 
     id: str
     kind: str
-    """Its family: 'hole', 'boss', 'slot', 'body' …"""
+    """'hole', 'boss', 'slot', 'body' …"""
     tags: list[str]
-    """Such as 'through', 'blind', 'counterbored', 'circular', 'threaded'."""
+    """'through', 'blind', 'counterbored', 'threaded' …"""
     label: str
     name: str
     """Of a body."""
     sides: list[Side]
-    """Visible from; a hole or pocket where one looks into its opening."""
+    """Visible from; a hole where one looks into it."""
     faces: list[Face]
     center: Vector
     """Of a hole: half-way between its ends on its axis."""
     opening: Vector
-    """Centre of a hole's, pocket's or slot's opening."""
+    """Centre of where it opens."""
     openings: list[Opening]
-    """All of them: two of what goes through."""
+    """Two of what goes through."""
     frame: Frame
     tip: Vector
     """Outermost point on the axis of what protrudes."""
@@ -139,11 +139,11 @@ class Part:
     radii: list[float]
     """Of its steps, from the opening inwards."""
     depth: float
-    """Of a hole, pocket or slot from opening to bottom; else its extent along y."""
+    """From opening to bottom; of what has none along y."""
     height: float
-    """Of what protrudes from base to tip; else its extent along z."""
+    """From base to tip; of what does not protrude along z."""
     width: float
-    """In the part's own frame; of the whole body, its extent along x."""
+    """In its own frame; of a body along x."""
     length: float
     thickness: float
     """Of sheets, plates, fins; else its smallest dimension. None of what has an opening and no thickness."""
@@ -151,7 +151,7 @@ class Part:
     bottom: Literal["through", "flat", "conical", "spherical", "open", "bore"]
     """'bore': in another hole."""
     pitch: float
-    """Between neighbours of a pattern, centre to centre; a modelled thread's own."""
+    """Between neighbours of a pattern; a thread's own."""
     count: int
     """Members of a pattern, teeth of a gear."""
     angle: float

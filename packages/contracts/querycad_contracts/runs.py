@@ -117,7 +117,8 @@ class RunOutcome(Frozen):
     )
     message: str = Field("", description="Why it did not end well, for the user and for a repair prompt.")
     missing_attribute: MissingAttribute | None = Field(
-        None, description="The measure that was not there, where the program ended for want of one."
+        None,
+        description="The measure that was not there, for want of which it ended or gave None.",
     )
     empty_selection: bool = Field(
         False, description="Whether it ended since it chose among too few: min() or max() of none, an index too high."

@@ -10,7 +10,7 @@ from uuid import uuid4
 from pydantic import Field
 
 from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
-from .geometry import Frozen, GroundedBy, Part, Shape, Side, Vector
+from .geometry import Frozen, GroundedBy, Part, PartKind, Shape, Side, Vector
 from .logs import current_request
 from .queries import FaceQuery, Grounded, PartQuery
 from .runs import RunId, RunLimits, RunStatus
@@ -258,6 +258,21 @@ class TaskOutcome(Frozen, Generic[T]):
     failure: TaskFailure | None = None
 
 
+class PartGroup(Frozen):
+    """Parts that are alike in kind and size."""
+
+    count: int
+    kind: PartKind
+    label: str = Field(description="What a drawing would call each: 'blind hole, diameter 5 mm, depth 12 mm'.")
+    tags: tuple[str, ...] = Field((), description="Those that all of them have.")
+    sides: tuple[Side, ...] = Field((), description="Those that all of them are visible from.")
+    hidden: bool = Field(False, description="Whether none of them is visible from any side.")
+    layout: str = Field("", description="The pattern that they lie in, where all of one lie in it: 'bolt circle of 6'.")
+    name: str = Field("", description="Product name in the file, of bodies.")
+    color: str = Field("", description="Of bodies, hexadecimal sRGB.")
+    extents: Vector = Field(description="Full size along x, y, z of the first of them.")
+
+
 class ModelSummary(Frozen):
     """What a model holds, in short."""
 
@@ -267,6 +282,9 @@ class ModelSummary(Frozen):
     terms: dict[str, int] = Field(
         default_factory=dict,
         description="How many parts go by each name, such as 'blind hole'; the most frequent first.",
+    )
+    groups: tuple[PartGroup, ...] = Field(
+        (), description="The parts by kind and size, those first that say most of the model; bodies where several are."
     )
     units: tuple[str, ...] = Field(
         (), description="Length units that the file declares, such as 'millimetre'; all values here are SI."
