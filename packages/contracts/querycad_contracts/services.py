@@ -306,6 +306,16 @@ class RunRequest(Frozen):
     request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")
 
 
+class ProgramRequest(Frozen):
+    """A caller's own program of the guest API, to be run against a model."""
+
+    code: str = Field(
+        min_length=1, max_length=65536, description="Python, as docs/guest-api.md has it; assigns `solution`."
+    )
+    expects: AnswerType | None = Field(None, description="Then an absent measure in the result is the run's failure.")
+    grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
+
+
 class Problem(Frozen):
     """What went wrong with a request: `application/problem+json`, RFC 9457."""
 

@@ -21,6 +21,7 @@ from querycad_contracts import (
     Unit,
 )
 
+from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts
 from .hints import hint
@@ -91,14 +92,19 @@ class _Tried:
 class LlmWriter:
     """Writes programs with the language model of the settings, or with `model`."""
 
-    def __init__(self, settings: LlmSettings, model: ChatModel | None = None) -> None:
+    def __init__(
+        self, settings: LlmSettings, model: ChatModel | None = None, breakers: dict[str, Breaker] | None = None
+    ) -> None:
         self.settings = settings
         self._model = model
+        self._breakers = {} if breakers is None else breakers
+        """By the model's name; shared by all writers that come of one."""
 
     def chosen(self, options: LlmOptions | None) -> LlmWriter:
         """The writer with what a caller chose. Raises LlmOptionRefused."""
         settings = self.settings.chosen(options)
-        return LlmWriter(settings, self._model if settings.llm_model == self.settings.llm_model else None)
+        model = self._model if settings.llm_model == self.settings.llm_model else None
+        return LlmWriter(settings, model, self._breakers)
 
     @property
     def codegen(self) -> str:
@@ -108,6 +114,14 @@ class LlmWriter:
     def write(self, task: Task) -> Written:
         """Which programs does the language model write? `error` says why there are not as many as asked for."""
         written = Written()
+        breaker = self._breakers.setdefault(
+            self.settings.llm_model, Breaker(self.settings.llm_failures, self.settings.llm_pause_s)
+        )
+        try:
+            breaker.check()
+        except LlmError as error:
+            written.error = error
+            return written
         if self._model is None:
             from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
 
@@ -120,6 +134,7 @@ class LlmWriter:
                     written.candidates.append(candidate)
         except LlmError as error:
             written.error = error
+        breaker.heard(None if written.attempts else written.error)
         return written
 
     def _sample(
