@@ -8,7 +8,8 @@ from querycad_answering.judging import Verdict
 from querycad_answering.llm.breaker import Breaker
 from querycad_answering.llm.messages import LlmBusy, LlmRefused, LlmTooSlow, Message, Reply, TimeLimit
 from querycad_answering.llm.settings import LlmSettings
-from querycad_answering.llm.writer import LlmWriter, Task
+from querycad_answering.llm.task import Task
+from querycad_answering.llm.writer import LlmWriter
 from querycad_contracts import Answer, AnswerType, LlmOptions, Unit
 
 

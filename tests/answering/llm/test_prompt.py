@@ -180,6 +180,9 @@ def test_the_prompt_files_are_of_the_version_in_use() -> None:
 
     folder = Path(module.__file__).parent / "prompts" / VERSION
     assert {path.name for path in folder.iterdir()} == {
+        "agent.md",
+        "reply.md",
+        "shown.md",
         "system.md",
         "question.md",
         "repair.md",

@@ -37,7 +37,7 @@ class LlmSettings(Settings):
     """Of whatever writes programs: the question workers, or the embedded runtime."""
 
     codegen: Codegen | None = Field(
-        None, description="Who writes programs where a question does not say: `parser`, `llm` or `both`."
+        None, description="Who writes programs where a question does not say: `parser`, `llm`, `both` or `agent`."
     )
     llm_base_url: str = Field(
         "", description="Address of the language model, such as `http://127.0.0.1:11434/v1`; empty: none is asked."
@@ -66,6 +66,8 @@ class LlmSettings(Settings):
     llm_samples: int = Field(1, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
     llm_temperature: float = Field(0.7, ge=0, le=2, description="Of the samples after the first, which is at 0.")
     llm_tokens: int = Field(700, ge=50, le=16000, description="Longest reply, in tokens.")
+    llm_steps: int = Field(6, ge=1, le=30, description="With `agent`: replies to one question, looks included.")
+    llm_budget: int = Field(60_000, ge=1000, description="With `agent`: tokens for one question, read and written.")
     llm_examples: PromptExamples = Field(
         PromptExamples.NEAREST,
         description="Worked examples shown with a question: `nearest`, the three most like it; `3`, always the same "

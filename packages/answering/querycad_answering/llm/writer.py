@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
-from querycad_answering.judging import NO_EXPECTATION, Verdict
+from querycad_answering.judging import Verdict
 from querycad_answering.quantities import measures_anything, scalar_type, triple_type
 from querycad_answering.typed import unit_of
 from querycad_contracts import (
     Answer,
     AnswerType,
     Attempt,
-    Expectation,
     LlmOptions,
-    ModelSummary,
     Program,
     TokenUse,
     Unit,
 )
 
+from .agent import work
 from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts
@@ -30,50 +28,12 @@ from .nearest import words
 from .program import program_in
 from .prompt import conversation, in_words, repair
 from .settings import LlmSettings
-
-Judge = Callable[[Program], Verdict]
-"""Runs a program and says what comes of it."""
+from .task import Candidate, Task, Written
 
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
 _UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
 _MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
-
-
-@dataclass(frozen=True, slots=True)
-class Task:
-    """A question with all that is known when a program is written for it.
-
-    `asked` is the type that the parser reads the question as asking for; None where it does not understand it.
-    """
-
-    question: str
-    judge: Judge
-    summary: ModelSummary | None = None
-    expect: Expectation = NO_EXPECTATION
-    asked: AnswerType | None = None
-
-    @property
-    def wanted(self) -> AnswerType | None:
-        """The type that an answer should have."""
-        return self.expect.type or self.asked
-
-
-@dataclass(frozen=True, slots=True)
-class Candidate:
-    """A program, and what came of it."""
-
-    program: Program
-    verdict: Verdict
-
-
-@dataclass(slots=True)
-class Written:
-    """All that a language model wrote for a question: one candidate a sample that led to any, and every attempt."""
-
-    candidates: list[Candidate] = field(default_factory=list)
-    attempts: list[Attempt] = field(default_factory=list)
-    error: LlmError | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,8 +71,11 @@ class LlmWriter:
         """Who writes, as records say it."""
         return f"llm:{self.settings.llm_model}" if self.settings.llm_model else "llm"
 
-    def write(self, task: Task) -> Written:
-        """Which programs does the language model write? `error` says why there are not as many as asked for."""
+    def write(self, task: Task, looks: bool = False) -> Written:
+        """Which programs does the language model write? `error` says why there are not as many as asked for.
+
+        `looks`: it may run programs and see what they show before it answers.
+        """
         written = Written()
         breaker = self._breakers.setdefault(
             self.settings.llm_model, Breaker(self.settings.llm_failures, self.settings.llm_pause_s)
@@ -128,13 +91,18 @@ class LlmWriter:
             self._model = open_model(self.settings)
         deadline = TimeLimit(self.settings.llm_timeout_s)
         try:
+            if looks:
+                limits = (self.settings.llm_steps, self.settings.llm_budget)
+                work(self._model, task, self.codegen.replace("llm", "agent", 1), limits, deadline, written)
+                return written
             for sample in range(1, self.settings.llm_samples + 1):
                 candidate = self._sample(self._model, task, sample, deadline, written)
                 if candidate is not None:
                     written.candidates.append(candidate)
         except LlmError as error:
             written.error = error
-        breaker.heard(None if written.attempts else written.error)
+        finally:
+            breaker.heard(None if written.attempts else written.error)
         return written
 
     def _sample(
