@@ -16,9 +16,14 @@ EXAMPLES = {function.name: function.example for function in guest_api().function
 
 
 @pytest.fixture(scope="module")
-def run(tmp_path_factory: pytest.TempPathFactory, flange: Path) -> Iterator[Run]:
-    with EmbeddedRuntime(store=tmp_path_factory.mktemp("models")) as runtime:
-        yield runtime.runner(flange)
+def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntime]:
+    with EmbeddedRuntime(store=tmp_path_factory.mktemp("models")) as made:
+        yield made
+
+
+@pytest.fixture(scope="module")
+def run(runtime: EmbeddedRuntime, flange: Path) -> Run:
+    return runtime.runner(flange)
 
 
 def test_every_function_has_an_example_that_calls_it() -> None:
@@ -58,3 +63,10 @@ def test_a_turned_frame_gives_a_turned_size(run: Run) -> None:
         "solution = [abs(a - b) < 1e-7 for a, b in zip(sorted(size), sorted(body.extents))]"
     )
     assert run(Program(code=code, codegen="llm")).value == [True] * 3
+
+
+def test_kinds_and_tags_of_the_facts_are_what_parts_takes(run: Run, runtime: EmbeddedRuntime, flange: Path) -> None:
+    groups = runtime.summary(flange).groups
+    calls = [f"parts(kind={group.kind.value!r}, tags={list(group.tags)})" for group in groups]
+    counts = run(Program(code=f"solution = [len(found) for found in [{', '.join(calls)}]]", codegen="llm")).value
+    assert all(count >= group.count for count, group in zip(counts, groups, strict=True))
