@@ -23,15 +23,27 @@ from querycad_contracts import (
 )
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import RunControl
-from querycad_sandbox.frames import LocalFrame, Opening, frame_measures, opening_measures
 from querycad_sandbox.guest import FUNCTIONS, ON_DEMAND, PART_METHODS, Guest
-from querycad_sandbox.measures import body_measures, face_measures, part_measures, shape_measures
+from querycad_sandbox.measures import (
+    LocalFrame,
+    Opening,
+    body_measures,
+    face_measures,
+    frame_measures,
+    opening_measures,
+    part_measures,
+    shape_measures,
+)
 
 if TYPE_CHECKING:
     from tests.llm_sandbox.conftest import FakeSegCad
 
 STUB = ast.parse(files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8"))
-PRELUDE = ast.parse(files("querycad_sandbox").joinpath("prelude.py").read_text(encoding="utf-8"))
+PRELUDE = ast.parse(
+    "\n".join(
+        files("querycad_sandbox").joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
+    )
+)
 UP = (0.0, 0.0, 1.0)
 
 

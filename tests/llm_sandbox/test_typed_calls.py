@@ -9,7 +9,7 @@ from tests.llm_sandbox.conftest import make_face, make_part
 
 from querycad_contracts import Face, Outline, Part, RunStatus
 from querycad_sandbox import Sandbox
-from querycad_sandbox.frames import face_frame, openings_of, part_frame
+from querycad_sandbox.measures import face_frame, openings_of, part_frame
 from querycad_sandbox.rewriting import rewritten
 
 if TYPE_CHECKING:

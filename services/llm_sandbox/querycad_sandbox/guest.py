@@ -32,8 +32,20 @@ from querycad_contracts import (
 from querycad_contracts.guest_reference import guest_api
 
 from .control import RunControl, RunEndedError
-from .frames import LocalFrame, Opening, face_frame, frame_measures, opening_measures, openings_of, part_frame
-from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
+from .measures import (
+    LocalFrame,
+    Measures,
+    Opening,
+    body_measures,
+    face_frame,
+    face_measures,
+    frame_measures,
+    opening_measures,
+    openings_of,
+    part_frame,
+    part_measures,
+    shape_measures,
+)
 from .rewriting import WORDS_LEFT
 from .selection import (
     by_distance,
