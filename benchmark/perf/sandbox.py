@@ -20,7 +20,7 @@ from typing import Any, Final
 
 import httpx
 
-from querycad_contracts import Grounded, Grounding, PartQuery, RunLimits, RunStatus, Shape, Side
+from querycad_contracts import FaceQuery, Grounded, Grounding, PartQuery, RunLimits, RunStatus, Shape, Side, Vector
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import RunControl
 
@@ -62,7 +62,19 @@ class NoSegCad:
         """Never asked."""
         raise NotImplementedError
 
+    def parts(self) -> Any:
+        """Never asked."""
+        raise NotImplementedError
+
     def faces(self, ids: Sequence[int]) -> Any:
+        """Never asked."""
+        raise NotImplementedError
+
+    def find_faces(self, query: FaceQuery) -> Any:
+        """Never asked."""
+        raise NotImplementedError
+
+    def extent(self, part: str, direction: Vector) -> float:
         """Never asked."""
         raise NotImplementedError
 

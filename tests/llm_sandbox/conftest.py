@@ -31,13 +31,19 @@ from querycad_contracts import (
     DistanceTask,
     EdgeDistanceTask,
     Evidence,
+    ExtentTask,
     Face,
+    FaceQuery,
     FacesTask,
+    FindFacesTask,
     FindPartsTask,
+    FoundFaces,
     Grounded,
     Grounding,
     Part,
     PartQuery,
+    PartsPage,
+    PartsTask,
     Queue,
     RunLimits,
     RunOutcome,
@@ -47,6 +53,7 @@ from querycad_contracts import (
     SurfaceKind,
     TaskName,
     TaskOutcome,
+    Vector,
     reply_key,
 )
 from querycad_sandbox import Sandbox
@@ -60,7 +67,7 @@ class FakeSegCad:
 
     def __init__(self, prefix: str = "") -> None:
         self.calls: list[tuple[str, object]] = []
-        self.parts = [
+        self.known = [
             make_part(f"{prefix}{part['id']}", **{key: value for key, value in part.items() if key != "id"})
             for part in PARTS
         ]
@@ -73,7 +80,7 @@ class FakeSegCad:
         self.calls.append(("find_parts", (description, sides)))
         words = description if isinstance(description, str) else description.noun
         kind = next((kind for word, kind in KNOWN.items() if word in words), None)
-        found = [part for part in self.parts if part.kind == kind and (not sides or set(sides) & set(part.sides))]
+        found = [part for part in self.known if part.kind == kind and (not sides or set(sides) & set(part.sides))]
         nearest = () if kind else ("hole", "boss")
         return Grounding(
             description=words,
@@ -87,9 +94,24 @@ class FakeSegCad:
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
         return tuple((Grounded(parts=self.find_parts(query).parts, features={}),) for query in queries)
 
+    def parts(self) -> tuple[Part, ...]:
+        self.calls.append(("parts", None))
+        return tuple(self.known)
+
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         self.calls.append(("faces", tuple(ids)))
         return tuple(make_face(i) for i in ids)
+
+    def find_faces(self, query: FaceQuery) -> FoundFaces:
+        self.calls.append(("find_faces", query))
+        kinds = (SurfaceKind.CYLINDER, SurfaceKind.PLANE)
+        faces = [make_face(i, kind=kind) for i, kind in enumerate(kinds, start=1) if query.kind in (None, kind)]
+        ids = tuple(face.id for face in faces)
+        return FoundFaces(faces=tuple(faces), part=make_part("faces-1", kind="region", faces=ids) if ids else None)
+
+    def extent(self, part: str, direction: Vector) -> float:
+        self.calls.append(("extent", (part, direction)))
+        return sum(abs(way) * size for way, size in zip(direction, (0.01, 0.02, 0.03), strict=True))
 
     def distance(self, part_a: str, part_b: str) -> float:
         self.calls.append(("distance", (part_a, part_b)))
@@ -271,6 +293,15 @@ class FakeSegworker(threading.Thread):
                 return self._segcad.find_parts(task.description, task.sides)
             case TaskName.FACES:
                 return self._segcad.faces(FacesTask.model_validate(payload).ids)
+            case TaskName.FIND_FACES:
+                return self._segcad.find_faces(FindFacesTask.model_validate(payload).query)
+            case TaskName.PARTS:
+                page = PartsTask.model_validate(payload)
+                known = self._segcad.parts()
+                return PartsPage(items=known[page.offset : page.offset + page.limit], total=len(known))
+            case TaskName.EXTENT:
+                along = ExtentTask.model_validate(payload)
+                return self._segcad.extent(along.part, along.direction)
             case TaskName.DISTANCE:
                 between = DistanceTask.model_validate(payload)
                 return self._segcad.distance(between.part_a, between.part_b)

@@ -28,7 +28,7 @@ def checker() -> Iterator[TypeChecker]:
         ("import statistics", "line 1: Cannot resolve imported module `statistics`"),
         ("import os, subprocess", "line 1: Cannot resolve imported module `subprocess`"),
         ('solution = find_parts("hole")[0].colour', "line 1: Object of type `Part` has no attribute `colour`"),
-        ('solution = find_parts("hole").radius', "line 1: Object of type `list[Part]` has no attribute `radius`"),
+        ('solution = find_parts("hole").radius', "line 1: Object of type `Parts` has no attribute `radius`"),
         ("solution = shape.solids", "line 1: Object of type `Shape` has no attribute `solids`"),
         ("solution = shape.width()", "line 1: Object of type `float` is not callable"),
         ('solution = find_parts("hole", side=["top"])', "line 1: Argument `side` does not match any known parameter"),
@@ -167,3 +167,21 @@ def test_without_it_what_does_not_exist_fails_when_the_program_gets_there(
     outcome = sandbox.run(code, FakeSegCad(), check=False)
     assert (outcome.status, outcome.value is None) == (status, status is not RunStatus.OK)
     assert said in outcome.message
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        'parts = find_parts("hole")\nparts.sort(key=lambda p: p.center)\nsolution = [parts[0].id, parts + parts]',
+        'parts = parts(kind="hole")\nparts.sort(key=lambda p: p.center)\nsolution = parts',
+        "distance = [1.0]\ndistance.append(2.0)\nsolution = sum(distance)",
+        "def f(on):\n    return on[0]\non = [1]\nsolution = f(on)",
+    ],
+)
+def test_a_variable_may_be_called_like_a_function_of_the_guest_api(checker: TypeChecker, code: str) -> None:
+    assert checker.problems(code) == ()
+
+
+def test_a_variable_called_like_a_function_is_still_checked(checker: TypeChecker) -> None:
+    code = 'parts = parts(kind="hole")\nsolution = parts.bogus'
+    assert checker.problems(code) == ("line 2: Object of type `list[Part]` has no attribute `bogus`",)

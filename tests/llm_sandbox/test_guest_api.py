@@ -10,17 +10,40 @@ from typing import TYPE_CHECKING, Any
 import pytest
 from tests.llm_sandbox.conftest import make_body, make_face, make_part, make_shape
 
-from querycad_contracts import Face, Part, RunLimits, RunStatus, Side, SurfaceKind
+from querycad_contracts import (
+    AnswerType,
+    Face,
+    MissingAttribute,
+    Outline,
+    Part,
+    RunLimits,
+    RunStatus,
+    Side,
+    SurfaceKind,
+)
 from querycad_sandbox import Sandbox
 from querycad_sandbox.control import RunControl
-from querycad_sandbox.guest import PART_METHODS, Guest
-from querycad_sandbox.measures import body_measures, face_measures, part_measures, shape_measures
+from querycad_sandbox.guest import FUNCTIONS, ON_DEMAND, PART_METHODS, Guest
+from querycad_sandbox.measures import (
+    LocalFrame,
+    Opening,
+    body_measures,
+    face_measures,
+    frame_measures,
+    opening_measures,
+    part_measures,
+    shape_measures,
+)
 
 if TYPE_CHECKING:
     from tests.llm_sandbox.conftest import FakeSegCad
 
 STUB = ast.parse(files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8"))
-PRELUDE = ast.parse(files("querycad_sandbox").joinpath("prelude.py").read_text(encoding="utf-8"))
+PRELUDE = ast.parse(
+    "\n".join(
+        files("querycad_sandbox").joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
+    )
+)
 UP = (0.0, 0.0, 1.0)
 
 
@@ -80,10 +103,13 @@ def full_part() -> Part:
 
 
 def test_every_attribute_of_the_stub_is_served_and_no_other() -> None:
-    assert part_measures(full_part()).keys() | {"faces"} == attributes("Part")
-    assert face_measures(make_face(1, normal=UP)).keys() == attributes("Face")
+    assert part_measures(full_part()).keys() | set(ON_DEMAND[Part]) == attributes("Part")
+    whole = make_face(1, normal=UP, axis_point=UP, length=1.0, outline=Outline.CIRCLE, local_size=UP)
+    assert face_measures(whole).keys() | set(ON_DEMAND[Face]) == attributes("Face")
+    assert frame_measures(LocalFrame(UP, UP, UP, UP)).keys() == attributes("Frame")
+    assert opening_measures(Opening(UP, UP, Outline.CIRCLE)).keys() == attributes("Opening")
     assert body_measures(make_body(color="#c0c0c0")).keys() == attributes("Body")
-    assert shape_measures(make_shape(thickness=0.01)).keys() | {"bodies"} == attributes("Shape")
+    assert shape_measures(make_shape(thickness=0.01, up=Side.TOP)).keys() | {"bodies"} == attributes("Shape")
 
 
 def test_every_method_of_the_stub_is_served_and_no_other() -> None:
@@ -93,31 +119,34 @@ def test_every_method_of_the_stub_is_served_and_no_other() -> None:
 
 def test_every_function_of_the_stub_takes_the_same_arguments() -> None:
     stubs, prelude = functions(STUB), functions(PRELUDE)
-    assert stubs.keys() == {"find_parts", "distance", "different", "close"}
-    for name in stubs.keys() - {"find_parts"}:
+    for name in stubs.keys() - set(FUNCTIONS):
         assert [a.arg for a in prelude[name].args.args] == [a.arg for a in stubs[name].args.args]
         assert ast.dump(ast.List(prelude[name].args.defaults)) == ast.dump(ast.List(stubs[name].args.defaults))
-    parameters = inspect.signature(Guest.find_parts).parameters
-    assert list(parameters)[1:] == [a.arg for a in stubs["find_parts"].args.args]
-    assert parameters["sides"].default is None
+    for name in FUNCTIONS:
+        parameters = list(inspect.signature(getattr(Guest, name)).parameters.values())[1:]
+        assert [each.name for each in parameters] == [a.arg for a in stubs[name].args.args]
+        with_default = [each for each in parameters if each.default is None]
+        assert len(with_default) == len(stubs[name].args.defaults)
 
 
 def test_every_name_of_the_stub_is_there_at_run_time(sandbox: Sandbox, segcad: FakeSegCad) -> None:
     classes = {node.name for node in STUB.body if isinstance(node, ast.ClassDef) and not node.bases}
     names = sorted(classes | functions(STUB).keys() | {"shape"})
-    assert sandbox.run(f"solution = len([{', '.join(names)}])", segcad).value == 9
+    assert sandbox.run(f"solution = len([{', '.join(names)}])", segcad).value == len(names)
 
 
 def test_every_attribute_and_method_of_the_stub_passes_the_type_check_and_runs(
     sandbox: Sandbox, segcad: FakeSegCad
 ) -> None:
-    segcad.parts = [full_part()]
+    segcad.known = [full_part()]
     reads = [f"part.{name}" for name in sorted(attributes("Part"))]
     calls = [
         "part.distance_to(part)",
         "part.center_distance(other=part)",
         "part.angle_to(part)",
         "part.edge_distance()",
+        "part.size_in(part.frame)",
+        "part.measures()",
     ]
     code = 'part = find_parts("hole")[0]\nsolution = len([' + ", ".join(reads + calls) + "])"
     outcome = sandbox.run(code, segcad)
@@ -173,31 +202,55 @@ def test_corners_and_half_extents_follow_from_center_and_extents() -> None:
 
 
 @pytest.mark.parametrize(
+    ("code", "value"),
+    [
+        ('solution = find_parts("slot")[0].radius', None),
+        ('solution = [p.tip for p in find_parts("hole")]', [None] * 3),
+        ("solution = shape.thickness is None", True),
+        ("solution = [body.color for body in shape.bodies]", [None]),
+        ('solution = find_parts("hole")[0].faces[0].normal', None),
+        ('solution = hasattr(find_parts("slot")[0], "radius")', False),
+        ('solution = getattr(find_parts("slot")[0], "radius", 0.001)', 0.001),
+        ('solution = "radius" in find_parts("slot")[0].measures()', False),
+    ],
+)
+def test_a_measure_that_is_absent_is_none(sandbox: Sandbox, segcad: FakeSegCad, code: str, value: Any) -> None:
+    outcome = sandbox.run(code, segcad)
+    assert (outcome.status, outcome.value) == (RunStatus.OK, value)
+
+
+@pytest.mark.parametrize(
     ("code", "message"),
     [
         (
-            'solution = find_parts("slot")[0].radius',
-            "AttributeError: part 'slot-1' has no radius; it has bottom, center",
+            'solution = find_parts("slot")[0].radius * 2',
+            "TypeError: part 'slot-1' has no radius; it has bottom, center",
         ),
-        ('solution = [p.tip for p in find_parts("hole")]', "part 'hole-1' has no tip; it has axis, bottom"),
-        ('solution = max(find_parts("slot"), key=lambda p: p.radius)', "part 'slot-1' has no radius; it has"),
+        ('solution = max(find_parts("slot") * 2, key=lambda p: p.radius)', "part 'slot-1' has no radius; it has"),
         ('ps = find_parts("slot")\nps.sort(key=lambda p: p.radius)\nsolution = ps', "part 'slot-1' has no radius;"),
-        ("solution = shape.thickness", "the model has no thickness; it has area, bodies, center"),
-        ("solution = shape.bodies[0].color", "body 0 has no color; it has"),
-        ('solution = find_parts("hole")[0].faces[0].normal', "face 1 (cylinder) has no normal; it has"),
+        ('p = find_parts("slot")[0]\nsolution = distance(p.tip, p.center)', "part 'slot-1' has no tip; it has"),
         ('def f(p):\n    return p.colour\nsolution = f(find_parts("hole")[0])', "part 'hole-1' has no colour; it has"),
         ('solution = find_parts("hole")[0].center.x', "tuple[float, float, float]"),
     ],
 )
-def test_a_missing_measure_is_named_with_those_there_are(
+def test_who_reckons_with_an_absent_measure_is_told_which_and_what_there_is(
     sandbox: Sandbox, segcad: FakeSegCad, code: str, message: str
 ) -> None:
-    assert message in sandbox.run(code, segcad).message
+    outcome = sandbox.run(code, segcad)
+    assert message in outcome.message
+    assert outcome.status in (RunStatus.RAISED, RunStatus.REFUSED)
+
+
+@pytest.mark.parametrize("code", ['find_parts("slot")[0].radius', '[p.radius for p in find_parts("slot")]'])
+def test_an_answer_of_a_type_is_no_absent_measure(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> None:
+    outcome = sandbox.run(f"solution = {code}", segcad, expects=AnswerType.LENGTH)
+    assert (outcome.status, outcome.value) == (RunStatus.RAISED, None)
+    assert outcome.missing_attribute == MissingAttribute(part="slot-1", attribute="radius")
 
 
 def test_a_failing_line_is_told_with_its_number(sandbox: Sandbox, segcad: FakeSegCad) -> None:
-    code = '\nparts = find_parts("slot")\nsolution = [p.radius for p in parts]'
-    assert sandbox.run(code, segcad).message.endswith("(line 3: solution = [p.radius for p in parts])")
+    code = '\nparts = find_parts("slot")\nsolution = [2 * p.radius for p in parts]'
+    assert sandbox.run(code, segcad).message.endswith("(line 3: solution = [2 * p.radius for p in parts])")
 
 
 @pytest.mark.parametrize(

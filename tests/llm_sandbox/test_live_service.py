@@ -213,3 +213,13 @@ def test_the_processes_are_shut_in_as_health_says(service: Service) -> None:
     own = Path(f"/proc/{service.process.pid}/environ").read_bytes()
     assert b"hunter2" not in own
     assert b"QUERYCAD_REDIS_URL=" in own
+
+
+def test_typed_calls_reach_the_segworker_and_come_back(service: Service) -> None:
+    code = (
+        'holes = parts(kind="hole", near=(1.0, 0.0, 0.0))\n'
+        "boss = parts(kind='boss')[0]\n"
+        "solution = [holes[0].id, len(faces(kind='cylinder')), boss.size_in(boss.frame), adjacent(boss, faces()[0])]"
+    )
+    outcome = service.run(code)
+    assert (outcome.message, outcome.value) == ("", ["hole-3", 1, [0.02, 0.03, 0.01], True])

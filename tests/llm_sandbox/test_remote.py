@@ -7,11 +7,13 @@ from typing import Any
 
 import pytest
 from redis import Redis
+from tests.llm_sandbox.conftest import make_part
 
 from querycad_contracts import (
     FindPartsTask,
     GroundedBy,
     ModelTask,
+    PartsTask,
     Side,
     TaskFailure,
     TaskFailureKind,
@@ -117,3 +119,17 @@ def test_without_a_broker_a_call_is_given_up() -> None:
     with pytest.raises(SegCadUnavailable):
         call(TaskName.SHAPE, ModelTask(model=MODEL), 0.1, RunControl())
     call.close()
+
+
+def test_parts_are_fetched_page_by_page() -> None:
+    parts = [make_part(f"hole-{i}").model_dump(mode="json") for i in range(2500)]
+
+    def call(name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str:
+        assert isinstance(task, PartsTask)
+        calls.append((name, task.offset, task.limit))
+        return json.dumps(value({"items": parts[task.offset : task.offset + task.limit], "total": len(parts)}))
+
+    calls: list[tuple[TaskName, int, int]] = []
+    found = RemoteSegCad(MODEL, call, SETTINGS).parts()
+    assert [part.id for part in found] == [f"hole-{i}" for i in range(2500)]
+    assert calls == [(TaskName.PARTS, offset, 1000) for offset in (0, 1000, 2000)]

@@ -110,7 +110,7 @@ def test_a_run_put_aside_goes_on_as_if_it_never_was(narrow: Sandbox, code: str, 
 @pytest.mark.parametrize(
     ("code", "message"),
     [
-        ("a = find_parts('slot')\nfind_parts('hole')\nsolution = a[0].radius", "part 'slot-1' has no radius; it has"),
+        ("a = find_parts('slot')\nfind_parts('hole')\nsolution = -a[0].radius", "part 'slot-1' has no radius; it has"),
         ("a = find_parts('slot')\nfind_parts('hole')\nsolution = a[0].distance_to(3)", "distance_to() takes a part"),
         ("a = find_parts('slot')\nfind_parts('hole')\nsolution = 1 / 0", "(line 3: solution = 1 / 0)"),
     ],

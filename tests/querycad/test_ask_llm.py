@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import shlex
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -143,3 +145,24 @@ def test_the_prompt_of_what_is_no_file_is_bad_input(capsys: pytest.CaptureFixtur
     (tmp_path / "empty.step").write_text("")
     assert main(["prompt", str(tmp_path / "empty.step"), QUESTION]) == 2
     assert capsys.readouterr().err.startswith("querycad: ")
+
+
+def test_a_command_may_take_the_models_place(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    script = tmp_path / "model.py"
+    script.write_text(
+        "import json, sys\n"
+        "asked = json.load(sys.stdin)['messages']\n"
+        "assert asked[0]['role'] == 'system' and 'How many holes' in asked[-1]['content']\n"
+        "print('```python\\nsolution = len(parts(kind=\"hole\"))\\n```')\n",
+        encoding="utf-8",
+    )
+    command = shlex.join([sys.executable, str(script)])
+    arguments = ["ask", FLANGE, "How many holes are there?", "--codegen", "llm", "--llm-command", command, "--json"]
+    assert main(arguments) == 0
+    record = json.loads(capsys.readouterr().out)
+    assert (record["codegen"], record["answer"]["value"], len(record["parts"])) == ("llm", 11, 11)
+
+
+def test_a_command_is_for_this_machine(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["ask", FLANGE, QUESTION, "--server", "http://127.0.0.1:1", "--llm-command", "cat"]) == 2
+    assert "--llm-command is for this machine" in capsys.readouterr().err

@@ -17,6 +17,7 @@ from querycad.cli import main
 from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
 from querycad_contracts import (
     AnswerRecord,
+    AnswerType,
     Job,
     JobEvent,
     JobEventKind,
@@ -24,6 +25,8 @@ from querycad_contracts import (
     LengthUnit,
     ModelResource,
     Problem,
+    RunOutcome,
+    RunStatus,
     Status,
 )
 
@@ -104,6 +107,16 @@ def test_two_questions_are_two_questions() -> None:
 def test_a_phrase_is_asked_for_once() -> None:
     with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
         asking.segment(MODEL, "hole")
+    assert len(made[1]) == 1
+
+
+def test_a_program_is_run_once_and_its_outcome_comes_back() -> None:
+    with (made := client(json(RunOutcome(status=RunStatus.OK, value=3))))[0] as asking:
+        assert asking.run_program(MODEL, "solution = 3", AnswerType.COUNT).value == 3
+    assert made[1][0].url.path == f"/v1/models/{MODEL}/programs"
+    assert b'"expects":"count"' in made[1][0].content
+    with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
+        asking.run_program(MODEL, "solution = 3")
     assert len(made[1]) == 1
 
 

@@ -43,3 +43,13 @@ def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: Local
         with pytest.raises(KernelDied):
             kernel.measure("distance", [0], [1])
     assert two_bodies.distance("body-1", "body-2") == pytest.approx(7e-3, abs=1e-9)
+
+
+def test_an_extent_is_exact_along_any_direction(two_bodies: LocalSegCad) -> None:
+    half = 0.5**0.5
+    assert two_bodies.extent("body-1", (1.0, 0.0, 0.0)) == pytest.approx(0.01, abs=1e-12)
+    assert two_bodies.extent("body-1", (half, half, 0.0)) == pytest.approx(0.02 * half, abs=1e-8)
+    assert two_bodies.extent("body-2", (half, 0.0, half)) == pytest.approx(0.006, abs=1e-8)
+    assert two_bodies.extent("body-2", (0.0, half, half)) == pytest.approx(0.026 * half, abs=1e-8)
+    with pytest.raises(KeyError):
+        two_bodies.extent("body-99", (1.0, 0.0, 0.0))

@@ -195,6 +195,21 @@ def test_an_id_that_the_model_lacks_is_a_failure_not_an_error(
     assert outcome["failure"]["kind"] == "unknown_id"
 
 
+def test_faces_are_found_with_the_part_that_they_make(table: Table, model: str) -> None:
+    query = {"kind": "cylinder", "convexity": "concave", "radius": 0.027}
+    found = table[TaskName.FIND_FACES]({"model": model, "query": query})["value"]
+    assert [face["part"] for face in found["faces"]] == ["hole-11"]
+    assert found["part"]["faces"] == [face["id"] for face in found["faces"]]
+    nothing = table[TaskName.FIND_FACES]({"model": model, "query": {"radius": 7.0}})["value"]
+    assert nothing == {"faces": [], "part": None}
+
+
+def test_an_extent_is_measured(table: Table, model: str) -> None:
+    along = {"model": model, "part": "body-1", "direction": [0.6, 0.8, 0.0]}
+    assert table[TaskName.EXTENT](along)["value"] == pytest.approx(0.17, abs=1e-7)
+    assert table[TaskName.EXTENT]({**along, "part": "body-9"})["failure"]["kind"] == "unknown_id"
+
+
 def test_parts_come_in_pages(table: Table, model: str) -> None:
     pages = [
         table[TaskName.PARTS]({"model": model, "kind": "hole", "offset": i, "limit": 4})["value"] for i in (0, 4, 8)

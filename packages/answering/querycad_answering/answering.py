@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from typing import TypeVar
 
 from querycad_contracts import (
@@ -30,7 +30,7 @@ from querycad_contracts.answers import LEAST_CONFIDENCE
 from querycad_language.units import asked_unit
 
 from .judging import Verdict, judge
-from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Task
+from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
 from .ranking import SHOWN
 from .typed import same_value
 from .understanding import ModelView, Run, Understanding, Understood
@@ -79,8 +79,19 @@ def answer_question(
     codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
-        task = Task(question, judged, summary, expect, asked)
-        outcome = _with_llm(task, codegen, writer, lambda: understanding.answered(timed_run, unit, least), clock)
+        parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
+        task = Task(
+            question,
+            judged,
+            summary,
+            expect,
+            asked,
+            timed_run,
+            lambda program, came: judge(program, came, unit, expect),
+            lambda: understanding.readings,
+            lambda: _parsed(parsed()),
+        )
+        outcome = _with_llm(task, codegen, writer, parsed, clock)
     else:
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         if codegen is not Codegen.PARSER:
@@ -105,6 +116,11 @@ def _asked_type(understanding: Understanding) -> AnswerType | None:
     return best.written.expects
 
 
+def _parsed(found: Understood) -> Parsed | None:
+    answer = found.verdict.answer
+    return None if answer is None else Parsed(answer, found.understood_as)
+
+
 def _by_parser(found: Understood) -> _Outcome:
     if found.program is None:
         return _Outcome(failure=found.verdict.failure, understood=found)
@@ -115,13 +131,19 @@ def _with_llm(
     task: Task, codegen: Codegen, writer: LlmWriter, parsed: Callable[[], Understood], clock: _Clock
 ) -> _Outcome:
     """What comes of the language model's programs, and of the parser's where both answer or the model has none."""
-    written = clock.timed("llm", partial(writer.write, task))
+    written = clock.timed("llm", partial(writer.write, task, looks=codegen is Codegen.AGENT))
     answered = [candidate for candidate in written.candidates if candidate.verdict.answer is not None]
     outcome = _Outcome(attempts=tuple(written.attempts))
     if written.error is not None:
         outcome.notes.append(str(written.error))
+    if written.question:
+        outcome.failure = Failure(category="not_understood", message=f"the language model asks: {written.question}")
+        return outcome
+    if written.is_unsure:
+        outcome.is_unsure, outcome.chosen, outcome.others = True, answered[0], answered[1:]
+        return outcome
     if codegen is Codegen.BOTH or not answered:
-        by_parser = _by_parser(clock.timed("codegen", parsed))
+        by_parser = _by_parser(parsed())
         outcome.failure, outcome.understood = by_parser.failure, by_parser.understood
         if by_parser.chosen is not None and by_parser.chosen.verdict.answer is not None:
             if not answered:
@@ -164,6 +186,8 @@ class _Outcome:
     """What the parser made of the question, where it was asked."""
     others: list[Candidate] = field(default_factory=list)
     agreement: Agreement | None = None
+    is_unsure: bool = False
+    """Who wrote the programs does not say which of the answers is right."""
     attempts: tuple[Attempt, ...] = ()
     notes: list[str] = field(default_factory=list)
 
@@ -175,7 +199,7 @@ class _Outcome:
         alternatives = self._alternatives(understood)
         status, answer = verdict.status, verdict.answer
         confidence = understood.confidence if understood is not None else None
-        if answer is not None and confidence is not None and confidence < least:
+        if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(
             question=question,
@@ -215,6 +239,8 @@ class _Outcome:
         return (*found, *(one for one in readings if not any(same_value(one.answer, known) for known in answers)))
 
     def _disagreement(self) -> list[str]:
+        if self.is_unsure:
+            return []
         others = [f"the program of the {_writer(other)} gives {_text(other)}" for other in self.others]
         return [f"programs disagree: {', '.join(others)}"] if others else []
 

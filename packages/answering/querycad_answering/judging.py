@@ -65,7 +65,10 @@ def judge(
     try:
         answer = as_expected(_typed(program, outcome, unit, expect), expect, unit)
     except WrongAnswerType as error:
-        return Verdict(failure=Failure(category="program", message=str(error)), warnings=warnings)
+        absent = outcome.missing_attribute
+        of = f" ({absent.part or 'the model'} has no {absent.attribute})" if absent is not None else ""
+        failure = Failure(category="program", message=f"{error}{of}", missing_attribute=absent)
+        return Verdict(failure=failure, warnings=warnings)
     except Unexpected as error:
         return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
     return Verdict(answer=answer, parts=_parts(outcome), warnings=warnings)

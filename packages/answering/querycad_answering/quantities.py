@@ -25,14 +25,20 @@ _TRIPLES = {
     "tip": AnswerType.POINT,
     "min_corner": AnswerType.POINT,
     "max_corner": AnswerType.POINT,
+    "axis_point": AnswerType.POINT,
+    "origin": AnswerType.POINT,
     "extents": AnswerType.SIZE,
     "half_extents": AnswerType.SIZE,
     "local_size": AnswerType.SIZE,
+    "size_in": AnswerType.SIZE,
     "axis": AnswerType.DIRECTION,
+    "x": AnswerType.DIRECTION,
+    "y": AnswerType.DIRECTION,
+    "z": AnswerType.DIRECTION,
     "normal": AnswerType.DIRECTION,
 }
-_OWN_FRAME = "local_size"
-"""The one triple of the guest API that is told in a part's own frame."""
+_OWN_FRAME = frozenset(("local_size", "size_in"))
+"""The triples of the guest API that are told in a part's own frame."""
 
 
 def scalar_type(code: str) -> AnswerType:
@@ -54,7 +60,7 @@ def triple_type(code: str) -> AnswerType | None:
 
 def frame(code: str | None, kind: AnswerType) -> Frame | None:
     """Whose axes are the numbers of such an answer along? None for what has none."""
-    if kind in (AnswerType.SIZE, AnswerType.SIZES) and code is not None and _OWN_FRAME in measures(code):
+    if kind in (AnswerType.SIZE, AnswerType.SIZES) and code is not None and not _OWN_FRAME.isdisjoint(measures(code)):
         return Frame.PART
     triples = ("point", "points", "direction", "directions", "size", "sizes")
     return Frame.MODEL if kind.value in triples else None
@@ -118,5 +124,5 @@ _LENGTHS = (
     "inner_diameter", "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius",
     "mouth_length", "mouth_width", "bottom_length", "bottom_width",
 )  # fmt: skip
-_DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance")
+_DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance", "offset")
 _KNOWN = frozenset({*_SCALARS, *_TRIPLES, *_LENGTHS, *_DISTANCES})

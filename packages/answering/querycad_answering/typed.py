@@ -95,11 +95,23 @@ def unit_of(kind: AnswerType) -> Unit:
     return _UNITS.get(_SCALAR_OF.get(kind, kind), Unit.NONE)
 
 
-def same_value(a: Answer, b: Answer) -> bool:
-    """Do two answers say the same, in whatever order their lists are? A list of one says what its one value says."""
+def same_value(a: Answer, b: Answer, each_once: bool = False) -> bool:
+    """Do two answers say the same, in whatever order their lists are? A list of one says what its one value says.
+
+    `each_once`: so does a list of equal ones.
+    """
     if unit_of(a.type) is not unit_of(b.type):
         return False
-    return _same_lists(_as_list(a), _as_list(b))
+    values, others = (_distinct(_as_list(one)) if each_once else _as_list(one) for one in (a, b))
+    return _same_lists(values, others)
+
+
+def _distinct(values: list[Any]) -> list[Any]:
+    kept: list[Any] = []
+    for value in values:
+        if not any(_same(value, other, SAME) for other in kept):
+            kept.append(value)
+    return kept
 
 
 def _as_list(answer: Answer) -> list[Any]:

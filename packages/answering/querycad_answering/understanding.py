@@ -97,6 +97,11 @@ class Understanding:
         best = next(iter(self.ranked), None)
         return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
 
+    @property
+    def readings(self) -> tuple[str, ...]:
+        """How the question may be understood, in plain words, the likeliest first; a few."""
+        return tuple(dict.fromkeys(meant(one) for one in self.ranked))[:SHOWN]
+
     def tried(self, run: Run, every: bool = False) -> list[Candidate]:
         """The candidates after their runs: all, or as many as it takes until the best value cannot be overtaken."""
         found: list[Candidate] = []

@@ -28,6 +28,7 @@ from .geometry import (
     Face,
     Frozen,
     GroundedBy,
+    Outline,
     Part,
     PartKind,
     Refusal,
@@ -38,14 +39,16 @@ from .geometry import (
 )
 from .logs import LogFormat, current_request, start_logging, working_for
 from .processes import end_with_parent
-from .queries import Grounded, Measure, PartQuery, Place, Rank, Relation, SizeFilter
+from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
+from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
     NO_ACCOUNTS,
     DistanceTask,
     EdgeDistanceTask,
+    ExtentTask,
     FacesTask,
+    FindFacesTask,
     FindPartsTask,
     GroundedIds,
     GroundedParts,
@@ -64,10 +67,12 @@ from .services import (
     ModelStatus,
     ModelSummary,
     ModelTask,
+    PartGroup,
     PartsPage,
     PartsTask,
     PictureTask,
     Problem,
+    ProgramRequest,
     QuestionRequest,
     QuestionsRequest,
     QuestionTask,
@@ -115,12 +120,16 @@ __all__ = [
     "EdgeDistanceTask",
     "Evidence",
     "Expectation",
+    "ExtentTask",
     "Face",
+    "FaceQuery",
     "FacesTask",
     "Failure",
     "FileStore",
+    "FindFacesTask",
     "FindPartsTask",
     "FolderStore",
+    "FoundFaces",
     "Frame",
     "Frozen",
     "GroundTask",
@@ -140,6 +149,7 @@ __all__ = [
     "JobStatus",
     "JobsPage",
     "LengthUnit",
+    "Line",
     "LlmOptions",
     "LogFormat",
     "Measure",
@@ -150,7 +160,9 @@ __all__ = [
     "ModelSummary",
     "ModelTask",
     "ModelsPage",
+    "Outline",
     "Part",
+    "PartGroup",
     "PartKind",
     "PartQuery",
     "PartsPage",
@@ -160,6 +172,7 @@ __all__ = [
     "Printed",
     "Problem",
     "Program",
+    "ProgramRequest",
     "QuestionRequest",
     "QuestionTask",
     "QuestionsRequest",

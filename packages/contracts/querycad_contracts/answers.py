@@ -84,6 +84,8 @@ class Codegen(StrEnum):
     PARSER = "parser"
     LLM = "llm"
     BOTH = "both"
+    AGENT = "agent"
+    """A language model that runs programs to look, and then answers."""
 
 
 class LlmOptions(Frozen):
@@ -187,11 +189,11 @@ class TokenUse(Frozen):
 class Attempt(Frozen):
     """One program that a language model wrote for a question, and what came of it."""
 
-    codegen: str = Field(description="'llm:<model>'.")
-    sample: int = Field(1, description="Which of several independent tries it belongs to, from 1.")
+    codegen: str = Field(description="'llm:<model>', or 'agent:<model>'.")
+    sample: int = Field(1, description="Which of several independent tries it belongs to, or step of an agent, from 1.")
     code: str | None = Field(description="Null when the reply held no program, or none came.")
     answer: str | None = Field(None, description="The answer's text, when it was one.")
-    problem: str = Field("", description="Why it was no answer: what the model was told to repair.")
+    problem: str = Field("", description="What the model was told: what to repair; of an agent's step what it saw.")
     tokens: TokenUse = TokenUse()
     seconds: float = 0.0
 

@@ -79,6 +79,18 @@ class Convexity(StrEnum):
     MIXED = "mixed"
 
 
+class Outline(StrEnum):
+    """What is a plane face's outer boundary called?"""
+
+    CIRCLE = "circle"
+    RECTANGLE = "rectangle"
+    """With square or rounded corners."""
+    SLOT = "slot"
+    """Two straight sides between two half circles."""
+    FREE = "free"
+    """Anything else."""
+
+
 class Face(Frozen):
     """One face of the B-rep."""
 
@@ -92,6 +104,15 @@ class Face(Frozen):
     radius: float | None = Field(None, description="Of a cylinder or sphere; a torus's minor radius; a cone's largest.")
     normal: Vector | None = Field(None, description="Outward unit normal of a plane.")
     axis: Vector | None = Field(None, description="Unit axis of a cylinder, cone or torus.")
+    axis_point: Vector | None = Field(None, description="The point of the axis beside the middle of the face.")
+    length: float | None = Field(
+        None, description="Of a cylinder or cone along its axis; of a plane its longer side. Null: not known exactly."
+    )
+    outline: Outline | None = Field(None, description="Of a plane, by its outer boundary.")
+    local_size: Vector | None = Field(None, description="Of a plane: length and width in its own frame, and 0.")
+    along: Vector | None = Field(None, description="Unit direction of a plane's length.")
+    neighbours: tuple[int, ...] = Field((), description="Ids of the faces that it shares an edge with.")
+    part: str = Field("", description="Id of the feature that it belongs to, else of its body.")
 
 
 class Body(Frozen):
@@ -120,6 +141,9 @@ class Shape(Frozen):
     bodies: tuple[Body, ...]
     face_count: int
     edge_count: int = Field(0, description="As the file has them; seams of round faces are none.")
+    up: Side | None = Field(
+        None, description="The side that is likely up: the top, unless the model would hardly stand on its bottom."
+    )
 
 
 class GroundedBy(StrEnum):
@@ -213,6 +237,11 @@ class PartKind(StrEnum):
         """Does it take the sharpness from an edge or a corner?"""
         return self in _EDGE_BREAKS
 
+    @property
+    def is_feature(self) -> bool:
+        """Is it something that a drawing would name, more than a surface, a body, or a group of other parts?"""
+        return self not in _NO_FEATURES
+
 
 _STANDING_OUT = frozenset(
     (
@@ -240,6 +269,23 @@ _CUT_IN = frozenset(
     )
 )
 _EDGE_BREAKS = frozenset((PartKind.CHAMFER, PartKind.FILLET, PartKind.ROUND))
+_NO_FEATURES = frozenset(
+    (
+        PartKind.ARC,
+        PartKind.BODY,
+        PartKind.CONE,
+        PartKind.CYLINDER,
+        PartKind.FACE,
+        PartKind.FLOOR,
+        PartKind.MODEL,
+        PartKind.PATTERN,
+        PartKind.PRISM,
+        PartKind.REGION,
+        PartKind.SPHERE,
+        PartKind.TORUS,
+        PartKind.WALL,
+    )
+)
 
 
 class Part(Frozen):

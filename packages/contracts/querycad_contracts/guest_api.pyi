@@ -3,39 +3,74 @@
 Everything is SI: lengths in metres, areas in m2, volumes in m3, angles in radians (1 mm = 0.001, 1 inch = 0.0254).
 The frame is the file's: x is width (left to right), y is depth (front to back), z is height (bottom to top).
 Extents are full lengths unless the name says `half_`. The result is whatever the program assigns to `solution`.
-A measure that a part does not have raises AttributeError with a message that names the measures it has.
+A measure that an object does not have is None, or AttributeError in a program that names AttributeError to catch it; a
+name that is none of the API always is.
+
+Python's own builtins are there, `print` among them, but for open, input, eval, exec, globals and what else reaches out;
+`math` and `re` can be imported. What a program prints is kept beside its result.
 """
 
 from typing import Literal, TypeAlias, TypedDict
 
 Vector: TypeAlias = tuple[float, float, float]
 Side: TypeAlias = Literal["top", "bottom", "left", "right", "front", "back"]
+Outline: TypeAlias = Literal["circle", "rectangle", "slot", "free"]
+
+class Frame:
+    """Own axes."""
+
+    origin: Vector
+    x: Vector
+    """Its length. Along its longest straight edge across z; of what is round, any direction across z."""
+    y: Vector
+    z: Vector
+    """Along its axis or normal."""
+
+class Opening:
+    """Of a hole, pocket or slot."""
+
+    center: Vector
+    normal: Vector
+    outline: Outline
 
 class Face:
-    """One face of the model's surface."""
+    """One face of the surface."""
 
     id: int
     kind: Literal["plane", "cylinder", "cone", "sphere", "torus", "freeform"]
     convexity: Literal["convex", "concave", "flat", "mixed"]
-    """Seen from outside the material: a shaft is convex, the wall of a hole concave."""
+    """A hole's wall is concave."""
     center: Vector
     extents: Vector
     area: float
     radius: float
-    """Of a cylinder, sphere, torus tube, or a cone's widest end."""
+    """Of a torus its tube's, of a cone at its widest."""
     normal: Vector
-    """Unit direction out of the material; planes only."""
+    """Of a plane, out of the material."""
     axis: Vector
-    """Unit axis of a cylinder, cone or torus."""
+    """Of a cylinder, cone or torus, of length 1. `axis_point` is the point of it beside `center`."""
+    axis_point: Vector
+    length: float
+    """Along its axis; of a plane its longer side."""
+    outline: Outline
+    """Of a plane. Its outer boundary."""
+    local_size: Vector
+    """Of a plane: length, width, 0."""
+    frame: Frame
+    neighbours: list["Face"]
+    part: "Part"
+    """The smallest feature that it is of, else its body."""
+    body: int
+    """Id of its body."""
 
 class Body:
-    """One body of the file, as modelled: a solid, or a loose sheet where there is no solid."""
+    """One body of the file. A solid, or a loose sheet where there is no solid."""
 
     id: int
     name: str
-    """Its product name in the file; empty when it has none."""
+    """Its product name; may be empty."""
     color: str
-    """Hexadecimal such as '#c0c0c0'."""
+    """Such as '#c0c0c0'."""
     is_solid: bool
     center: Vector
     extents: Vector
@@ -48,9 +83,9 @@ class Shape:
 
     name: str
     center: Vector
-    """Centre of the bounding box."""
+    """Of the bounding box."""
     extents: Vector
-    """Full size along x (width), y (depth) and z (height)."""
+    """Full size along x, y, z."""
     half_extents: Vector
     min_corner: Vector
     max_corner: Vector
@@ -60,87 +95,90 @@ class Shape:
     volume: float
     area: float
     thickness: float
-    """Of the sheet or plate material that the model is made of."""
+    """Of sheet or plate material."""
     bodies: list[Body]
     face_count: int
     edge_count: int
+    up: Side
+    """Likely. The top, unless the model would hardly stand on its bottom."""
 
 class Part:
-    """A part or feature of the model: a hole, a shaft, a slot, a body …"""
+    """A part or feature: a hole, a shaft, a slot, a body …"""
 
     id: str
     kind: str
-    """Its family: 'hole', 'boss', 'slot', 'body' …"""
+    """'hole', 'boss', 'slot', 'body' …"""
     tags: list[str]
-    """Such as 'through', 'blind', 'counterbored', 'circular', 'threaded'."""
+    """'through', 'blind', 'counterbored', 'threaded' …"""
     label: str
     name: str
-    """Product name in the file; bodies only."""
+    """Of a body."""
     sides: list[Side]
-    """Where it is visible from; a hole or pocket counts where one looks into its opening."""
+    """Visible from; a hole where one looks into it."""
     faces: list[Face]
     center: Vector
-    """Middle of the part: of a hole, half-way between its ends on its axis."""
+    """Of a hole: half-way between its ends on its axis."""
     opening: Vector
-    """Centre of a hole's, pocket's or slot's opening."""
+    """Centre of where it opens."""
+    openings: list[Opening]
+    """Two of what goes through."""
+    frame: Frame
     tip: Vector
-    """Outermost point on the axis of a shaft, pin, boss, cone."""
+    """Outermost point on the axis of what protrudes."""
     tips: list[Vector]
-    """All free ends of its axis, `tip` first: two of a shaft or rod whose ends are both free."""
+    """Of all free ends, `tip` first."""
     extents: Vector
-    """Full size along x, y, z of the file."""
+    """Full size along x, y, z."""
     half_extents: Vector
     axis: Vector
     normal: Vector
-    """Unit direction that it faces; out of a hole's opening."""
+    """That it faces; out of an opening."""
     radius: float
-    """Of a stepped hole: of its narrowest bore. See `radii` for every step."""
+    """Of a stepped hole: of its narrowest bore."""
     diameter: float
     radii: list[float]
-    """Radii of the coaxial steps, from the opening inwards."""
+    """Of its steps, from the opening inwards."""
     depth: float
-    """Of a hole, pocket or slot: along its axis from opening to bottom. Else its extent along y."""
+    """From opening to bottom; of what has none along y."""
     height: float
-    """Of what protrudes: along its own axis from base to tip. Else its extent along z."""
+    """From base to tip; of what does not protrude along z."""
     width: float
-    """In the part's own frame; of the whole body, its extent along x."""
+    """In its own frame; of a body along x."""
     length: float
     thickness: float
-    """Of sheets, plates and fins; of what has no thickness of its own and no opening, its smallest dimension."""
+    """Of sheets, plates, fins; else its smallest dimension. None of what has an opening and no thickness."""
     local_size: Vector
     bottom: Literal["through", "flat", "conical", "spherical", "open", "bore"]
-    """'bore': it ends in another hole, inside the material."""
+    """'bore': in another hole."""
     pitch: float
-    """Distance of neighbours in a pattern (bolt circle, row, grid), centre to centre; a modelled thread's own."""
+    """Between neighbours of a pattern; a thread's own."""
     count: int
-    """How many members a pattern has, or teeth a gear."""
+    """Members of a pattern, teeth of a gear."""
     angle: float
-    """Radians. Between the flanks of a V groove; of a dovetail's flanks to its floor; of a chamfer to its face; of a
-    cone or countersink, the full angle."""
+    """Of a V groove, cone or countersink the full angle; of a chamfer to its face. Of a dovetail's flanks to its
+    floor."""
     outer_diameter: float
-    """Over all, of what is round about an axis: rings, tubes, pipes, shafts, tori, bent bars; of a sheet's bend twice
+    """Over all, of what is round. Rings, tubes, pipes, shafts, tori, bent bars; of a sheet's bend twice
     its outer radius."""
     inner_diameter: float
-    """What is free inside of a ring, tube, pipe, torus or bent bar; of a sheet's bend twice its inner radius."""
+    """Of a ring, tube, pipe, torus: what is free inside. Of a sheet's bend twice its inner radius."""
     tube_diameter: float
-    """Of a torus: across the tube that goes around."""
+    """Of a torus."""
     across_flats: float
-    """Between opposite sides of a hexagon, octagon or square, or of two flats on a shaft: the width of the wrench."""
+    """Of a hexagon, octagon, square, or two flats on a shaft: the wrench."""
     across_corners: float
-    """Between opposite corners of a hexagon, octagon or square."""
     center_length: float
-    """From centre to centre of the round ends of a slot, link or obround plate."""
+    """Between the centres of a slot's round ends."""
     chamfer_size: float
-    """Of a chamfer: how much it takes off the edge, the '2 mm' of '2 mm x 45 degrees'."""
+    """Of a chamfer: the '2 mm' of '2 mm x 45 degrees'."""
     draft: float
-    """Radians, between a taper's wall and its axis: of cones and taper pins, of the walls of pockets and pads."""
+    """Of a taper's wall to its axis. Of cones and taper pins, of the walls of pockets and pads."""
     bend_radius: float
-    """Of a bent pipe or bar along its middle line; of bent sheet, inside."""
+    """Of a pipe along its middle line; of sheet inside."""
     bend_angle: float
-    """Radians that a pipe or sheet with one bend turns by."""
+    """Of a pipe or sheet with one bend, how far it turns."""
     mouth_length: float
-    """Of an opening that gets narrower or wider with depth, at its mouth; `bottom_length` and `bottom_width` at its
-    other end."""
+    """Of an opening that narrows or widens."""
     mouth_width: float
     bottom_length: float
     bottom_width: float
@@ -148,24 +186,40 @@ class Part:
     area: float
 
     def distance_to(self, other: "Part") -> float:
-        """How far apart are the two parts' surfaces? 0 when they touch."""
+        """Between the surfaces; 0 when they touch."""
         ...
 
     def center_distance(self, other: "Part") -> float:
-        """How far apart are the two parts' centres? Of holes, or gears, on parallel axes: how far apart these are."""
+        """Of holes, or gears, between parallel axes."""
         ...
 
     def angle_to(self, other: "Part") -> float:
-        """Which angle, 0 to pi/2, do the two parts' axes (or normals) enclose?"""
+        """0 to pi/2, between axes or normals."""
         ...
 
     def is_in(self, other: "Part") -> bool:
-        """Does the part lie in or on the other one: a hole in a flange, a boss on a plate, a member of a pattern?"""
+        """Such as a hole in a flange, a boss on a plate."""
         ...
 
     def edge_distance(self) -> float:
-        """How far is the part's surface from the outer edge of the face it lies in?"""
+        """To the outer edge of the face that it lies in. From its surface."""
         ...
+
+    def size_in(self, frame: Frame) -> Vector:
+        """Full size along the axes of a frame."""
+        ...
+
+    def measures(self) -> list[str]:
+        """Names of the measures that it has."""
+        ...
+
+class Parts(list[Part]):
+    """A list that says what of the words is not in it."""
+
+    ignored_words: list[str]
+    """Words that are not known."""
+    not_checked: list[str]
+    """What restricts, and could not be checked."""
 
 class SizeFilter(TypedDict, total=False):
     """A stated size that the part has: 'a diameter of 5 mm', 'deeper than 11 mm'."""
@@ -235,26 +289,115 @@ class PartQuery(TypedDict, total=False):
     sense: int
     """Which of the ways to ground it on the model, the best first."""
 
+Item: TypeAlias = Part | Face
 shape: Shape
 
-def find_parts(description: str | PartQuery, sides: list[Side] | None = None) -> list[Part]:
-    """Which parts does `description` mean, seen from any of `sides` (every side when None)?
+def find_parts(description: str | PartQuery, sides: list[Side] | None = None) -> Parts:
+    """Which parts do these words mean, seen from any of `sides`: 'blind hole', 'M5 screw', 'red body'?
 
-    `description` is free text: 'hole', 'blind hole', 'rectangular pocket', 'M5 threaded hole', 'circular base',
-    'screw', 'red body'. 'the hole' is one: of several that differ the largest, or those that are largest alike; 'hole'
-    and 'holes' are all. Parts come sorted by id. An empty list means: understood, but the model has none.
-    A description that cannot be grounded ends the program with its nearest known terms; it is never guessed.
+    'the hole' is one: of several that differ the largest, or those that are largest alike; 'hole' and 'holes' are all.
+    Parts come sorted by id. An empty list means: understood, but the model has none. A description that cannot be
+    grounded ends the program with its nearest known terms; it is never guessed.
+    Example: find_parts("blind hole", sides=["top"]).not_checked
+    """
+    ...
+
+def parts(
+    kind: str | None = None,
+    tags: str | list[str] | None = None,
+    side: Side | list[Side] | None = None,
+    diameter: float | None = None,
+    near: Item | Vector | None = None,
+) -> list[Part]:
+    """Which have exactly this kind, all these tags, and so on? Sorted by id, or by distance.
+
+    Nothing is guessed: a kind or tag that this model does not know raises ValueError with those that it has. The
+    diameter is compared to drawing accuracy, with that of every step. `near` sorts by distance of the centres.
+    Example: parts(kind="hole", tags=["through"], side="top", near=shape.center)
+    """
+    ...
+
+def faces(
+    kind: str | None = None,
+    convexity: str | None = None,
+    facing: Side | None = None,
+    radius: float | None = None,
+    coaxial_with: Item | None = None,
+    body: int | Body | None = None,
+) -> list[Face]:
+    """Which are so? `facing`: planes whose normal points to that side, within 2.5 degrees.
+
+    Example: faces(kind="cylinder", convexity="concave", coaxial_with=parts(kind="hole")[0])
+    """
+    ...
+
+def coaxial(a: Item, b: Item) -> bool:
+    """Do they share one axis?
+
+    Example: coaxial(parts(kind="hole")[0], parts(kind="hole")[1])
+    """
+    ...
+
+def adjacent(a: Item, b: Item) -> bool:
+    """Do they share a face or an edge?
+
+    Example: adjacent(parts(kind="hole")[0], faces(facing="top")[0])
+    """
+    ...
+
+def offset(a: Item, b: Item) -> float:
+    """Between parallel planes or axes, or a plane and an axis along it. Else ValueError.
+
+    Example: offset(faces(facing="top")[0], faces(facing="bottom")[0])
+    """
+    ...
+
+def on(items: list[Part], what: Item) -> list[Part]:
+    """Those in or on it, or that touch it.
+
+    Example: on(parts(kind="hole"), faces(facing="top")[0])
+    """
+    ...
+
+def around(items: list[Part], center: Item) -> list[Part]:
+    """Those on a circle about its axis. Three or more of a kind, by angle.
+
+    Example: around(parts(kind="hole"), parts(kind="hole")[0])
+    """
+    ...
+
+def between(items: list[Part], a: Item, b: Item) -> list[Part]:
+    """Those whose centre is between the two. Within the box around both.
+
+    Example: between(parts(kind="hole"), parts(kind="hole")[0], parts(kind="hole")[1])
+    """
+    ...
+
+def outermost(items: list[Part], side: Side | None = None) -> list[Part]:
+    """Those that reach farthest to a side, or from the model's middle.
+
+    Example: outermost(parts(kind="hole"), "left")
     """
     ...
 
 def distance(a: Vector, b: Vector) -> float:
-    """How far apart are two points?"""
+    """How far apart are two points?
+
+    Example: distance(parts(kind="hole")[0].center, shape.center)
+    """
     ...
 
 def different(values: list[float], tolerance: float = 1e-6) -> list[float]:
-    """Which different values are there? Sorted; values nearer than `tolerance` count as one."""
+    """Which different values are there, sorted?
+
+    Values nearer than `tolerance` count as one.
+    Example: different([p.diameter for p in parts(kind="hole")])
+    """
     ...
 
 def close(a: float, b: float, tolerance: float = 5e-5) -> bool:
-    """Are two lengths the same to drawing accuracy (0.05 mm)?"""
+    """Are two lengths the same to drawing accuracy, 0.05 mm?
+
+    Example: close(parts(kind="hole")[0].diameter, 0.005)
+    """
     ...

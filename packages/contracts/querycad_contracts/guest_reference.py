@@ -20,6 +20,12 @@ class GuestName:
     signature: str
     description: str
 
+    @property
+    def example(self) -> str:
+        """The expression of the docstring's last line, of a function; empty where there is none."""
+        _, found, example = self.description.rpartition("Example: ")
+        return example if found else ""
+
 
 @dataclass(frozen=True, slots=True)
 class GuestClass:

@@ -9,7 +9,7 @@ from enum import StrEnum
 
 from pydantic import Field
 
-from .geometry import Frozen, Part, Side
+from .geometry import Convexity, Frozen, Part, Side, SurfaceKind, Vector
 
 
 class Measure(StrEnum):
@@ -141,6 +141,24 @@ class PartQuery(Frozen):
     unknown: tuple[str, ...] = Field((), description="Words of the phrase that the lexicon does not have.")
     ids: tuple[str, ...] = Field((), description="Ids of parts: 'hole-4' for 'hole 4'; nothing else counts then.")
     sense: int = Field(0, description="Which of the groundings is taken, best first.")
+
+
+class Line(Frozen):
+    """An infinite straight line, such as an axis."""
+
+    point: Vector
+    direction: Vector = Field(description="Unit vector; which way it points does not matter.")
+
+
+class FaceQuery(Frozen):
+    """Which faces are asked for? Every field that is set restricts; there is nothing to be understood."""
+
+    kind: SurfaceKind | None = None
+    convexity: Convexity | None = None
+    facing: Side | None = Field(None, description="Planes whose outward normal points to that side.")
+    radius: float | None = Field(None, description="To drawing accuracy, 0.05 mm, or a hundredth where that is less.")
+    coaxial_with: Line | None = Field(None, description="Those around this axis, to the tolerance of recognition.")
+    body: int | None = None
 
 
 class Grounded(Frozen):

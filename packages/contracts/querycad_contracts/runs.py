@@ -9,8 +9,8 @@ from typing import Annotated, Any, Protocol
 from pydantic import Field
 
 from .answers import MissingAttribute
-from .geometry import Face, Frozen, Part, Shape, Side
-from .queries import Grounded, PartQuery
+from .geometry import Face, Frozen, Part, Shape, Side, Vector
+from .queries import FaceQuery, Grounded, PartQuery
 
 RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
@@ -29,6 +29,15 @@ class Grounding(Frozen):
     nearest: tuple[str, ...] = Field((), description="Nearest terms that would find something in this model.")
     message: str = Field("", description="Why nothing was found; empty when something was.")
     warnings: tuple[str, ...] = ()
+    ignored: tuple[str, ...] = Field((), description="Words of the description that say nothing which is known here.")
+    unchecked: tuple[str, ...] = Field((), description="What restricts, by the words, and could not be checked.")
+
+
+class FoundFaces(Frozen):
+    """The faces that a query asks for, and the part that they make, which an answer can rest on; None without any."""
+
+    faces: tuple[Face, ...]
+    part: Part | None = None
 
 
 class SegCad(Protocol):
@@ -46,8 +55,20 @@ class SegCad(Protocol):
         """In which ways can each query be grounded on the model, the best first?"""
         ...
 
+    def parts(self) -> tuple[Part, ...]:
+        """Which parts were recognised in the model? All of them, the model itself among them."""
+        ...
+
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""
+        ...
+
+    def find_faces(self, query: FaceQuery) -> FoundFaces:
+        """Which faces are so?"""
+        ...
+
+    def extent(self, part: str, direction: Vector) -> float:
+        """How far does a part extend along a unit vector, in metres? Raises KeyError for an unknown part id."""
         ...
 
     def distance(self, part_a: str, part_b: str) -> float:
@@ -96,7 +117,8 @@ class RunOutcome(Frozen):
     )
     message: str = Field("", description="Why it did not end well, for the user and for a repair prompt.")
     missing_attribute: MissingAttribute | None = Field(
-        None, description="The measure that was not there, where the program ended for want of one."
+        None,
+        description="The measure that was not there, for want of which it ended or gave None.",
     )
     empty_selection: bool = Field(
         False, description="Whether it ended since it chose among too few: min() or max() of none, an index too high."

@@ -10,9 +10,9 @@ from uuid import uuid4
 from pydantic import Field
 
 from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
-from .geometry import Frozen, GroundedBy, Part, Shape, Side
+from .geometry import Frozen, GroundedBy, Part, PartKind, Shape, Side, Vector
 from .logs import current_request
-from .queries import Grounded, PartQuery
+from .queries import FaceQuery, Grounded, PartQuery
 from .runs import RunId, RunLimits, RunStatus
 
 T = TypeVar("T")
@@ -44,6 +44,8 @@ class TaskName(StrEnum):
     FIND_PARTS = "querycad.find_parts"  # FindPartsTask -> TaskOutcome[Grounding]
     GROUND = "querycad.ground"  # GroundTask -> TaskOutcome[GroundedParts]
     FACES = "querycad.faces"  # FacesTask -> TaskOutcome[tuple[Face, ...]]
+    FIND_FACES = "querycad.find_faces"  # FindFacesTask -> TaskOutcome[FoundFaces]
+    EXTENT = "querycad.extent"  # ExtentTask -> TaskOutcome[float]
     DISTANCE = "querycad.distance"  # DistanceTask -> TaskOutcome[float]
     EDGE_DISTANCE = "querycad.edge_distance"  # EdgeDistanceTask -> TaskOutcome[float]
     PARTS = "querycad.parts"  # PartsTask -> TaskOutcome[PartsPage]
@@ -151,6 +153,19 @@ class FacesTask(ModelTask):
     ids: tuple[int, ...]
 
 
+class FindFacesTask(ModelTask):
+    """Which faces are so?"""
+
+    query: FaceQuery
+
+
+class ExtentTask(ModelTask):
+    """How far does a part extend along a direction?"""
+
+    part: str
+    direction: Vector
+
+
 class DistanceTask(ModelTask):
     """How far apart are the surfaces of two parts?"""
 
@@ -243,6 +258,21 @@ class TaskOutcome(Frozen, Generic[T]):
     failure: TaskFailure | None = None
 
 
+class PartGroup(Frozen):
+    """Parts that are alike in kind and size."""
+
+    count: int
+    kind: PartKind
+    label: str = Field(description="What a drawing would call each: 'blind hole, diameter 5 mm, depth 12 mm'.")
+    tags: tuple[str, ...] = Field((), description="Those that all of them have.")
+    sides: tuple[Side, ...] = Field((), description="Those that all of them are visible from.")
+    hidden: bool = Field(False, description="Whether none of them is visible from any side.")
+    layout: str = Field("", description="The pattern that they lie in, where all of one lie in it: 'bolt circle of 6'.")
+    name: str = Field("", description="Product name in the file, of bodies.")
+    color: str = Field("", description="Of bodies, hexadecimal sRGB.")
+    extents: Vector = Field(description="Full size along x, y, z of the first of them.")
+
+
 class ModelSummary(Frozen):
     """What a model holds, in short."""
 
@@ -252,6 +282,9 @@ class ModelSummary(Frozen):
     terms: dict[str, int] = Field(
         default_factory=dict,
         description="How many parts go by each name, such as 'blind hole'; the most frequent first.",
+    )
+    groups: tuple[PartGroup, ...] = Field(
+        (), description="The parts by kind and size, those first that say most of the model; bodies where several are."
     )
     units: tuple[str, ...] = Field(
         (), description="Length units that the file declares, such as 'millimetre'; all values here are SI."
@@ -271,6 +304,16 @@ class RunRequest(Frozen):
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence its words are turned into parts.")
     run: RunId = Field(default_factory=lambda: uuid4().hex)
     request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")
+
+
+class ProgramRequest(Frozen):
+    """A caller's own program of the guest API, to be run against a model."""
+
+    code: str = Field(
+        min_length=1, max_length=65536, description="Python, as docs/guest-api.md has it; assigns `solution`."
+    )
+    expects: AnswerType | None = Field(None, description="Then an absent measure in the result is the run's failure.")
+    grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
 
 
 class Problem(Frozen):

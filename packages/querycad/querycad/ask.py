@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TextIO
 
 from pydantic import ValidationError
 
-from querycad_contracts import AnswerRecord, Failure, LengthUnit, Status
+from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Status
 from querycad_segworker.errors import FileProblem
 
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
@@ -49,17 +49,23 @@ def ask(options: argparse.Namespace) -> int:
 
 
 def prompt(options: argparse.Namespace) -> int:
-    """Prints what a language model would be sent for a question; returns the exit code."""
+    """Prints what a language model would be sent for a question, at first; returns the exit code."""
     from querycad_answering.llm import LlmSettings
-    from querycad_answering.llm.prompt import as_text, conversation
+    from querycad_answering.llm.prompt import agent_conversation, as_text, conversation
+    from querycad_answering.understanding import Understanding
 
     with EmbeddedRuntime() as runtime:
         try:
-            summary = runtime.summary(options.file)
+            summary, view = runtime.summary(options.file), runtime.view(options.file)
         except FileProblem as problem:
             return _complain(f"{options.file}: {problem}")
-    which = LlmSettings.read().llm_examples
-    print(as_text(conversation(options.question, summary, which=which)), end="")
+    settings = LlmSettings.read()
+    if (options.codegen or settings.codegen) == Codegen.AGENT:
+        readings = Understanding(options.question, view, Expectation()).readings
+        told = agent_conversation(options.question, summary, readings=readings, steps=settings.llm_steps)
+    else:
+        told = conversation(options.question, summary, which=settings.llm_examples)
+    print(as_text(told), end="")
     return EXIT_ANSWERED
 
 

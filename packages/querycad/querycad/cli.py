@@ -80,9 +80,12 @@ def _explain(options: argparse.Namespace) -> int:
 
 
 def _add_prompt(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    from .llm_arguments import add_codegen
+
     prompt = commands.add_parser("prompt", help="print what a language model would be sent for a question")
     prompt.add_argument("file", metavar="FILE", help="a STEP file")
     prompt.add_argument("question", metavar="QUESTION", help="the question, in English")
+    add_codegen(prompt)
     prompt.set_defaults(run=_prompt)
 
 

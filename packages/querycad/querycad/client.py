@@ -16,6 +16,7 @@ from httpx_sse import EventSource
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
+    AnswerType,
     GroundedBy,
     Grounding,
     Health,
@@ -26,6 +27,8 @@ from querycad_contracts import (
     ModelResource,
     ModelsPage,
     PartsPage,
+    ProgramRequest,
+    RunOutcome,
     Side,
     ViewName,
 )
@@ -100,6 +103,10 @@ class Client:
     ) -> Grounding:
         """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
         return self._run(flows.segment(model, description, sides, grounding))
+
+    def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
+        """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
+        return self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
 
     def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
         """The PNG file that shows the model from there."""
@@ -250,6 +257,10 @@ class AsyncClient:
     ) -> Grounding:
         """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
         return await self._run(flows.segment(model, description, sides, grounding))
+
+    async def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
+        """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
+        return await self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
 
     async def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
         """The PNG file that shows the model from there."""

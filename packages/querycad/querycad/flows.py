@@ -35,8 +35,10 @@ from querycad_contracts import (
     ModelStatus,
     PartsPage,
     Problem,
+    ProgramRequest,
     QuestionRequest,
     QuestionsRequest,
+    RunOutcome,
     SegmentRequest,
     Side,
     ViewName,
@@ -50,6 +52,8 @@ TRIES = 5
 """Of a request that may be repeated, while the service has trouble; with the pauses, a restart is survived."""
 PAUSE_S = 1.0
 LONGEST_PAUSE_S = 10.0
+PROGRAM_S = 120.0
+"""Longer than a service lets a program run."""
 GATEWAY = (502, 503, 504)
 """What a proxy answers whose service is away."""
 
@@ -148,6 +152,13 @@ def segment(
     asked = SegmentRequest(description=description, sides=None if sides is None else tuple(sides), grounding=grounding)
     send = Send("POST", f"/v1/models/{model_id}/segment", options={"json": asked.model_dump(mode="json")})
     return _parsed(Grounding, (yield from _sent(send)))
+
+
+def run_program(model_id: str, program: ProgramRequest) -> Flow[RunOutcome]:
+    """What comes of the program?"""
+    options = {"json": program.model_dump(mode="json"), "timeout": PROGRAM_S}
+    send = Send("POST", f"/v1/models/{model_id}/programs", options=options)
+    return _parsed(RunOutcome, (yield from _sent(send)))
 
 
 def view(model_id: str, name: ViewName, width: int, height: int) -> Flow[bytes]:

@@ -17,6 +17,11 @@ def add_llm(parser: argparse.ArgumentParser) -> None:
     """Adds the arguments of a language model. Its key comes from QUERYCAD_LLM_API_KEY: the command line is public."""
     group = parser.add_argument_group("language model", "What is not given here is read from QUERYCAD_LLM_… variables.")
     group.add_argument("--llm-base-url", metavar="URL", help="its address, such as http://127.0.0.1:11434/v1")
+    group.add_argument(
+        "--llm-command",
+        metavar="CMD",
+        help="a command in its place: it reads the messages as JSON on its input and writes the reply",
+    )
     group.add_argument("--llm-model", metavar="NAME", help="its name")
     group.add_argument("--llm-samples", type=int, metavar="N", help="programs asked for, whose answers are voted on")
     group.add_argument("--llm-repairs", type=int, metavar="N", help="times that a failing program is sent back")
@@ -82,6 +87,7 @@ def not_of_a_service(options: argparse.Namespace) -> str | None:
     """Which argument was given that a service does not take from its callers?"""
     own = {
         "--llm-base-url": options.llm_base_url,
+        "--llm-command": options.llm_command,
         "--llm-timeout": options.llm_timeout,
         "--llm-replies": options.llm_replies,
     }
@@ -92,8 +98,10 @@ def llm_settings(options: argparse.Namespace) -> LlmSettings:
     """The language model's settings: those given, else the environment's. Raises pydantic.ValidationError."""
     from querycad_answering.llm import LlmSettings
 
+    here = options.llm_base_url or options.llm_command  # what is given here is asked, and not what is set
     given = {
-        "llm_base_url": options.llm_base_url,
+        "llm_base_url": options.llm_base_url or ("" if here else None),
+        "llm_command": options.llm_command or ("" if here else None),
         "llm_model": options.llm_model,
         "llm_samples": options.llm_samples,
         "llm_repairs": options.llm_repairs,

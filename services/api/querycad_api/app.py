@@ -25,7 +25,7 @@ from .accounts.service import Access
 from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
-from .models import geometry
+from .models import geometry, programs
 from .models.body_limit import BodyLimit
 from .ops import health, metrics
 from .ops.observability import REQUEST_ID, HttpMetrics, Observe
@@ -100,7 +100,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
     app.add_middleware(Observe, metrics=HttpMetrics(app.state.registry))
     start_tracing("querycad-api", settings.traces, app)
     add_handlers(app)
-    for each in (models, geometry, questions, jobs, metrics):
+    for each in (models, geometry, programs, questions, jobs, metrics):
         app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
     for public in (health, web):
         app.include_router(public.router)

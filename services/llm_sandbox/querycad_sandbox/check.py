@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import secrets
 from dataclasses import dataclass
@@ -12,7 +13,7 @@ from typing import Final
 
 from pydantic_monty import Monty, MontyCrashedError, MontyError, MontySession, MontySyntaxError, MontyTypingError
 
-from querycad_contracts.guest_reference import guest_api_text
+from querycad_contracts.guest_reference import guest_api, guest_api_text
 
 SCRIPT: Final = "program.py"
 CHECK_TIMEOUT_S: Final = 3.0
@@ -43,6 +44,7 @@ REFUSED_RULES: Final = frozenset(
 """The checker's rules that say: this fails whatever the values are. The rest is left to the run: a wrong annotation
 harms nothing, and the guest API checks its own arguments and says more clearly what it wanted."""
 
+_FUNCTIONS: Final = frozenset(function.name for function in guest_api().functions)
 _DIAGNOSTIC: Final = re.compile(rf"^{re.escape(SCRIPT)}:(\d+):\d+: (\w+)\[([\w-]+)\] (.*)$")
 _UNCERTAIN: Final = re.compile(r"`None`| \| | in union |Literal\[[^]]*,")
 """A value that may be None, or one of several types, may well be the right one when the program gets there."""
@@ -100,7 +102,7 @@ class TypeChecker:
     def _ask(self, code: str) -> tuple[str, ...]:
         session, healthy = self._take(), False
         try:
-            session.monty.feed_run(f"{self._gate}\n{code}", print_callback=_discard)
+            session.monty.feed_run(f"{self._gate}\n{_apart(code)}", print_callback=_discard)
         except MontyTypingError as error:
             healthy = True
             return self._read(error.display())
@@ -149,6 +151,30 @@ class TypeChecker:
             if severity == "error" and rule in REFUSED_RULES and not _UNCERTAIN.search(message):
                 problems.append(f"line {int(row) - 1}: {message}")
         return tuple(problems[:SHOWN])
+
+
+def _apart(code: str) -> str:
+    """The program with its variables that are called like functions of the guest API renamed: `parts = find_parts(…)`.
+
+    The checker takes such a name for the function ever after. What is called is still the function.
+    """
+    try:
+        tree = ast.parse(code)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return code
+    names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
+    own = {node.id for node in names if isinstance(node.ctx, ast.Store)} & _FUNCTIONS
+    if not own or "\r" in code:
+        return code
+    called = {id(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    places = [(node.lineno, node.col_offset, node.id) for node in names if id(node) not in called]
+    places += [(node.lineno, node.col_offset, node.arg) for node in ast.walk(tree) if isinstance(node, ast.arg)]
+    lines = [line.encode() for line in code.split("\n")]
+    for line, column, name in sorted(set(places), reverse=True):
+        if name in own:
+            text, end = lines[line - 1], column + len(name)
+            lines[line - 1] = text[:end] + b"_" + text[end:]
+    return b"\n".join(lines).decode()
 
 
 def _discard(stream: str, text: str) -> None:

@@ -7,10 +7,10 @@ exception that it sees, the run is over.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final, NoReturn, TypeVar
 from uuid import UUID
 
@@ -29,27 +29,66 @@ from querycad_contracts import (
     Side,
     Vector,
 )
+from querycad_contracts.guest_reference import guest_api
 
 from .control import RunControl, RunEndedError
-from .measures import Measures, body_measures, face_measures, part_measures, shape_measures
+from .measures import (
+    LocalFrame,
+    Measures,
+    Opening,
+    body_measures,
+    face_frame,
+    face_measures,
+    frame_measures,
+    opening_measures,
+    openings_of,
+    part_frame,
+    part_measures,
+    shape_measures,
+)
+from .rewriting import WORDS_LEFT
+from .selection import (
+    by_distance,
+    call_text,
+    center_of,
+    chosen_parts,
+    description_of,
+    face_query,
+    sides_of,
+)
 
 T = TypeVar("T")
 
-PART_METHODS: Final = frozenset({"distance_to", "center_distance", "angle_to", "edge_distance", "is_in"})
+WITH_PART: Final = frozenset({"distance_to", "center_distance", "angle_to", "is_in"})
+PART_METHODS: Final = WITH_PART | {"edge_distance", "size_in", "measures"}
+ON_DEMAND: Final[dict[type, tuple[str, ...]]] = {
+    Part: ("faces", "frame", "openings"),
+    Face: ("neighbours", "part", "frame"),
+}
+"""Attributes that are made, or asked for, when a program reads them."""
+FUNCTIONS: Final = ("find_parts", "parts", "faces", "adjacent")
+"""What of the guest API asks the host; the rest is Python inside the sandbox."""
 BOX_SLACK_M: Final = 1e-6
 """A centre on the border of a box counts as in it: above kernel noise, below drawing accuracy."""
-DESCRIPTION_CHARS: Final = 300
-"""Longest description of a part; a phrase of a question has a few dozen characters."""
+FACES: Final = 5000
+"""Most faces of one faces() call; a program that wants more has not said which."""
+SAID_CHARS: Final = 300
+"""Of a call of parts or faces, where it stands for what was asked."""
 ATTRIBUTE_CHARS: Final = 100
 """Of the name of a measure that is not there, which is the program's to choose."""
 DESCRIPTIONS: Final = 100
-"""Most different find_parts calls of a run; each may render and segment, and its time is not the program's."""
+"""Most different find_parts, parts and faces calls of a run; each may take long, and its time is not the program's."""
 
 _PARALLEL: Final = 1e-3
 """Radians; axes nearer to one direction are parallel."""
-_SIDES: Final = {side.value: side for side in Side}
-_CLASSES: Final = {kind: ClassType(kind) for kind in (Part, Face, Body, Shape)}
+Seen = Part | Face | Body | Shape | LocalFrame | Opening
+_NAMES: Final = {
+    Part: "Part", Face: "Face", Body: "Body", Shape: "Shape", LocalFrame: "Frame", Opening: "Opening",
+}  # fmt: skip
+_CLASSES: Final = {kind: ClassType(kind) for kind in _NAMES}
 """How a program sees the classes of the guest API: it can ask isinstance(), and make no objects of them."""
+_KNOWN: Final = {each.name: frozenset(one.name for one in each.attributes) for each in guest_api().classes}
+"""The attributes of each class: of these an object that lacks one has None."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +102,7 @@ class Absence:
 class View(ClassInstance):
     """An object of the model as a program sees it: its measures, and an AttributeError for any other name."""
 
-    def __init__(self, guest: Guest, value: Part | Face | Body | Shape, measures: Measures) -> None:
+    def __init__(self, guest: Guest, value: Seen, measures: Measures) -> None:
         super().__init__(value, class_type=_CLASSES[type(value)])
         self.guest = guest
         self.measures = measures
@@ -74,8 +113,12 @@ class View(ClassInstance):
         return self.measures
 
     def lookup_lazy_attrs(self, name: str) -> Any:
-        """A name that is no measure of the object: the interpreter asks the host before it gives up."""
+        """A measure that the object does not have is None; a name that is none of the guest API is an error."""
+        if name in ON_DEMAND.get(type(self.value), ()) and (made := self.guest.made(self.value, name)) is not None:
+            return made
         self.guest.absence = self.lacks(name)
+        if name in _KNOWN[_NAMES[type(self.value)]] and not self.guest.absence_raises:
+            return None
         raise AttributeError(self.guest.absence.text)
 
     def lacks(self, name: str) -> Absence:
@@ -85,37 +128,49 @@ class View(ClassInstance):
 
 
 class PartView(View):
-    """A part: fetches its faces, and measures to other parts, when asked."""
-
-    def lookup_lazy_attrs(self, name: str) -> Any:
-        """`faces`, the one attribute that costs a call to SegCAD."""
-        return self.guest.faces(self.value) if name == "faces" else super().lookup_lazy_attrs(name)
+    """A part: measures to other parts when asked."""
 
     def call_method(self, name: str, args: tuple[Any, ...], kwargs: dict[str, Any]) -> Any:
         """Calls one of the part's methods."""
         if name not in PART_METHODS:
             return super().call_method(name, args, kwargs)
-        if kwargs.keys() - {"other"}:
+        parameter, kind = ("frame", LocalFrame) if name == "size_in" else ("other", Part)
+        if kwargs.keys() - {parameter}:
             raise TypeError(f"{name}() takes no argument {sorted(kwargs)[0][:40]!r}")
         others = (*args, *kwargs.values())
-        wanted = 0 if name == "edge_distance" else 1
+        wanted = 1 if name in WITH_PART or name == "size_in" else 0
         if len(others) != wanted:
-            raise TypeError(f"{name}() takes {'one other part' if wanted else 'no arguments'}")
-        if not all(isinstance(other, Part) for other in others):
-            raise TypeError(f"{name}() takes a part that find_parts returned")
+            told = "one frame" if kind is LocalFrame else "one other part" if wanted else "no arguments"
+            raise TypeError(f"{name}() takes {told}")
+        if not all(isinstance(other, kind) for other in others):
+            told = "a frame, such as part.frame" if kind is LocalFrame else "a part that find_parts returned"
+            raise TypeError(f"{name}() takes {told}")
+        if name == "measures":
+            return sorted(self.measures)
         return getattr(self.guest, name)(self.value, *others)
 
 
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(self, segcad: SegCad, control: RunControl) -> None:
+    def __init__(self, segcad: SegCad, control: RunControl, absence_raises: bool = False) -> None:
+        """`absence_raises`: a measure that is not there is an AttributeError, as programs expect that catch it."""
+        self.absence_raises = absence_raises
         self._segcad = segcad
         self._control = control
         self.views: dict[UUID, View] = {}
         """Every object that the program was given, by the id that the interpreter knows it by."""
         self._found: dict[tuple[str | PartQuery, tuple[Side, ...] | None], list[PartView]] = {}
-        self._faces: dict[str, list[View]] = {}
+        self._said: dict[tuple[str | PartQuery, tuple[Side, ...] | None], Grounding] = {}
+        self._last: Grounding | None = None
+        """Of the find_parts call before."""
+        self._chosen: dict[str, list[PartView] | list[View]] = {}
+        """What parts and faces gave, by the call."""
+        self._made: dict[tuple[type, str | int, str], Any] = {}
+        self._face_views: dict[int, View] = {}
+        self._part_views: dict[str, PartView] = {}
+        self._parts: tuple[Part, ...] | None = None
+        self._by_id: dict[str, Part] = {}
         self.groundings: list[Grounding] = []
         self.ended: BaseException | None = None
         self.absence: Absence | None = None
@@ -123,7 +178,9 @@ class Guest:
 
     def names(self) -> dict[str, Any]:
         """What a program's undefined names stand for, but for `shape`, which is asked for when it is read."""
-        return {"find_parts": self.find_parts} | {kind.__name__: wrapper for kind, wrapper in _CLASSES.items()}
+        functions = {name: getattr(self, name) for name in FUNCTIONS}
+        functions[WORDS_LEFT] = self.words_left
+        return functions | {_NAMES[kind]: wrapper for kind, wrapper in _CLASSES.items()}
 
     def original(self, value: Any) -> Any:
         """The model's own object, where `value` is what a restored session says in place of it; else `value`."""
@@ -142,17 +199,101 @@ class Guest:
 
     def find_parts(self, description: str | dict[str, Any], sides: Sequence[str] | str | None = None) -> list[PartView]:
         """The function `find_parts`. A call made before is answered from the first."""
-        key = (_description(description), _sides(sides))
+        key = (description_of(description), sides_of(sides))
         if key not in self._found:
-            self._found[key] = [PartView(self, part, part_measures(part)) for part in self._ground(*key).parts]
+            self._said[key] = self._ground(*key)
+            self._found[key] = [self._part_view(part) for part in self._said[key].parts]
+        self._last = self._said[key]
         return self._found[key]
 
-    def faces(self, part: Part) -> list[View]:
-        """A part's attribute `faces`."""
-        if part.id not in self._faces:
-            faces = self._ask(lambda: self._segcad.faces(part.faces))
-            self._faces[part.id] = [View(self, face, face_measures(face)) for face in faces]
-        return self._faces[part.id]
+    def words_left(self) -> list[list[str]]:
+        """Of the find_parts call before: the words that were passed over, and what could not be checked."""
+        said = self._last
+        return [[], []] if said is None else [list(said.ignored), list(said.unchecked)]
+
+    def parts(
+        self,
+        kind: object = None,
+        tags: object = None,
+        side: object = None,
+        diameter: object = None,
+        near: object = None,
+    ) -> list[PartView]:
+        """The function `parts`."""
+        point = None if near is None else center_of(near)
+        said = call_text("parts", kind=kind, tags=tags, side=side, diameter=diameter)
+        if said not in self._chosen:
+            found = chosen_parts(self._inventory(), kind, tags, side, diameter)
+            message = "" if found else f"the model has no part that is so: {said[:SAID_CHARS]}"
+            self._count()
+            self.groundings.append(_grounding(said, found, message))
+            self._chosen[said] = [self._part_view(part) for part in found]
+        views = {view.value.id: view for view in self._chosen[said] if isinstance(view, PartView)}
+        if point is None:
+            return list(views.values())
+        return [views[part.id] for part in by_distance([view.value for view in views.values()], point)]
+
+    def faces(
+        self,
+        kind: object = None,
+        convexity: object = None,
+        facing: object = None,
+        radius: object = None,
+        coaxial_with: object = None,
+        body: object = None,
+    ) -> list[View]:
+        """The function `faces`. What an answer rests on is the part that they make together."""
+        query = face_query(kind, convexity, facing, radius, coaxial_with, body)
+        said = call_text(
+            "faces", kind=kind, convexity=convexity, facing=facing, radius=radius, coaxial_with=coaxial_with, body=body
+        )
+        if said not in self._chosen:
+            self._count()
+            found = self._ask(lambda: self._segcad.find_faces(query))
+            if len(found.faces) > FACES:
+                raise ValueError(f"more than {FACES:,} faces are so: say more of those that are meant")
+            if found.part is not None:
+                self.groundings.append(_grounding(said, (found.part,)))
+            self._chosen[said] = [self._face_view(face) for face in found.faces]
+        return [*self._chosen[said]]
+
+    def adjacent(self, a: object, b: object) -> bool:
+        """The function `adjacent`: do they share a face, or an edge?"""
+        first, second = self._faces_of(a), self._faces_of(b)
+        ids = {face.id for face in second}
+        return any(face.id in ids or not ids.isdisjoint(face.neighbours) for face in first)
+
+    def made(self, value: Seen, name: str) -> Any:
+        """An attribute of `ON_DEMAND`, made once; None where the object has none."""
+        if isinstance(value, Part | Face):
+            key = (type(value), value.id, name)
+            if key not in self._made:
+                self._made[key] = self._of_part(value, name) if isinstance(value, Part) else self._of_face(value, name)
+            return self._made[key]
+        return None
+
+    def _of_part(self, part: Part, name: str) -> Any:
+        if name == "openings":
+            return [self._plain_view(one) for one in openings_of(part)] or None
+        faces = self._faces_of(part)
+        if name == "faces":
+            return [self._face_view(face) for face in faces]
+        frame = part_frame(part, faces)
+        return None if frame is None else self._plain_view(frame)
+
+    def _of_face(self, face: Face, name: str) -> Any:
+        if name == "neighbours":
+            return [self._face_view(each) for each in self._ask(lambda: self._segcad.faces(face.neighbours))]
+        if name == "part":
+            self._inventory()
+            return self._part_view(self._by_id[face.part]) if face.part in self._by_id else None
+        frame = face_frame(face)
+        return None if frame is None else self._plain_view(frame)
+
+    def size_in(self, part: Part, frame: LocalFrame) -> Vector:
+        """How large is a part along the axes of a frame, in metres?"""
+        x, y, z = (self._ask(partial(self._segcad.extent, part.id, way)) for way in (frame.x, frame.y, frame.z))
+        return (x, y, z)
 
     def distance_to(self, part: Part, other: Part) -> float:
         """How far apart are the surfaces of two parts, in metres?"""
@@ -205,7 +346,8 @@ class Guest:
         if self.absence is not None and self.absence.missing.attribute == attribute[:ATTRIBUTE_CHARS]:
             return self.absence
         views = (view for found in self._found.values() for view in found)
-        lacking = (view for view in views if type_name == "Part" and attribute not in view.measures)
+        kept = (view for view in self._part_views.values())
+        lacking = (view for view in (*views, *kept) if type_name == "Part" and attribute not in view.measures)
         return next((view.lacks(attribute) for view in lacking), None)
 
     def _direction(self, part: Part) -> Vector:
@@ -216,8 +358,7 @@ class Guest:
         return direction
 
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
-        if len(self.groundings) >= DESCRIPTIONS:
-            self._end(RunEndedError(RunStatus.REFUSED, f"the program asked for more than {DESCRIPTIONS} descriptions"))
+        self._count()
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
         self.groundings.append(grounding)
         if not grounding.understood:
@@ -225,6 +366,40 @@ class Guest:
             reason = f": {grounding.message.rstrip('.')}" if grounding.message else ""
             self._end(RunEndedError(RunStatus.RAISED, f"not grounded: {grounding.description!r}{reason}{nearest}"))
         return grounding
+
+    def _count(self) -> None:
+        if len(self.groundings) >= DESCRIPTIONS:
+            self._end(RunEndedError(RunStatus.REFUSED, f"the program asked for more than {DESCRIPTIONS} descriptions"))
+
+    def _inventory(self) -> tuple[Part, ...]:
+        """All parts of the model, fetched once."""
+        if self._parts is None:
+            self._parts = self._ask(self._segcad.parts)
+            self._by_id = {part.id: part for part in self._parts}
+        return self._parts
+
+    def _part_view(self, part: Part) -> PartView:
+        """The part as the program sees it: one object however often it is found."""
+        known = self._part_views.get(part.id)
+        if known is None or (known.value is not part and known.value != part):
+            known = self._part_views[part.id] = PartView(self, part, part_measures(part))
+        return known
+
+    def _face_view(self, face: Face) -> View:
+        if face.id not in self._face_views:
+            self._face_views[face.id] = View(self, face, face_measures(face))
+        return self._face_views[face.id]
+
+    def _plain_view(self, value: LocalFrame | Opening) -> View:
+        measures = frame_measures(value) if isinstance(value, LocalFrame) else opening_measures(value)
+        return View(self, value, measures)
+
+    def _faces_of(self, value: object) -> tuple[Face, ...]:
+        if isinstance(value, Face):
+            return (value,)
+        if isinstance(value, Part):
+            return self._ask(lambda: self._segcad.faces(value.faces)) if value.faces else ()
+        raise TypeError("adjacent() takes two parts or faces")
 
     def _ask(self, call: Callable[[], T]) -> T:
         try:
@@ -240,7 +415,12 @@ class Guest:
         raise RuntimeError("the run has ended")
 
 
-def _noun(value: Part | Face | Body | Shape) -> str:
+def _grounding(said: str, parts: Sequence[Part], message: str = "") -> Grounding:
+    """What a typed call gave, as an answer's evidence."""
+    return Grounding(description=said[:SAID_CHARS], sides=None, parts=tuple(parts), understood=True, message=message)
+
+
+def _noun(value: Seen) -> str:
     match value:
         case Part():
             return f"part {value.id!r}"
@@ -250,35 +430,9 @@ def _noun(value: Part | Face | Body | Shape) -> str:
             return f"body {value.id}"
         case Shape():
             return "the model"
+    return "a frame" if isinstance(value, LocalFrame) else "an opening"
 
 
-def _absence(value: Part | Face | Body | Shape, attribute: str, text: str) -> Absence:
+def _absence(value: Seen, attribute: str, text: str) -> Absence:
     part = value.id if isinstance(value, Part) else ""
     return Absence(text, MissingAttribute(part=part, attribute=attribute[:ATTRIBUTE_CHARS]))
-
-
-def _description(description: object) -> str | PartQuery:
-    if isinstance(description, dict):
-        try:
-            return PartQuery.model_validate_json(json.dumps(description))
-        except (TypeError, ValueError) as problem:
-            raise ValueError(f"find_parts() takes no such query: {str(problem)[:200]}") from None
-    if not isinstance(description, str):
-        raise TypeError("find_parts() takes a description as text, such as 'through hole', or a query as a dict")
-    if not description.strip() or len(description) > DESCRIPTION_CHARS:
-        raise ValueError(f"a description has 1 to {DESCRIPTION_CHARS} characters")
-    return description.strip()
-
-
-def _sides(sides: object) -> tuple[Side, ...] | None:
-    """The sides asked for, in the order of `Side`; None for every side."""
-    if sides is None:
-        return None
-    words = [sides] if isinstance(sides, str) else sides
-    if not isinstance(words, (list, tuple, set, frozenset)) or not all(isinstance(word, str) for word in words):
-        raise TypeError("find_parts() takes its sides as a list such as ['top', 'left'], or None for every side")
-    unknown = sorted(set(words) - _SIDES.keys())
-    if unknown or not words:
-        problem = f"no side is called {unknown[0][:40]!r}" if unknown else "no side given"
-        raise ValueError(f"{problem}: use {', '.join(_SIDES)}")
-    return tuple(side for word, side in _SIDES.items() if word in words)

@@ -56,7 +56,12 @@ def ending_of(error: MontyError, guest: Guest) -> Ending:
 
 
 def _absence(cause: BaseException, text: str, guest: Guest) -> Absence | None:
-    """The measure for want of which the program ended; None where it ended for another reason."""
+    """The measure for want of which the program ended; None where it ended for another reason.
+
+    That is also where it reckoned with None after it had read a measure that the object does not have.
+    """
+    if isinstance(cause, TypeError | AttributeError) and "NoneType" in text:
+        return guest.absence
     if not isinstance(cause, AttributeError):
         return None
     if match := _NO_ATTRIBUTE.fullmatch(text):  # as the interpreter says it, whatever the host has said

@@ -20,16 +20,23 @@ from redis.exceptions import RedisError
 from querycad_contracts import (
     DistanceTask,
     EdgeDistanceTask,
+    ExtentTask,
     Face,
+    FaceQuery,
     FacesTask,
+    FindFacesTask,
     FindPartsTask,
+    FoundFaces,
     Grounded,
     GroundedBy,
     GroundedParts,
     Grounding,
     GroundTask,
     ModelTask,
+    Part,
     PartQuery,
+    PartsPage,
+    PartsTask,
     Queue,
     Shape,
     Side,
@@ -37,6 +44,7 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    Vector,
     queue_of,
     reply_key,
     task_message,
@@ -52,6 +60,8 @@ KEPT_S: Final = 60
 TRIES: Final = 2
 """A call is lost with the worker that died at it; asking again does no harm, as no call changes anything."""
 CONNECT_S: Final = 2.0
+PAGE: Final = 1000
+"""Parts fetched at a time."""
 
 T = TypeVar("T")
 log = logging.getLogger(__name__)
@@ -60,6 +70,8 @@ _SHAPE = TypeAdapter(TaskOutcome[Shape])
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
 _GROUNDED = TypeAdapter(TaskOutcome[GroundedParts])
 _FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
+_FOUND_FACES = TypeAdapter(TaskOutcome[FoundFaces])
+_PARTS = TypeAdapter(TaskOutcome[PartsPage])
 _FLOAT = TypeAdapter(TaskOutcome[float])
 
 
@@ -178,6 +190,24 @@ class RemoteSegCad:
         """In which ways can each query be grounded on the model, the best first?"""
         task = GroundTask(model=self._model, queries=tuple(queries))
         return self._ask(TaskName.GROUND, task, _GROUNDED).grounded
+
+    def parts(self) -> tuple[Part, ...]:
+        """Which parts were recognised in the model? Fetched page by page."""
+        found: list[Part] = []
+        while True:
+            task = PartsTask(model=self._model, offset=len(found), limit=PAGE)
+            page = self._ask(TaskName.PARTS, task, _PARTS)
+            found += page.items
+            if len(found) >= page.total or not page.items:
+                return tuple(found)
+
+    def find_faces(self, query: FaceQuery) -> FoundFaces:
+        """Which faces are so?"""
+        return self._ask(TaskName.FIND_FACES, FindFacesTask(model=self._model, query=query), _FOUND_FACES)
+
+    def extent(self, part: str, direction: Vector) -> float:
+        """How far does a part extend along a unit vector, in metres? Raises KeyError for an unknown part id."""
+        return self._measure(TaskName.EXTENT, ExtentTask(model=self._model, part=part, direction=direction))
 
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""

@@ -26,15 +26,16 @@ from pydantic_monty import (
     SyncSnapshot,
 )
 
-from querycad_contracts import AnswerType, GuestAnswer, GuestCall, Part, Printed, RunLimits, RunOutcome, RunStatus
+from querycad_contracts import AnswerType, Face, GuestAnswer, GuestCall, Part, Printed, RunLimits, RunOutcome, RunStatus
 
 from .check import SCRIPT
 from .control import RunControl, RunEndedError
-from .guest import Guest, PartView, View
+from .guest import FUNCTIONS, ON_DEMAND, Guest, PartView, View
 from .interpreters import GRACE_S, Interpreters, Lease
 from .outcomes import Ending
+from .rewriting import WORDS_LEFT, rewritten
 from .sources import MOST, RESULT, sources
-from .values import MAX_ITEMS, UnfitError, plain
+from .values import MAX_DEPTH, MAX_ITEMS, UnfitError, plain
 
 MESSAGE_CHARS: Final = 2000
 """Of what there is to say, part of which is the program's to choose."""
@@ -89,7 +90,7 @@ class Run:
         with lease, self.control.stopped_by(lease.kill):
             lease.session.feed_run(prelude, print_callback=self._print)
             self.begun = True
-            self._drive(lease, code)
+            self._drive(lease, rewritten(code))
             found = self._result(lease)
             if found:
                 self.used_parts = self._rests_on(lease, found[0], sources(code))
@@ -100,6 +101,10 @@ class Run:
             self.value = plain(found[0], self.guest.original)
         except UnfitError as unfit:
             raise RunEndedError(RunStatus.REFUSED, f"the result in `{RESULT}` {unfit}{wanted}") from None
+        absence = self.guest.absence
+        if absence is not None and any(each is None for each in _walk(self.value, MAX_DEPTH)):
+            lacking = Ending(RunStatus.RAISED, f"the result lacks a measure: {absence.text}", absence.missing)
+            self.ending = lacking if expects is not None else Ending(RunStatus.OK, "", absence.missing)
 
     def outcome(self, duration_ms: float) -> RunOutcome:
         """The run as the contract has it."""
@@ -159,7 +164,7 @@ class Run:
             name = snapshot.variable_name
             if view is not None:
                 look_up = partial(view.lookup_lazy_attrs, name)
-                asks = isinstance(view, PartView) and name == "faces"
+                asks = name in ON_DEMAND.get(type(view.value), ())
                 return self._told(name, view, (), look_up) if asks else look_up
             return self._told(name, None, (), guest.shape) if (snapshot.object_id, name) == (None, "shape") else None
         name, args, kwargs = snapshot.function_name, guest.originals(snapshot.args), snapshot.kwargs
@@ -167,8 +172,12 @@ class Run:
             kwargs = dict(zip(kwargs, guest.originals(tuple(kwargs.values())), strict=True))
             call = partial(view.call_method, name, args, kwargs)
             return self._told(name, view, (*args, *kwargs.values()), call)
-        if snapshot.object_id is None and name == "find_parts" and not snapshot.is_os_function:
-            return self._told(name, None, (*args, *kwargs.values()), partial(guest.find_parts, *args, **kwargs))
+        if snapshot.object_id is None and not snapshot.is_os_function:
+            if name == WORDS_LEFT:
+                return guest.words_left
+            if name in FUNCTIONS:
+                kwargs = dict(zip(kwargs, guest.originals(tuple(kwargs.values())), strict=True))
+                return self._told(name, None, (*args, *kwargs.values()), partial(getattr(guest, name), *args, **kwargs))
         return None
 
     def _told(self, name: str, view: View | None, arguments: tuple[Any, ...], call: HostCall) -> HostCall:
@@ -297,8 +306,8 @@ def _answered(call: int, duration_ms: float, value: Any, error: str) -> GuestAns
 
 
 def _text(argument: object) -> str:
-    if isinstance(argument, Part):
-        return argument.id
+    if isinstance(argument, Part | Face):
+        return str(argument.id)
     if isinstance(argument, list | tuple) and all(isinstance(each, str) for each in argument[:TOLD_CHARS]):
         argument = ", ".join(argument[:TOLD_CHARS])
     if isinstance(argument, dict):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import re
 from importlib.resources import files
 from threading import Lock
 from time import perf_counter
@@ -17,6 +19,7 @@ from .control import CANCELLED, RunControl, RunEndedError
 from .guest import Guest
 from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
+from .rewriting import ATTRIBUTES
 from .run import Run
 from .walls.confinement import Confinement
 
@@ -32,7 +35,10 @@ class Sandbox:
 
     def __init__(self, workers: int = 2) -> None:
         self._workers = workers
-        self._prelude = files(__package__).joinpath("prelude.py").read_text(encoding="utf-8")
+        self._prelude, self._relations = (
+            files(__package__).joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
+        )
+        self._names_relations = re.compile(rf"\b(?:{'|'.join((*ATTRIBUTES, *_functions(self._relations)))})\b")
         self._lock = Lock()
         self._confinement: Confinement | None = None
         self._interpreters: Interpreters | None = None
@@ -88,17 +94,17 @@ class Sandbox:
         control = control or RunControl()
         control.begin(limits)
         interpreters, checker = self._start()
-        run = Run(Guest(segcad, control), limits, control)
+        run = Run(Guest(segcad, control, absence_raises="AttributeError" in code), limits, control)
         try:
             _check_text(code, limits)
             if check and (problems := checker.problems(code)):
                 raise RunEndedError(RunStatus.REFUSED, "\n".join(problems))
             try:
-                run.execute(interpreters, self._prelude, code, expects)
+                run.execute(interpreters, self._before(code), code, expects)
             except MontyCrashedError:
                 if run.begun:
                     raise
-                run.execute(interpreters, self._prelude, code, expects)  # the worker had died while it was idle
+                run.execute(interpreters, self._before(code), code, expects)  # the worker had died while it was idle
         except RunEndedError as end:
             run.ending = Ending(end.status, end.message)
         except MontyError as error:
@@ -106,6 +112,10 @@ class Sandbox:
             if control.cancelled:
                 run.ending = Ending(RunStatus.CANCELLED, CANCELLED)
         return run.outcome((perf_counter() - started) * 1e3)
+
+    def _before(self, code: str) -> str:
+        """What runs ahead of the program: reading what it does not name would take longer than most programs."""
+        return f"{self._prelude}\n{self._relations}" if self._names_relations.search(code) else self._prelude
 
     def _start(self) -> tuple[Interpreters, TypeChecker]:
         with self._lock:
@@ -119,6 +129,10 @@ class Sandbox:
                 self._checker = TypeChecker(self._workers, self._confinement.binary)
                 self._checker.start()
             return self._interpreters, self._checker
+
+
+def _functions(source: str) -> list[str]:
+    return [node.name for node in ast.parse(source).body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"]
 
 
 def _check_text(code: str, limits: RunLimits) -> None:

@@ -18,7 +18,8 @@ from .brep.measure import save_faces
 from .brep.step import read_step
 from .brep.tessellate import tessellate
 from .errors import FileProblem
-from .features.recognise import faces_of, recognise
+from .features.faces import faces_of
+from .features.recognise import recognise
 from .features.sheet.material_thickness import material_thickness
 from .model import Artefacts, Model
 from .orientation import outward

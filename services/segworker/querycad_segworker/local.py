@@ -7,8 +7,21 @@ from copy import copy
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Face, Grounded, GroundedBy, Grounding, Part, PartQuery, Shape, Side
+from querycad_contracts import (
+    Face,
+    FaceQuery,
+    FoundFaces,
+    Grounded,
+    GroundedBy,
+    Grounding,
+    Part,
+    PartQuery,
+    Shape,
+    Side,
+    Vector,
+)
 
+from .face_table import chosen, owned
 from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
@@ -20,6 +33,8 @@ from .vectors import cross, dot, line_distance, norm
 
 if TYPE_CHECKING:
     from .segcad.ports import VisionOptions
+
+_AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 class LocalSegCad:
@@ -51,7 +66,7 @@ class LocalSegCad:
 
     @cached_property
     def _faces(self) -> tuple[Face, ...]:
-        return self.artefacts.load_faces()
+        return owned(self.artefacts.load_faces(), self.model.parts)
 
     def grounded_by(self, grounding: GroundedBy) -> LocalSegCad:
         """The same model, with words turned into parts by this evidence; what is known of it is shared."""
@@ -103,6 +118,15 @@ class LocalSegCad:
             return by_words
         return self._vision.ground(by_words, self.grounding, self.model.parts, self._faces)
 
+    def parts(self) -> tuple[Part, ...]:
+        """Which parts were recognised in the model?"""
+        return self.model.parts
+
+    def find_faces(self, query: FaceQuery) -> FoundFaces:
+        """Which faces are so?"""
+        found = chosen(self._faces, query, norm(self.model.shape.extents))
+        return FoundFaces(faces=found, part=region(_said(query), found) if found else None)
+
     def faces(self, ids: Sequence[int]) -> tuple[Face, ...]:
         """What are the faces with these ids? Raises KeyError for an id the model does not have."""
         if any(not 0 <= i < len(self._faces) for i in ids):
@@ -124,6 +148,17 @@ class LocalSegCad:
             return between
         return self._kernel.measure("distance", first.faces, second.faces)
 
+    def extent(self, part: str, direction: Vector) -> float:
+        """How far does a part extend along a unit vector, in metres? By the kernel where that is no axis of the file.
+
+        Raises KeyError for an unknown part id.
+        """
+        found = self._part(part)
+        for axis, extent in zip(_AXES, found.extents, strict=True):
+            if abs(dot(axis, direction)) > 1 - 1e-12:
+                return extent
+        return self._kernel.measure("extent", found.faces, direction=direction)
+
     def edge_distance(self, part: str) -> float:
         """How far is a part from the outer edge of the face it lies in, in metres?"""
         found = self._part(part)
@@ -132,6 +167,14 @@ class LocalSegCad:
             if found.edge_distance is not None
             else self._kernel.measure("edge_distance", found.faces)
         )
+
+
+def _said(query: FaceQuery) -> str:
+    """What is a part of these faces called?"""
+    around = ["coaxial"] if query.coaxial_with is not None else []
+    facing = [f"{query.facing.value} facing"] if query.facing is not None else []
+    kinds = [one.value for one in (query.convexity, query.kind) if one is not None]
+    return " ".join([*around, *facing, *kinds, "faces"])
 
 
 def _between_cylinders(a: Part, b: Part) -> float | None:

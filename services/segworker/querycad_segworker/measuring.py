@@ -9,6 +9,8 @@ import weakref
 from collections.abc import Sequence
 from pathlib import Path
 
+from querycad_contracts import Vector
+
 from .errors import KernelDied
 from .kernel_process import KernelProcess
 
@@ -25,9 +27,11 @@ class Kernel:
         self._process: KernelProcess | None = None
         self._known: dict[str, float] = {}
 
-    def measure(self, what: str, first: Sequence[int], second: Sequence[int] = ()) -> float:
-        """What is this distance, in metres? Raises KernelDied when the kernel cannot tell."""
-        request = json.dumps({"what": what, "first": list(first), "second": list(second)})
+    def measure(
+        self, what: str, first: Sequence[int], second: Sequence[int] = (), direction: Vector | None = None
+    ) -> float:
+        """What is this distance, or the extent along `direction`, in metres? Raises KernelDied when it cannot tell."""
+        request = json.dumps({"what": what, "first": list(first), "second": list(second), "direction": direction})
         with self._lock:
             if request not in self._known:
                 self._known[request] = self._ask(request)

@@ -88,7 +88,7 @@ class Artefacts:
     def save(self, model: Model, faces: Sequence[Face], refused: Sequence[Refusal] = ()) -> None:
         """Keeps what was recognised."""
         self.refused.write_bytes(_REFUSED.dump_json(tuple(refused)))
-        self.faces.write_bytes(_FACES.dump_json(tuple(faces)))
+        self.faces.write_bytes(_FACES.dump_json(tuple(faces), exclude_defaults=True))
         self.model.write_text(model.model_dump_json(exclude_defaults=True), encoding="utf-8")
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
 
-from querycad_contracts import ModelSummary, Part
+from querycad_contracts import ModelSummary, Part, PartGroup, PartKind
 
 from .model import Model
 
@@ -13,6 +14,9 @@ BODIES_LISTED = 100
 """Of an assembly with thousands of bodies; the summary is to stay short."""
 TERMS_LISTED = 30
 """Rarer names of parts help nobody to find out what the model is."""
+GROUPS_LISTED = 60
+_OF_WHICH = re.compile(r" of \w+ \d+(?=,|$)| \d+$")
+"""'chamfer of boss 10', 'tooth 3': which one is no matter to a group."""
 
 
 def summary(model: Model) -> ModelSummary:
@@ -23,6 +27,7 @@ def summary(model: Model) -> ModelSummary:
         body_count=len(shape.bodies),
         part_counts=dict(sorted(Counter(part.kind for part in model.parts).items())),
         terms=dict(_terms(model.parts).most_common(TERMS_LISTED)),
+        groups=_groups(model.parts)[:GROUPS_LISTED],
         units=model.units,
         warnings=model.warnings,
         timings_ms=model.timings_ms,
@@ -33,3 +38,48 @@ def _terms(parts: Iterable[Part]) -> Counter[str]:
     """How many parts go by each name? The first words of a label say what a part is; numbered ones go by their kind."""
     named = ((part.label.partition(",")[0], part.kind) for part in parts if part.kind not in ("body", "model"))
     return Counter(kind if any(map(str.isdigit, name)) else name for name, kind in named)
+
+
+def _groups(parts: Sequence[Part]) -> tuple[PartGroup, ...]:
+    """Which parts are alike? Cuts first, then what stands out, then edges; the largest of each first."""
+    layouts = _layouts(parts)
+    several = sum(part.kind is PartKind.BODY for part in parts) > 1
+    alike: dict[tuple[object, ...], list[Part]] = defaultdict(list)
+    for part in parts:
+        if part.kind.is_feature or (several and part.kind is PartKind.BODY):
+            size = tuple(round(extent, 5) for extent in sorted(part.extents)) if part.kind is PartKind.BODY else ()
+            alike[part.kind, _OF_WHICH.sub("", part.label), part.color, size].append(part)
+    ranked = sorted(alike.values(), key=lambda group: (_rank(group[0].kind), -max(group[0].extents)))
+    return tuple(_group(group, layouts) for group in ranked)
+
+
+def _rank(kind: PartKind) -> int:
+    """How early is a kind told of? What a drawing dimensions first."""
+    return next(i for i, is_so in enumerate((kind.cuts_in, kind.stands_out, not kind.breaks_edge, True)) if is_so)
+
+
+def _group(parts: Sequence[Part], layouts: dict[str, str]) -> PartGroup:
+    first = parts[0]
+    laid_out = {layouts.get(part.id, "") for part in parts}
+    return PartGroup(
+        count=len(parts),
+        kind=first.kind,
+        label=_OF_WHICH.sub("", first.label),
+        tags=tuple(tag for tag in first.tags if all(tag in part.tags for part in parts)),
+        sides=tuple(side for side in first.sides if all(side in part.sides for part in parts)),
+        hidden=not any(part.sides for part in parts),
+        layout=laid_out.pop() if len(laid_out) == 1 else "",
+        name=first.name or "" if first.kind is PartKind.BODY else "",
+        color=first.color or "" if first.kind is PartKind.BODY else "",
+        extents=first.extents,
+    )
+
+
+def _layouts(parts: Sequence[Part]) -> dict[str, str]:
+    """What is the pattern called that each part lies in? 'bolt circle of 6, diameter 47 mm'."""
+    return {
+        child: " ".join((f"{part.label.partition(' of ')[0]} of {part.count},", part.label.partition(", ")[2]))
+        for part in parts
+        if part.kind is PartKind.PATTERN
+        for child in part.children
+    }

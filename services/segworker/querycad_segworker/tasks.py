@@ -19,9 +19,12 @@ from querycad_contracts import (
     AnswerRecord,
     DistanceTask,
     EdgeDistanceTask,
+    ExtentTask,
     Face,
     FacesTask,
+    FindFacesTask,
     FindPartsTask,
+    FoundFaces,
     Grounded,
     GroundedBy,
     GroundedIds,
@@ -187,6 +190,14 @@ class Tasks:
         """What are these faces?"""
         return self.cache.segcad(task.model).faces(task.ids)
 
+    def find_faces(self, task: FindFacesTask) -> FoundFaces:
+        """Which faces are so?"""
+        return self.cache.segcad(task.model).find_faces(task.query)
+
+    def extent(self, task: ExtentTask) -> float:
+        """How far does a part extend along a direction, in metres?"""
+        return self.cache.segcad(task.model).extent(task.part, task.direction)
+
     def distance(self, task: DistanceTask) -> float:
         """How far apart are the surfaces of two parts, in metres?"""
         return self.cache.segcad(task.model).distance(task.part_a, task.part_b)
@@ -237,6 +248,8 @@ class Tasks:
             TaskName.FIND_PARTS: _as_data(FindPartsTask, self.find_parts),
             TaskName.GROUND: _as_data(GroundTask, self.ground),
             TaskName.FACES: _as_data(FacesTask, self.faces),
+            TaskName.FIND_FACES: _as_data(FindFacesTask, self.find_faces),
+            TaskName.EXTENT: _as_data(ExtentTask, self.extent),
             TaskName.DISTANCE: _as_data(DistanceTask, self.distance),
             TaskName.EDGE_DISTANCE: _as_data(EdgeDistanceTask, self.edge_distance),
             TaskName.PARTS: _as_data(PartsTask, self.parts),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import threading
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
@@ -178,3 +179,16 @@ def test_kept_replies_are_asked_for_once(tmp_path: Path) -> None:
     assert kept.reply(ASKED, 0.7, 1, limit).text == "second"
     assert kept.reply(ASKED, 0.7, 2, limit).text == "third"
     assert KeptReplies(FakeModel("new"), settings).reply(ASKED, 0.0, 1, limit).text == "first"
+
+
+def test_the_key_is_in_no_log_however_much_is_logged(scripted: Start, caplog: pytest.LogCaptureFixture) -> None:
+    script = Script([status(401), said("x")])
+    caplog.set_level(logging.DEBUG)
+    url = scripted(script)
+    with pytest.raises(LlmRefused):
+        ask(url)
+    ask(url)
+    assert script.headers[1]["authorization"] == "Bearer secret"
+    told = " ".join(f"{record.getMessage()} {record.args}" for record in caplog.records)
+    assert "POST" in told
+    assert "secret" not in told

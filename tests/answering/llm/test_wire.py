@@ -86,7 +86,7 @@ def test_anthropic_gets_the_rules_apart_from_the_turns() -> None:
     ask(server, "https://api.anthropic.com/v1")
     assert str(server.requests[0].url) == URLS["anthropic"]
     body = json.loads(server.requests[0].content)
-    assert body["system"] == "rules"
+    assert body["system"] == [{"type": "text", "text": "rules", "cache_control": {"type": "ephemeral"}}]
     assert [message["role"] for message in body["messages"]] == ["user", "assistant", "user"]
     assert body["max_tokens"] > 0
 

@@ -81,7 +81,7 @@ def test_a_program_that_answers_is_asked_for_once() -> None:
     [
         ("There are four holes.", None, "holds no code block"),
         (Reply("```python\nsolution = find_parts('hole')", cut=True), None, "broke off"),
-        (program("solution = 4"), None, "uses neither find_parts nor shape"),
+        (program("solution = 4"), None, "uses neither find_parts, parts, faces nor shape"),
         (program("solution = shape.width * 1000"), None, "leave it in metres"),
         (program(COUNT), raised("NameError: name 'x' is not defined"), "Only these names exist"),
         (program(COUNT), raised("AttributeError: part 'a' has no position; it has center"), "use .center"),

@@ -2,6 +2,17 @@
 
 from .messages import LlmError
 from .settings import LlmOptionRefused, LlmSettings, PromptExamples
-from .writer import Candidate, LlmWriter, Task, Written
+from .task import Candidate, Parsed, Task, Written
+from .writer import LlmWriter
 
-__all__ = ["Candidate", "LlmError", "LlmOptionRefused", "LlmSettings", "LlmWriter", "PromptExamples", "Task", "Written"]
+__all__ = [
+    "Candidate",
+    "LlmError",
+    "LlmOptionRefused",
+    "LlmSettings",
+    "LlmWriter",
+    "Parsed",
+    "PromptExamples",
+    "Task",
+    "Written",
+]

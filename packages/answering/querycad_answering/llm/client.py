@@ -14,6 +14,7 @@ import httpx
 from querycad_contracts import TokenUse
 
 from .messages import ChatModel, LlmBusy, LlmError, LlmRefused, LlmTooSlow, Message, Reply, TimeLimit
+from .process import ProcessChatModel
 from .replies import KeptReplies
 from .settings import LlmSettings
 from .wire import DONE, Json, event_of, parsed, told, wire_of
@@ -32,8 +33,8 @@ OPTIONAL = frozenset({"max_tokens", "temperature", "stream_options"})
 
 
 def open_model(settings: LlmSettings) -> ChatModel:
-    """The language model of these settings, whose replies are kept where they say so."""
-    model = HttpChatModel(settings)
+    """The language model of these settings, a command before an address; its replies are kept where they say so."""
+    model = ProcessChatModel(settings) if settings.llm_command else HttpChatModel(settings)
     return model if settings.llm_replies is None else KeptReplies(model, settings)
 
 

@@ -1,37 +1,100 @@
-"""What a prompt tells of the model, so that programs call parts by terms that it has."""
+"""What a prompt tells of the model, so that programs call parts by what it has: kinds, tags, sizes, sides, layouts."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
 
-from querycad_contracts import ModelSummary
+from querycad_contracts import ModelSummary, PartGroup, PartKind, Side, Vector
 
-TERMS_TOLD = 12
-BODIES_TOLD = 12
+BUDGET_CHARS = 1000
+"""Of all lines: some 300 tokens, so that a prompt stays below 3,000."""
+LEFT_CHARS, KINDS_TOLD = 90, 5
+"""Of the line on what there is no room for."""
+BODIES_TOLD = 5
 NAME_CHARS = 40
 """Product names are the file's to choose."""
+PLAIN_TAGS = frozenset(("circular", "grounded", "horizontal", "lying", "planar", "repeated", "upright", "vertical"))
+"""Of these the label, the sides and the layout say as much."""
+TAGS_TOLD = 3
 
 
 def facts(summary: ModelSummary) -> str:
-    """How large is the model, which bodies has it, and which parts, how many of each? A few lines."""
+    """How large is the model, how does it stand, which bodies and which parts has it, of what size, seen from where?
+
+    Parts that are alike share a line; those that say most of a model come first, and what the budget leaves no room for
+    is named by its kinds.
+    """
     shape = summary.shape
     x, y, z = (f"{extent:.4g}" for extent in shape.extents)
-    lines = [f"{_clean(shape.name) or 'unnamed'}, {x} x {y} x {z} m along x, y, z."]
+    stands = f", {shape.up.value} is likely up" if shape.up is not None else ""
+    thick = f", sheet or plate {_mm(shape.thickness)} mm thick" if shape.thickness is not None else ""
+    lines = [f"{_clean(shape.name) or 'unnamed'}, {x} x {y} x {z} m along x, y, z{stands}{thick}."]
     if summary.body_count > 1:
-        names = Counter(_clean(body.name) or "unnamed" for body in shape.bodies)
-        lines.append(f"{summary.body_count} bodies: {_listed(names.most_common(BODIES_TOLD), len(names))}.")
-    if summary.terms:
-        told = list(summary.terms.items())[:TERMS_TOLD]
-        lines.append(f"Among its parts: {_listed(told, len(summary.terms))}.")
+        lines.append(f"{summary.body_count} bodies: {_bodies(summary)}.")
+    groups = [group for group in summary.groups if group.kind is not PartKind.BODY]
+    if not groups:
+        return "\n".join(lines)
+    lines.append("Parts, as: number x label {kind; tags} seen from, layout:")
+    told, left = _told(groups, BUDGET_CHARS - LEFT_CHARS - sum(len(line) + 1 for line in lines))
+    lines += told
+    if left:
+        kinds = [f"{count} x {kind}" for kind, count in left.most_common(KINDS_TOLD)]
+        lines.append(f"Not listed: {', '.join(kinds)}{' …' if len(left) > KINDS_TOLD else ''}.")
     return "\n".join(lines)
 
 
-def _listed(counts: Iterable[tuple[str, int]], total: int) -> str:
-    listed = [f"{count} x {name}" for name, count in counts]
-    return ", ".join(listed) + (" and others" if total > len(listed) else "")
+def _told(groups: list[PartGroup], room: int) -> tuple[list[str], Counter[str]]:
+    """The lines that there is room for, in characters, and how many parts of each kind are in none."""
+    lines: list[str] = []
+    left: Counter[str] = Counter()
+    for group in groups:
+        line = _line(group)
+        if len(line) < room:
+            lines.append(line)
+        else:
+            left[group.kind.value] += group.count
+        room -= len(line) + 1 if len(line) < room else 0
+    return lines, left
 
 
-def _clean(name: str) -> str:
+def _line(group: PartGroup) -> str:
+    tags = [tag for tag in group.tags if tag not in PLAIN_TAGS and tag != group.kind][:TAGS_TOLD]
+    what = "; ".join(filter(None, (group.kind.value, ", ".join(tags))))
+    sides = "all sides" if len(group.sides) == len(Side) else ", ".join(group.sides)
+    seen = " hidden" if group.hidden else f" {sides}" if sides else ""
+    layout = f", {group.layout}" if group.layout else ""
+    return f"{group.count} x {_clean(group.label, 90)} {{{what}}}{seen}{layout}"
+
+
+def _bodies(summary: ModelSummary) -> str:
+    """Names, colours and sizes of bodies, alike ones together."""
+    groups = [group for group in summary.groups if group.kind is PartKind.BODY]
+    if not groups:
+        names = Counter(_clean(body.name) or "unnamed" for body in summary.shape.bodies)
+        groups_told = [f"{count} x {name}" for name, count in names.most_common(BODIES_TOLD)]
+        total = len(names)
+    else:
+        groups.sort(key=lambda group: -_bulk(group.extents))
+        groups_told = [_body(group) for group in groups[:BODIES_TOLD]]
+        total = len(groups)
+    return ", ".join(groups_told) + (f" and {total - BODIES_TOLD} smaller kinds" if total > BODIES_TOLD else "")
+
+
+def _body(group: PartGroup) -> str:
+    size = " x ".join(_mm(extent) for extent in group.extents)
+    color = f" {_clean(group.color)}" if group.color else ""
+    return f"{group.count} x {_clean(group.name) or 'unnamed'}{color} ({size} mm)"
+
+
+def _bulk(extents: Vector) -> float:
+    x, y, z = extents
+    return x * y * z
+
+
+def _mm(metres: float) -> str:
+    return f"{metres * 1e3:.4g}"
+
+
+def _clean(name: str, most: int = NAME_CHARS) -> str:
     """A name on one line, without what could be taken for a part of the prompt's own layout."""
-    return " ".join("".join(c if c.isalnum() or c in " -.,+/()" else " " for c in name).split())[:NAME_CHARS]
+    return " ".join("".join(c if c.isalnum() or c in " -.,+/()" else " " for c in name).split())[:most]

@@ -9,7 +9,7 @@ from .files import prompt_data
 from .reference import attributes, functions
 
 _MISSING = re.compile(r"(?:Object of type|Type) `(?:list\[)?(\w+)\]?` has no attribute `(\w+)`")
-_OF_LIST = re.compile(r"`list\[(\w+)\]` has no attribute `(\w+)`")
+_OF_LIST = re.compile(r"`(?:list\[(\w+)\]|Parts)` has no attribute `(\w+)`")
 _UNKNOWN = re.compile(r"[Nn]ame `?'?(\w+)'?`? (?:used when not defined|is not defined)")
 _ARGUMENT = re.compile(r"Argument `(\w+)` does not match any known parameter")
 _NO_MEASURE = re.compile(r"has no (\w+); it has ")
@@ -20,7 +20,7 @@ def hint(message: str) -> str:
     """What can be said about the message, in sentences; empty when nothing more is known."""
     said: list[str] = []
     if of_list := _OF_LIST.search(message):
-        kind, name = of_list.groups()
+        kind, name = of_list.group(1) or "Part", of_list.group(2)
         said.append(f"find_parts returns a list: write [p.{name} for p in parts] for every {kind}.")
         message = message.replace(of_list.group(0), f"Object of type `{kind}` has no attribute `{name}`", 1)
     said += [_attribute(kind, name) for kind, name in _MISSING.findall(message)]

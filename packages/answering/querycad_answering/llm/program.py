@@ -18,14 +18,22 @@ def program_in(reply: str, cut: bool = False) -> str | None:
 
     A reply without a block is a program where all of it is one. Of a reply that was cut, half a block does not count.
     """
-    said = _THOUGHT.sub("", reply).strip()
-    if cut:
-        said = said if said.count("```") % 2 == 0 else said.rpartition("```")[0]
-    blocks = [block.strip("\n") for block in _BLOCK.findall(said) if block.strip()]
+    said, blocks = _whole(reply, cut), blocks_in(reply, cut)
     if not blocks:
         return _tidied(said) if _is_program(said) else None
     assigning = [block for block in blocks if re.search(rf"^\s*{RESULT}\b", block, re.MULTILINE)]
     return _tidied((assigning or blocks)[-1])
+
+
+def blocks_in(reply: str, cut: bool = False) -> list[str]:
+    """The code blocks of a reply as they are, in order. Of a reply that was cut, half a block does not count."""
+    return [block.strip("\n") for block in _BLOCK.findall(_whole(reply, cut)) if block.strip()]
+
+
+def _whole(reply: str, cut: bool) -> str:
+    """What a reply says, without thoughts and what was cut off."""
+    said = _THOUGHT.sub("", reply).strip()
+    return said.rpartition("```")[0] if cut and said.count("```") % 2 else said
 
 
 def _is_program(text: str) -> bool:

@@ -105,9 +105,32 @@ def conversation(
         )
     ]
     model = facts(summary) if summary is not None else "Nothing is known of it."
-    system = _text("system.md", reference=reference(), model=model)
+    system = _text("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
     asked = _text("question.md", question=" ".join(question.split()), expected=told)
     return (Message(Role.SYSTEM, system), *shown, Message(Role.USER, asked))
+
+
+def agent_conversation(
+    question: str,
+    summary: ModelSummary | None = None,
+    expect: Expectation | None = None,
+    readings: tuple[str, ...] = (),
+    steps: int = 6,
+) -> tuple[Message, ...]:
+    """What is sent first to who may look before answering: the rules, the facts, how a parser reads the question."""
+    told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
+    listed = "".join(f"\n- {reading}" for reading in readings)
+    read = f"\nHow a parser reads it, the likeliest first:{listed}" if readings else ""
+    model = facts(summary) if summary is not None else "Nothing is known of it."
+    how = _text("agent.md", steps=str(steps))
+    asked = _text("question.md", question=" ".join(question.split()), expected=told + read)
+    system = _text("system.md", reference=reference(), model=model, reply=how)
+    return (Message(Role.SYSTEM, system), Message(Role.USER, asked))
+
+
+def shown(seen: str, left: int) -> Message:
+    """What is said to a program that looked, or whose answer is doubted; `left`: how many steps there still are."""
+    return Message(Role.USER, _text("shown.md", seen=seen, left=str(left)))
 
 
 def repair(problem: str) -> Message:

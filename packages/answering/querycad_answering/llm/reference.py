@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from functools import cache
 from importlib.resources import files
 
@@ -12,8 +13,12 @@ def guest_api() -> ast.Module:
     """The guest API's source, parsed, without the queries that the parser writes: words are shorter."""
     source = files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8")
     tree = ast.parse(source.replace("str | PartQuery", "str"))
-    tree.body = [node for node in tree.body if not (isinstance(node, ast.ClassDef) and node.bases)]
+    tree.body = [node for node in tree.body if not (isinstance(node, ast.ClassDef) and _is_query(node))]
     return tree
+
+
+def _is_query(node: ast.ClassDef) -> bool:
+    return any(isinstance(base, ast.Name) and base.id == "TypedDict" for base in node.bases)
 
 
 @cache
@@ -37,7 +42,7 @@ def reference() -> str:
     for node, follower in zip(body, [*body[1:], None], strict=True):
         match node:
             case ast.ClassDef():
-                lines += [f"class {node.name}:{_comment(ast.get_docstring(node))}", *_members(node.body)]
+                lines += [f"class {node.name}{_bases(node)}:{_comment(ast.get_docstring(node))}", *_members(node.body)]
             case ast.FunctionDef():
                 lines.append(_signature(node) + _comment(ast.get_docstring(node)))
             case ast.AnnAssign(value=ast.expr() as meant):
@@ -45,6 +50,10 @@ def reference() -> str:
             case ast.AnnAssign():
                 lines.append(f"{_name(node)}: {ast.unparse(node.annotation)}{_comment(_doc(follower))}")
     return "\n".join(lines)
+
+
+def _bases(node: ast.ClassDef) -> str:
+    return f"({', '.join(map(ast.unparse, node.bases))})" if node.bases else ""
 
 
 def _members(body: list[ast.stmt]) -> list[str]:
@@ -63,7 +72,7 @@ def _members(body: list[ast.stmt]) -> list[str]:
             close()
             lines.append(f"  {_signature(node)}{_comment(ast.get_docstring(node))}")
         elif isinstance(node, ast.AnnAssign):
-            kind, doc = ast.unparse(node.annotation), _doc(follower)
+            kind, doc = ast.unparse(node.annotation).replace("'Part'", "Part").replace("'Face'", "Face"), _doc(follower)
             if doc or kind != shared_type:
                 close()
             shared_type = kind
@@ -83,7 +92,7 @@ def _signature(node: ast.FunctionDef) -> str:
         if argument.annotation is not None
     ]
     returns = ast.unparse(node.returns) if node.returns is not None else "None"
-    return f"{node.name}({', '.join(listed)}) -> {returns}".replace("'", "")
+    return f"{node.name}({', '.join(listed)}) -> {returns}".replace("'", "").replace(" | None = None", " = None")
 
 
 def _name(node: ast.stmt) -> str | None:
@@ -99,4 +108,6 @@ def _doc(node: ast.stmt | None) -> str | None:
 
 
 def _comment(doc: str | None) -> str:
-    return f"  # {' '.join(doc.split())}" if doc else ""
+    """What comes first of a docstring: its first sentence. The rest is for people."""
+    first = re.split(r"(?<=[.?!])\s", " ".join((doc or "").split()), maxsplit=1)[0].removesuffix(".")
+    return f"  # {first}" if first else ""

@@ -29,7 +29,7 @@ class KeptReplies:
         assert settings.llm_replies is not None
         self._model = model
         self._folder = settings.llm_replies
-        self._who = [settings.llm_base_url, settings.llm_model, settings.llm_tokens]
+        self._who = [settings.llm_command or settings.llm_base_url, settings.llm_model, settings.llm_tokens]
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         """What did it say to this, or what does it say now? Raises LlmError."""

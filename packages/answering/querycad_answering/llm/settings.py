@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from enum import StrEnum
 from pathlib import Path
 from urllib.parse import urlsplit
@@ -36,10 +37,13 @@ class LlmSettings(Settings):
     """Of whatever writes programs: the question workers, or the embedded runtime."""
 
     codegen: Codegen | None = Field(
-        None, description="Who writes programs where a question does not say: `parser`, `llm` or `both`."
+        None, description="Who writes programs where a question does not say: `parser`, `llm`, `both` or `agent`."
     )
     llm_base_url: str = Field(
         "", description="Address of the language model, such as `http://127.0.0.1:11434/v1`; empty: none is asked."
+    )
+    llm_command: str = Field(
+        "", description="A command in place of an address: it reads the messages on its input and writes the reply."
     )
     llm_api: LlmApi | None = Field(
         None, description="`openai` (chat completions) or `anthropic` (messages); told by the address where not set."
@@ -50,11 +54,20 @@ class LlmSettings(Settings):
     llm_timeout_s: float = Field(
         120.0, gt=0, description="Seconds for all that a language model does for one question; then the parser answers."
     )
+    llm_failures: int = Field(
+        3,
+        ge=1,
+        le=100,
+        description="Questions in a row without any reply after which the language model is left alone.",
+    )
+    llm_pause_s: float = Field(30.0, gt=0, description="For how long; the parser answers meanwhile.")
     llm_retries: int = Field(3, ge=0, le=10, description="Times that a request is repeated when the server is busy.")
     llm_repairs: int = Field(2, ge=0, le=5, description="Times that a program that fails is sent back for repair.")
     llm_samples: int = Field(1, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
     llm_temperature: float = Field(0.7, ge=0, le=2, description="Of the samples after the first, which is at 0.")
     llm_tokens: int = Field(700, ge=50, le=16000, description="Longest reply, in tokens.")
+    llm_steps: int = Field(6, ge=1, le=30, description="With `agent`: replies to one question, looks included.")
+    llm_budget: int = Field(60_000, ge=1000, description="With `agent`: tokens for one question, read and written.")
     llm_examples: PromptExamples = Field(
         PromptExamples.NEAREST,
         description="Worked examples shown with a question: `nearest`, the three most like it; `3`, always the same "
@@ -63,6 +76,17 @@ class LlmSettings(Settings):
     llm_replies: Path | None = Field(
         None, description="Folder that keeps replies; the same request is then answered from it, without being sent."
     )
+
+    @field_validator("llm_command")
+    @classmethod
+    def _is_command(cls, command: str) -> str:
+        try:
+            words = shlex.split(command)
+        except ValueError as error:
+            raise ValueError(f"is no command: {error}") from error
+        if command and not words:
+            raise ValueError("is no command: it is blank")
+        return command
 
     @field_validator("llm_base_url")
     @classmethod
@@ -77,7 +101,7 @@ class LlmSettings(Settings):
     @property
     def is_configured(self) -> bool:
         """Is there a language model to ask?"""
-        return bool(self.llm_base_url)
+        return bool(self.llm_base_url or self.llm_command)
 
     @property
     def api(self) -> LlmApi:

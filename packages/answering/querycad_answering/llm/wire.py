@@ -123,11 +123,15 @@ class AnthropicWire:
         return {"x-api-key": self._settings.llm_api_key.get_secret_value(), "anthropic-version": ANTHROPIC_VERSION}
 
     def body(self, conversation: tuple[Message, ...], temperature: float) -> Json:
-        """The request; what the system says has a field of its own."""
+        """The request; what the system says has a field of its own, which the server keeps for the next question."""
         turns = [message for message in conversation if message.role is not Role.SYSTEM]
         return {
             "model": self._settings.llm_model,
-            "system": "\n\n".join(message.text for message in conversation if message.role is Role.SYSTEM),
+            "system": [
+                {"type": "text", "text": message.text, "cache_control": {"type": "ephemeral"}}
+                for message in conversation
+                if message.role is Role.SYSTEM
+            ],
             "messages": [{"role": message.role.value, "content": message.text} for message in turns],
             "max_tokens": self._settings.llm_tokens,
             "temperature": min(temperature, 1.0),

@@ -3,24 +3,23 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
-from querycad_answering.judging import NO_EXPECTATION, Verdict
+from querycad_answering.judging import Verdict
 from querycad_answering.quantities import measures_anything, scalar_type, triple_type
 from querycad_answering.typed import unit_of
 from querycad_contracts import (
     Answer,
     AnswerType,
     Attempt,
-    Expectation,
     LlmOptions,
-    ModelSummary,
     Program,
     TokenUse,
     Unit,
 )
 
+from .agent import work
+from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts
 from .hints import hint
@@ -29,50 +28,12 @@ from .nearest import words
 from .program import program_in
 from .prompt import conversation, in_words, repair
 from .settings import LlmSettings
-
-Judge = Callable[[Program], Verdict]
-"""Runs a program and says what comes of it."""
+from .task import Candidate, Task, Written
 
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
 _UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
 _MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
-
-
-@dataclass(frozen=True, slots=True)
-class Task:
-    """A question with all that is known when a program is written for it.
-
-    `asked` is the type that the parser reads the question as asking for; None where it does not understand it.
-    """
-
-    question: str
-    judge: Judge
-    summary: ModelSummary | None = None
-    expect: Expectation = NO_EXPECTATION
-    asked: AnswerType | None = None
-
-    @property
-    def wanted(self) -> AnswerType | None:
-        """The type that an answer should have."""
-        return self.expect.type or self.asked
-
-
-@dataclass(frozen=True, slots=True)
-class Candidate:
-    """A program, and what came of it."""
-
-    program: Program
-    verdict: Verdict
-
-
-@dataclass(slots=True)
-class Written:
-    """All that a language model wrote for a question: one candidate a sample that led to any, and every attempt."""
-
-    candidates: list[Candidate] = field(default_factory=list)
-    attempts: list[Attempt] = field(default_factory=list)
-    error: LlmError | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,35 +52,57 @@ class _Tried:
 class LlmWriter:
     """Writes programs with the language model of the settings, or with `model`."""
 
-    def __init__(self, settings: LlmSettings, model: ChatModel | None = None) -> None:
+    def __init__(
+        self, settings: LlmSettings, model: ChatModel | None = None, breakers: dict[str, Breaker] | None = None
+    ) -> None:
         self.settings = settings
         self._model = model
+        self._breakers = {} if breakers is None else breakers
+        """By the model's name; shared by all writers that come of one."""
 
     def chosen(self, options: LlmOptions | None) -> LlmWriter:
         """The writer with what a caller chose. Raises LlmOptionRefused."""
         settings = self.settings.chosen(options)
-        return LlmWriter(settings, self._model if settings.llm_model == self.settings.llm_model else None)
+        model = self._model if settings.llm_model == self.settings.llm_model else None
+        return LlmWriter(settings, model, self._breakers)
 
     @property
     def codegen(self) -> str:
         """Who writes, as records say it."""
         return f"llm:{self.settings.llm_model}" if self.settings.llm_model else "llm"
 
-    def write(self, task: Task) -> Written:
-        """Which programs does the language model write? `error` says why there are not as many as asked for."""
+    def write(self, task: Task, looks: bool = False) -> Written:
+        """Which programs does the language model write? `error` says why there are not as many as asked for.
+
+        `looks`: it may run programs and see what they show before it answers.
+        """
         written = Written()
+        breaker = self._breakers.setdefault(
+            self.settings.llm_model, Breaker(self.settings.llm_failures, self.settings.llm_pause_s)
+        )
+        try:
+            breaker.check()
+        except LlmError as error:
+            written.error = error
+            return written
         if self._model is None:
             from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
 
             self._model = open_model(self.settings)
         deadline = TimeLimit(self.settings.llm_timeout_s)
         try:
+            if looks:
+                limits = (self.settings.llm_steps, self.settings.llm_budget)
+                work(self._model, task, self.codegen.replace("llm", "agent", 1), limits, deadline, written)
+                return written
             for sample in range(1, self.settings.llm_samples + 1):
                 candidate = self._sample(self._model, task, sample, deadline, written)
                 if candidate is not None:
                     written.candidates.append(candidate)
         except LlmError as error:
             written.error = error
+        finally:
+            breaker.heard(None if written.attempts else written.error)
         return written
 
     def _sample(

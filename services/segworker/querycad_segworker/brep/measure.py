@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from OCP.BinTools import BinTools
 from OCP.BRep import BRep_Builder
@@ -15,13 +16,18 @@ from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
 from OCP.GeomAbs import GeomAbs_SurfaceType
+from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopExp import TopExp
+from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape
 
+from querycad_contracts import Vector
 from querycad_segworker.errors import UnreadableFile
+from querycad_segworker.vectors import box_union
 
+from .boxes import exact_box
 from .faces import METRES_PER_MM
 
 
@@ -60,6 +66,15 @@ def edge_distance(faces: Sequence[TopoDS_Face], part: Sequence[int]) -> float:
     return _between(_compound([faces[i] for i in part]), BRepTools.OuterWire_s(host))
 
 
+def extent(faces: Sequence[TopoDS_Face], part: Sequence[int], direction: Vector) -> float:
+    """How far does a part extend along a unit vector, in metres? Turned so that this is along z, and boxed exactly."""
+    turn = gp_Trsf()
+    turn.SetTransformation(gp_Ax3(gp_Pnt(0.0, 0.0, 0.0), gp_Dir(*direction)))
+    placed = TopLoc_Location(turn)
+    low, high = box_union(exact_box(faces[i].Moved(placed)) for i in part) or ((0.0,) * 3, (0.0,) * 3)
+    return (high[2] - low[2]) * METRES_PER_MM
+
+
 def _load_faces(path: Path) -> list[TopoDS_Face]:
     shape = TopoDS_Shape()
     if not BinTools.Read_s(shape, str(path)):
@@ -87,20 +102,26 @@ def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
     return compound
 
 
+def _measured(faces: Sequence[TopoDS_Face], request: dict[str, Any]) -> float:
+    match request["what"]:
+        case "distance":
+            return distance(faces, request["first"], request["second"])
+        case "extent":
+            return extent(faces, request["first"], request["direction"])
+    return edge_distance(faces, request["first"])
+
+
 def work(kernel_faces: str) -> None:
     """Answers requests about the kept faces, one JSON object a line, until standard input ends.
 
-    {"what": "distance" | "edge_distance", "first": [face ids], "second": [face ids]} is answered by {"metres": number}
-    or {"problem": sentence}.
+    {"what": "distance" | "edge_distance" | "extent", "first": [face ids], "second": [face ids], "direction": [x, y, z]}
+    is answered by {"metres": number} or {"problem": sentence}.
     """
     faces = _load_faces(Path(kernel_faces))
     for line in sys.stdin:
         request = json.loads(line)
         try:
-            if request["what"] == "distance":
-                answer: dict[str, float | str] = {"metres": distance(faces, request["first"], request["second"])}
-            else:
-                answer = {"metres": edge_distance(faces, request["first"])}
+            answer: dict[str, float | str] = {"metres": _measured(faces, request)}
         except UnreadableFile as problem:
             answer = {"problem": str(problem)}
         sys.stdout.write(json.dumps(answer) + "\n")

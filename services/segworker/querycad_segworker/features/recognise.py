@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from querycad_contracts import Face, Part, Refusal, Shape, SurfaceKind
+from querycad_contracts import Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity
@@ -28,6 +28,7 @@ from .depressions.clevises import recognise_clevises
 from .depressions.depression import Depression
 from .depressions.dimples import recognise_dimples
 from .depressions.recognise import recognise_depressions
+from .faces import likely_up
 from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
@@ -261,27 +262,5 @@ def _shape(brep: Brep, thickness_m: float | None) -> Shape:
         bodies=tuple(body(brep, record) for record in brep.bodies),
         face_count=len(brep.faces),
         edge_count=sum(edge.convexity is not EdgeConvexity.SEAM for edge in brep.edges),
+        up=likely_up(brep),
     )
-
-
-def faces_of(brep: Brep) -> list[Face]:
-    """The faces as users and generated code see them, in order of their ids."""
-    faces = []
-    for record in brep.faces:
-        revolved = record.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
-        radius = record.minor_radius if record.kind is SurfaceKind.TORUS else record.radius
-        faces.append(
-            Face(
-                id=record.id,
-                body=record.body,
-                kind=record.kind,
-                center=box_center(record.box),
-                extents=box_extents(record.box),
-                area=record.area,
-                convexity=record.convexity,
-                radius=radius if revolved or record.kind is SurfaceKind.SPHERE else None,
-                normal=record.axis if record.kind is SurfaceKind.PLANE else None,
-                axis=record.axis if revolved else None,
-            )
-        )
-    return faces

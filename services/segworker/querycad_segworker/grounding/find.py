@@ -50,6 +50,8 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         nearest=() if way.parts else present(inventory),
         message="" if way.parts else message,
         warnings=warnings,
+        ignored=() if {"unknown_named", "unknown_is_file"} & way.features.keys() else query.unknown,
+        unchecked=tuple(dict.fromkeys(way.unchecked)),
     )
 
 

@@ -1,0 +1,234 @@
+"""A language model that looks before it answers: it runs small programs, reads what they show, and then answers.
+
+Each of its replies holds one program. One that does not assign `solution` is a look: what it prints, and the parts that
+it found, are shown. One that does is an answer, which stands at once where nothing speaks against it; else it is shown
+what does, and decides: the same again, another program, or that it is unsure. The steps and the tokens are bounded.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from querycad_answering.judging import Verdict
+from querycad_answering.typed import same_value
+from querycad_contracts import (
+    Answer,
+    Attempt,
+    Grounding,
+    Part,
+    PartKind,
+    Program,
+    RunOutcome,
+    RunStatus,
+    TokenUse,
+)
+
+from .checks import problems
+from .doubts import doubts
+from .hints import hint
+from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
+from .program import RESULT, blocks_in, program_in
+from .prompt import agent_conversation, shown
+from .task import Candidate, Task, Written
+
+ROWS, CELL_CHARS = 12, 60
+"""Of a table of parts: lines, and characters of a label."""
+NEAREST_DIGITS = 8
+"""Of a coordinate in metres: what is nearer to zero is the kernel's noise."""
+PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
+"""Of what is shown after a step: as much as a small model reads in a moment."""
+NOTHING = "Nothing was printed, and no part was looked for."
+REPLY_CHARS = 2000
+"""Of a reply that stays in the conversation."""
+_UNSURE = re.compile(r"^\W*unsure\b\W*", re.IGNORECASE)
+_ASK = re.compile(r"^\W*ask\b\s*:\s*", re.IGNORECASE)
+
+
+@dataclass(slots=True)
+class _Course:
+    """How far a question is."""
+
+    messages: tuple[Message, ...]
+    tokens: TokenUse = field(default_factory=TokenUse)
+    answers: list[Candidate] = field(default_factory=list)
+    """Programs that gave an answer, in order."""
+    codes: set[str] = field(default_factory=set)
+    """Those of them that were doubted."""
+
+
+def work(
+    model: ChatModel, task: Task, codegen: str, limits: tuple[int, int], deadline: TimeLimit, written: Written
+) -> None:
+    """Adds to `written` what comes of the question. `limits`: steps, and tokens in all. Raises LlmError.
+
+    What there is by then is kept.
+    """
+    steps, most_tokens = limits
+    course = _Course(agent_conversation(task.question, task.summary, task.expect, task.readings(), steps))
+    for step in range(1, steps + 1):
+        began = time.perf_counter()
+        try:
+            reply = model.reply(course.messages, 0.0, step, deadline)
+        except LlmError:
+            written.candidates += course.answers[-1:]
+            raise
+        course.tokens += reply.tokens
+        attempt = Attempt(codegen=codegen, sample=step, code=None, tokens=reply.tokens)
+        is_done, seen, attempt = _step(task, course, reply, attempt, written)
+        seconds = round(time.perf_counter() - began, 3)
+        written.attempts.append(attempt.model_copy(update={"seconds": seconds, "problem": seen}))
+        if is_done or course.tokens.input + course.tokens.output >= most_tokens:
+            break
+        left = steps - step
+        course.messages = (
+            *course.messages,
+            Message(Role.ASSISTANT, reply.text[:REPLY_CHARS]),
+            shown(seen, left),
+        )
+    if not written.question and not written.candidates:
+        written.candidates += course.answers[-1:]
+
+
+def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
+    """Is the question settled, and if not, what is the language model shown? With the step's record."""
+    blocks = blocks_in(reply.text, reply.cut)
+    if not blocks:
+        return _said(course, reply, attempt, written)
+    code = blocks[-1]
+    if not _assigns_result(code):
+        outcome = task.run(Program(code=f"{code}\n{RESULT} = None", codegen=attempt.codegen))
+        return False, look(outcome), attempt.model_copy(update={"code": code})
+    code = program_in(reply.text, reply.cut) or code
+    attempt = attempt.model_copy(update={"code": code})
+    if wrong := problems(code, task.question):
+        return False, " ".join(wrong), attempt
+    program = Program(code=code, codegen=attempt.codegen, expects=task.wanted)
+    outcome = task.run(program)
+    verdict = task.judged(program, outcome)
+    if verdict.answer is None:
+        return False, _failed(outcome, verdict), attempt
+    candidate = Candidate(program, verdict)
+    course.answers.append(candidate)
+    attempt = attempt.model_copy(update={"answer": verdict.answer.text})
+    against = _against(task, code, outcome, verdict)
+    if not against or code in course.codes:
+        written.candidates.append(candidate)
+        return True, "", attempt
+    course.codes.add(code)
+    noted = "\n".join(f"- {each}" for each in against)
+    seen = f"{look(outcome)}\nThe answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
+    return False, f"{seen}\nSend the same program again if it is right, else another one.", attempt
+
+
+def _said(course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
+    """What comes of a reply without a program: that it is unsure, or asks back."""
+    text = reply.text.strip()
+    if _ASK.match(text):
+        written.question = " ".join(_ASK.sub("", text).split())[:REPLY_CHARS]
+        return True, f"it asks: {written.question}", attempt
+    if _UNSURE.match(text) and course.answers:
+        written.is_unsure = True
+        written.candidates += _different(course.answers)
+        return True, "it is unsure", attempt
+    return False, "The reply broke off." if reply.cut else "The reply holds no program.", attempt
+
+
+def _different(answers: Sequence[Candidate]) -> list[Candidate]:
+    """The last program of each answer, the last answer first."""
+    kept: list[Candidate] = []
+    for candidate in reversed(answers):
+        answer = candidate.verdict.answer
+        if answer is not None and not any(_same(answer, other) for other in kept):
+            kept.append(candidate)
+    return kept
+
+
+def _same(answer: Answer, other: Candidate) -> bool:
+    return other.verdict.answer is not None and same_value(answer, other.verdict.answer)
+
+
+def look(outcome: RunOutcome, why: bool = True) -> str:
+    """What a program showed, in short: what it printed, what it gave, and a table of the parts that it found.
+
+    `why`: also why it did not end well.
+    """
+    lines: list[str] = []
+    if why and outcome.status is not RunStatus.OK:
+        lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
+    if outcome.printed:
+        lines.append(f"printed: {outcome.printed.strip()[:PRINTED_CHARS]}")
+    if outcome.status is RunStatus.OK and outcome.value is not None:
+        lines.append(f"{RESULT} = {str(_rounded(outcome.value))[:VALUE_CHARS]}")
+    for grounding in outcome.groundings:
+        lines += _table(grounding)
+    return "\n".join(lines)[:SHOWN_CHARS] or NOTHING
+
+
+def _rounded(value: object) -> object:
+    """The value with six digits of every number: what follows is the kernel's noise."""
+    if isinstance(value, list):
+        return [_rounded(each) for each in value]
+    return float(f"{value:.6g}") if isinstance(value, float) else value
+
+
+def _table(grounding: Grounding) -> list[str]:
+    """The parts of one call, a line each, with what of its words is not in them."""
+    said = f"{grounding.description!r} is {len(grounding.parts)} part{'' if len(grounding.parts) == 1 else 's'}"
+    notes = [f"ignored: {', '.join(grounding.ignored)}"] if grounding.ignored else []
+    notes += [f"not checked: {', '.join(grounding.unchecked)}"] if grounding.unchecked else []
+    notes += [grounding.message] if grounding.message else []
+    notes += [f"known here: {', '.join(grounding.nearest)}"] if grounding.nearest else []
+    rows = [_row(part) for part in grounding.parts[:ROWS]]
+    more = len(grounding.parts) - ROWS
+    return [" | ".join([said, *notes]), *rows, *([f"  … and {more} more"] if more > 0 else [])]
+
+
+def _row(part: Part) -> str:
+    center = ", ".join(f"{round(coordinate, NEAREST_DIGITS) + 0.0:.4g}" for coordinate in part.center)
+    radii = part.radii or (() if part.radius is None else (part.radius,))
+    sizes = f"radii {', '.join(f'{radius:.4g}' for radius in radii)}" if radii else ""
+    sides = ", ".join(part.sides) or "hidden"
+    cells = (part.id, part.label[:CELL_CHARS], sides, f"center ({center})", sizes, " ".join(part.tags[:4]))
+    return "  " + " | ".join(filter(None, cells))
+
+
+def _failed(outcome: RunOutcome, verdict: Verdict) -> str:
+    assert verdict.failure is not None
+    told = verdict.failure.message
+    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, why=False)}"
+
+
+def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> list[str]:
+    """What speaks against an answer: words left out, none found, a whole body, the parser's own answer."""
+    assert verdict.answer is not None
+    found: list[str] = []
+    for grounding in outcome.groundings:
+        left = dict.fromkeys(word.strip("'") for word in (*grounding.ignored, *grounding.unchecked))
+        found += [f"of {grounding.description!r} this is not in the parts: {', '.join(left)}"] if left else []
+        found += [grounding.message] if not grounding.parts and grounding.message else []
+    if verdict.answer.value in (0, 0.0, []) and not isinstance(verdict.answer.value, bool):
+        found.append("the answer is none")
+    whole = (PartKind.BODY, PartKind.MODEL)
+    if verdict.parts and all(part.kind in whole for part in verdict.parts) and "find_parts" in code:
+        found.append(f"it rests on a whole body: {verdict.parts[0].label}")
+    if task.asked is not None:
+        found += doubts(code, task.question, task.asked, task.summary)
+    parsed = task.parsed()
+    if parsed is not None and not same_value(parsed.answer, verdict.answer, each_once=True):
+        found.append(f"a parser understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
+    return list(dict.fromkeys(found))
+
+
+def _assigns_result(code: str) -> bool:
+    """Does the program assign `solution`? One that Python cannot read counts as one that does: it is to be mended."""
+    try:
+        tree = ast.parse(code)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return RESULT in code
+    return any(
+        isinstance(node, ast.Name) and node.id == RESULT and isinstance(node.ctx, ast.Store) for node in ast.walk(tree)
+    )

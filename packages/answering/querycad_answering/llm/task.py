@@ -1,0 +1,76 @@
+"""A question with all that is known when a program is written for it, and what came of writing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from querycad_answering.judging import NO_EXPECTATION, Verdict
+from querycad_contracts import Answer, AnswerType, Attempt, Expectation, ModelSummary, Program, RunOutcome
+
+from .messages import LlmError
+
+Judge = Callable[[Program], Verdict]
+"""Runs a program and says what comes of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Parsed:
+    """What the parser answers, and how it understands the question."""
+
+    answer: Answer
+    meant: str
+
+
+def _no_run(_: Program) -> RunOutcome:
+    raise NotImplementedError("nothing to look with")
+
+
+def _no_verdict(_: Program, __: RunOutcome) -> Verdict:
+    raise NotImplementedError("nothing to look with")
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """A question with all that is known when a program is written for it.
+
+    `asked` is the type that the parser reads the question as asking for; None where it does not understand it. What
+    follows it is for who looks before he answers: to run a program, to judge what came of it, how the parser reads the
+    question, the likeliest reading first, and what it answers.
+    """
+
+    question: str
+    judge: Judge
+    summary: ModelSummary | None = None
+    expect: Expectation = NO_EXPECTATION
+    asked: AnswerType | None = None
+    run: Callable[[Program], RunOutcome] = _no_run
+    judged: Callable[[Program, RunOutcome], Verdict] = _no_verdict
+    readings: Callable[[], tuple[str, ...]] = tuple
+    parsed: Callable[[], Parsed | None] = lambda: None
+
+    @property
+    def wanted(self) -> AnswerType | None:
+        """The type that an answer should have."""
+        return self.expect.type or self.asked
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A program, and what came of it."""
+
+    program: Program
+    verdict: Verdict
+
+
+@dataclass(slots=True)
+class Written:
+    """All that a language model wrote for a question: one candidate a sample that led to any, and every attempt."""
+
+    candidates: list[Candidate] = field(default_factory=list)
+    attempts: list[Attempt] = field(default_factory=list)
+    error: LlmError | None = None
+    is_unsure: bool = False
+    """The candidates are different answers, and none is preferred."""
+    question: str = ""
+    """What the language model wants to know before it answers."""

@@ -1,0 +1,166 @@
+# ruff: noqa: ANN001, ANN002, ANN201, ANN202, D103 - for a reader of Python
+# ruff: noqa: F821 - what the host and prelude.py define is not seen here
+# mypy: ignore-errors
+"""What is asked between parts and faces: run inside the sandbox behind prelude.py, for a program that names any of it.
+
+`_noted` and `_left` are what `.ignored_words` and `.not_checked` of a list become: see rewriting.py.
+"""
+
+from math import atan2 as _atan2
+
+_notes = []
+_OUTWARD = {
+    "top": (0.0, 0.0, 1.0),
+    "bottom": (0.0, 0.0, -1.0),
+    "left": (-1.0, 0.0, 0.0),
+    "right": (1.0, 0.0, 0.0),
+    "front": (0.0, -1.0, 0.0),
+    "back": (0.0, 1.0, 0.0),
+}
+_PARALLEL = 0.0017  # radians: the tolerance of recognition, 0.1 degrees
+_NEAR = 5e-5  # metres: drawing accuracy, as of close()
+
+
+def _noted(found):
+    ignored, unchecked = _words_left()
+    _notes.append((found, ignored, unchecked))
+    return found
+
+
+def _left(found, name):
+    for note in _notes:
+        if note[0] is found:
+            return note[1] if name == "ignored_words" else note[2]
+    return _getattr(found, name)
+
+
+def _axis(item):
+    """Point and direction of an item's axis; None where it has none."""
+    if item.axis is None:
+        return None
+    point = item.axis_point if isinstance(item, Face) else item.center
+    return point, item.axis
+
+
+def _minus(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def _times(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def _long(a):
+    return _times(a, a) ** 0.5
+
+
+def _from_line(point, line):
+    return _long(_cross(_minus(point, line[0]), line[1]))
+
+
+def _item(*items):
+    for item in items:
+        if not isinstance(item, (Part, Face)):
+            raise TypeError(f"this takes parts or faces, not {type(item).__name__}")
+
+
+def coaxial(a, b):
+    _item(a, b)
+    one, other = _axis(a), _axis(b)
+    if one is None or other is None:
+        return False
+    return _long(_cross(one[1], other[1])) <= _PARALLEL and _from_line(other[0], one) <= _NEAR
+
+
+def offset(a, b):
+    _item(a, b)
+    lines, planes = [], []
+    for item in (a, b):
+        line = _axis(item)
+        if line is not None:
+            lines.append(line)
+        elif item.normal is not None:
+            planes.append((item.center, item.normal))
+    if len(lines) == 2 and _long(_cross(lines[0][1], lines[1][1])) <= _PARALLEL:
+        return _from_line(lines[1][0], lines[0])
+    if len(planes) == 2 and _long(_cross(planes[0][1], planes[1][1])) <= _PARALLEL:
+        return abs(_times(_minus(planes[1][0], planes[0][0]), planes[0][1]))
+    if len(lines) == 1 and len(planes) == 1 and abs(_times(lines[0][1], planes[0][1])) <= _PARALLEL:
+        return abs(_times(_minus(lines[0][0], planes[0][0]), planes[0][1]))
+    raise ValueError("offset() takes two that are parallel: planes, axes, or a plane and an axis along it")
+
+
+def on(items, what):
+    _item(what)
+    found = []
+    for item in items:
+        inside = isinstance(what, Part) and item.id != what.id and item.is_in(what)
+        if inside or ((isinstance(what, Face) or item.id != what.id) and adjacent(item, what)):
+            found.append(item)
+    return found
+
+
+def around(items, center):
+    _item(center)
+    line = _axis(center)
+    if line is None:
+        raise ValueError("around() takes something with an axis")
+    helper = (1.0, 0.0, 0.0) if abs(line[1][0]) < 0.7 else (0.0, 1.0, 0.0)
+    across = _cross(line[1], helper)
+    third = _cross(line[1], across)
+    rings = []
+    for item in items:
+        away = _from_line(item.center, line)
+        if away <= _NEAR:
+            continue
+        for ring in rings:
+            if ring[0] == item.kind and abs(ring[1] - away) <= _NEAR:
+                ring[2].append(item)
+                break
+        else:
+            rings.append((item.kind, away, [item]))
+    found = []
+    for ring in rings:
+        if len(ring[2]) >= 3:
+            found += ring[2]
+    angles = []
+    for item in found:
+        way = _minus(item.center, line[0])
+        angles.append(_atan2(_times(way, third), _times(way, across)))
+    return [found[i] for i in _sorted(range(len(found)), key=lambda i: angles[i])]
+
+
+def between(items, a, b):
+    _item(a, b)
+    way = _minus(b.center, a.center)
+    far = _times(way, way)
+    if not far:
+        raise ValueError("between() takes two whose centres differ")
+    found = []
+    for item in items:
+        share = _times(_minus(item.center, a.center), way) / far
+        inside = True
+        for i in range(3):
+            low = _min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2)
+            high = _max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2)
+            inside = inside and low - _NEAR <= item.center[i] <= high + _NEAR
+        if inside and 0 < share < 1:
+            found.append(item)
+    return found
+
+
+def outermost(items, side=None):
+    if side is not None and side not in _OUTWARD:
+        raise ValueError(f"no side is called {side!r}: use {', '.join(_OUTWARD)}")
+    reach = []
+    for item in items:
+        if side is None:
+            reach.append(_dist(item.center, shape.center))
+        else:
+            out, half = _OUTWARD[side], [extent / 2 for extent in item.extents]
+            reach.append(_times(item.center, out) + abs(_times(half, out)))
+    return [item for item, far in zip(items, reach, strict=True) if far >= _max(reach) - _NEAR]

@@ -1,0 +1,190 @@
+"""`parts`, `faces` and what is asked between them: typed, never guessed, and each an answer's evidence."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+from tests.llm_sandbox.conftest import make_face, make_part
+
+from querycad_contracts import Face, Outline, Part, RunStatus
+from querycad_sandbox import Sandbox
+from querycad_sandbox.measures import face_frame, openings_of, part_frame
+from querycad_sandbox.rewriting import rewritten
+
+if TYPE_CHECKING:
+    from tests.llm_sandbox.conftest import FakeSegCad
+
+UP, RIGHT = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+
+
+def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
+    outcome = sandbox.run(f"solution = {code}" if "solution" not in code else code, segcad)
+    assert (outcome.status, outcome.message) == (RunStatus.OK, "")
+    return outcome.value
+
+
+@pytest.mark.parametrize(
+    ("call", "ids"),
+    [
+        ("parts(kind='hole')", ["hole-1", "hole-2", "hole-3"]),
+        ("parts(kind='gear')", []),
+        ("parts(kind='hole', diameter=0.01)", ["hole-3"]),
+        ("parts(diameter=0.00504)", ["hole-1", "hole-2"]),
+        ("parts(kind='hole', diameter=0.0052)", []),
+        ("parts(tags='through', side='bottom', near=(0.08, 0.02, 0.0))", ["hole-3", "hole-2", "hole-1"]),
+        ("parts(side=['left', 'bottom'])", ["hole-1", "hole-2", "hole-3", "boss-1"]),
+        ("parts('slot', near=parts(kind='hole')[0])", ["slot-1"]),
+        ("outermost(parts(kind='hole'), 'right')", ["hole-3"]),
+        ("outermost(parts(kind='hole'))", ["hole-1", "hole-3"]),
+        ("between(parts(), parts(kind='hole')[0], parts(kind='hole')[2])", ["hole-2"]),
+        ("around(parts(kind='hole'), parts(kind='hole')[1])", []),
+        ("on(parts(kind='hole'), parts(kind='slot')[0])", ["hole-1", "hole-2", "hole-3"]),
+    ],
+)
+def test_parts_are_those_that_are_so(sandbox: Sandbox, segcad: FakeSegCad, call: str, ids: list[str]) -> None:
+    assert value(sandbox, segcad, f"[p.id for p in {call}]") == ids
+
+
+def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    places = {
+        "hole-1": (1.0, 0.0),
+        "hole-2": (-1.0, 0.0),
+        "hole-3": (0.0, 1.0),
+        "hole-4": (0.0, -1.0),
+        "hole-5": (3, 0),
+    }
+    segcad.known = [make_part(name, axis=UP, center=(*xy, 0.5)) for name, xy in places.items()]
+    segcad.known.append(make_part("boss-1", axis=UP, center=(0.0, 0.0, 2.0)))
+    found = value(sandbox, segcad, "[p.id for p in around(parts(), parts(kind='boss')[0])]")
+    turns = [found[i:] + found[:i] for i in range(4)]
+    assert ["hole-1", "hole-3", "hole-2", "hole-4"] in turns or ["hole-1", "hole-4", "hole-2", "hole-3"] in turns
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        ("coaxial(parts(kind='hole')[0], parts(kind='hole')[0])", True),
+        ("coaxial(parts(kind='hole')[0], parts(kind='hole')[1])", False),
+        ("coaxial(parts(kind='hole')[0], parts(kind='slot')[0])", False),
+        ("offset(parts(kind='hole')[0], parts(kind='hole')[2])", 0.06),
+        ("offset(parts(kind='slot')[0], parts(kind='boss')[0])", 0.0045),
+        ("[f.radius for f in faces(kind='cylinder')]", [0.0025]),
+        ("len(faces())", 2),
+        ("len(faces(kind='cone'))", 0),
+        ("adjacent(parts(kind='hole')[0], faces(kind='cylinder')[0])", True),
+        ("adjacent(parts(kind='slot')[0], faces(kind='plane')[0])", False),
+        ("parts(kind='boss')[0].size_in(parts(kind='boss')[0].frame)", [0.02, 0.03, 0.01]),
+    ],
+)
+def test_what_is_asked_of_parts_and_faces(sandbox: Sandbox, segcad: FakeSegCad, call: str, expected: Any) -> None:
+    assert value(sandbox, segcad, call) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        ("parts(kind='holes')", "ValueError: no kind of part is called 'holes'; this model has hole, slot, boss"),
+        ("parts(kind=3)", "TypeError: kind takes a word such as 'hole'"),
+        ("parts(tags=['threded'])", "ValueError: no part of this model has the tag 'threded'; there are through, circ"),
+        ("parts(tags=3)", "TypeError: tags takes a word or a list of words"),
+        ("parts(side='upper')", "ValueError: no side is called 'upper': use top, bottom"),
+        ("parts(diameter='5 mm')", "TypeError: diameter takes a length in metres"),
+        ("parts(diameter=-1)", "ValueError: diameter takes a length above 0"),
+        ("parts(near='hole')", "TypeError: near takes a part, a face or a point"),
+        ("faces(kind='hole')", "ValueError: no kind is called 'hole': use plane, cylinder"),
+        ("faces(facing='up')", "ValueError: no facing is called 'up': use top"),
+        ("faces(coaxial_with=parts(kind='slot')[0])", "ValueError: part 'slot-1' has no axis"),
+        ("faces(body='plate')", "TypeError: body takes one of shape.bodies, or its id"),
+        ("offset(parts(kind='slot')[0], parts(kind='hole')[0])", "ValueError: offset() takes two that are parallel"),
+        ("coaxial(1, 2)", "TypeError: this takes parts or faces, not int"),
+        ("outermost(parts(), 'up')", "ValueError: no side is called 'up'"),
+        ("parts(kind='hole')[0].size_in(3)", "TypeError: size_in() takes a frame, such as part.frame"),
+    ],
+)
+def test_what_is_not_known_is_told_and_not_guessed(
+    sandbox: Sandbox, segcad: FakeSegCad, call: str, message: str
+) -> None:
+    outcome = sandbox.run(f"solution = {call}", segcad)
+    assert outcome.status is RunStatus.RAISED
+    assert outcome.message.startswith(message)
+
+
+def test_parts_and_faces_are_what_an_answer_rests_on(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run("solution = max(p.diameter for p in parts(kind='hole'))", segcad)
+    assert outcome.groundings[0].description == "parts(kind='hole')"
+    assert outcome.used_parts == ("hole-1", "hole-2", "hole-3")
+    outcome = sandbox.run("solution = sum(f.area for f in faces(kind='cylinder'))", segcad)
+    assert outcome.used_parts == ("faces-1",)
+
+
+def test_the_model_is_asked_once_for_all_its_parts(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    sandbox.run("solution = sum(len(parts(diameter=d / 1000)) for d in range(1, 60))", segcad)
+    assert segcad.calls == [("parts", None)]
+
+
+def test_a_part_is_the_same_however_it_is_found(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert value(sandbox, segcad, "parts(kind='hole')[0] == find_parts('hole')[0]") is True
+
+
+def test_a_face_knows_its_part_and_its_neighbours(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    segcad.known = [make_part("hole-1", faces=(4,))]
+
+    def faces(ids: Any) -> tuple[Face, ...]:
+        made = {4: make_face(4, part="hole-1", neighbours=(5,)), 5: make_face(5, neighbours=(4,), part="body-9")}
+        return tuple(made[i] for i in ids)
+
+    segcad.faces = faces  # type: ignore[method-assign]
+    assert value(sandbox, segcad, "parts()[0].faces[0].part.id") == "hole-1"
+    assert value(sandbox, segcad, "[f.id for f in parts()[0].faces[0].neighbours]") == [5]
+    assert value(sandbox, segcad, "parts()[0].faces[0].neighbours[0].part is None") is True
+
+
+def test_words_that_were_left_out_are_told_with_the_parts(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    found = segcad.find_parts
+
+    def find_parts(description: Any, sides: Any = None) -> Any:
+        left = {"ignored": ("shiny",), "unchecked": ("'painted'",)} if "shiny" in description else {}
+        return found(description, sides).model_copy(update=left)
+
+    segcad.find_parts = find_parts  # type: ignore[method-assign]
+    code = (
+        'shiny = find_parts("shiny painted hole")\nplain = find_parts("hole")\n'
+        "solution = [shiny.ignored_words, shiny.not_checked, plain.ignored_words, len(shiny)]"
+    )
+    assert value(sandbox, segcad, code) == [["shiny"], ["'painted'"], [], 3]
+
+
+@pytest.mark.parametrize(
+    ("code", "run"),
+    [
+        ("solution = 1  # no ignored word", "solution = 1  # no ignored word"),
+        ("x = find_parts('a').not_checked", "x = _left(_noted(find_parts('a')), \"not_checked\")"),
+        ("x = (a) .ignored_words[0] + 'é'", "x = _left((a), \"ignored_words\")[0] + 'é'"),
+        ("x = a.ignored_words +", "x = a.ignored_words +"),
+    ],
+)
+def test_only_what_a_list_cannot_have_is_said_otherwise(code: str, run: str) -> None:
+    assert rewritten(code) == run
+
+
+def hole(**measures: Any) -> Part:
+    return make_part("hole-1", kind="hole", opening=(0.0, 0.0, 0.01), normal=UP, **measures)
+
+
+def test_what_goes_through_has_two_openings_and_what_does_not_has_one() -> None:
+    first, second = openings_of(hole(bottom="through", depth=0.01))
+    assert (first.center, second.center) == ((0.0, 0.0, 0.01), (0.0, 0.0, 0.0))
+    assert (first.normal, second.normal, first.outline) == (UP, (-0.0, -0.0, -1.0), Outline.CIRCLE)
+    assert len(openings_of(hole(bottom="flat", depth=0.004))) == 1
+    assert openings_of(make_part("boss-1")) == []
+
+
+def test_a_frame_is_along_the_axis_and_the_longest_face_across_it() -> None:
+    side = (0.0, 1.0, 0.0)
+    faces = [make_face(1, along=RIGHT, length=1.0, normal=UP), make_face(2, along=side, length=2.0, normal=UP)]
+    frame = part_frame(make_part("slot-1", normal=UP), faces)
+    assert frame is not None
+    assert (frame.z, frame.x, frame.y) == (UP, side, (-1.0, 0.0, 0.0))
+    assert part_frame(make_part("body-1"), faces) is None
+    assert face_frame(make_face(1)) is None
