@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TypeVar
 
@@ -17,6 +17,7 @@ from querycad_contracts import (
     AnswerType,
     Attempt,
     Codegen,
+    Description,
     Expectation,
     Failure,
     LengthUnit,
@@ -25,14 +26,16 @@ from querycad_contracts import (
     RunOutcome,
     Status,
     TokenUse,
+    Unit,
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
 from querycad_language.units import asked_unit
 
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Task
+from .overview import asks_for_overview, overview
 from .ranking import SHOWN
-from .typed import same_value
+from .typed import Unexpected, as_expected, same_value
 from .understanding import ModelView, Run, Understanding, Understood
 
 T = TypeVar("T")
@@ -75,6 +78,8 @@ def answer_question(
         return _refused(question, str(error), clock, least)
     if not question.strip():
         return _refused(question, "the question is empty", clock, least)
+    if asks_for_overview(question) and (told := described(run, view, unit)) is not None:
+        return _told(question, told, expect, clock, least)
     understanding = Understanding(question, view, expect)
     codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
@@ -86,6 +91,32 @@ def answer_question(
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
     return outcome.record(question, clock, least)
+
+
+def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> Description | None:
+    """What is the model, and what can be asked about it? None where the view does not say what the model holds.
+
+    Every question that it suggests has been answered, surely and truly, before.
+    """
+    by_parser, bare = AnswerOptions(codegen=Codegen.PARSER), replace(view, contents=None)
+
+    def ask(question: str) -> Answer | None:
+        record = answer_question(question, run, bare, unit, by_parser)
+        return record.answer if record.status is Status.ANSWERED else None
+
+    return overview(view, unit, ask)
+
+
+def _told(question: str, told: Description, expect: Expectation, clock: _Clock, least: float) -> AnswerRecord:
+    """The record of a question that a description answers."""
+    text = Answer(value=told.text, type=AnswerType.TEXT, unit=Unit.NONE, text=told.text)
+    try:
+        verdict = Verdict(answer=as_expected(text, expect))
+    except Unexpected as error:
+        verdict = Verdict(failure=Failure(category="unexpected", message=str(error)))
+    known = Understood(verdict=verdict, confidence=1.0, understood_as="a description of the model")
+    record = _Outcome(failure=verdict.failure, understood=known).record(question, clock, least)
+    return record.model_copy(update={"status": verdict.status, "answer": verdict.answer})
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:

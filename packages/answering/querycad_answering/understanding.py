@@ -13,6 +13,7 @@ from querycad_contracts import (
     Failure,
     Grounded,
     LengthUnit,
+    ModelSummary,
     Part,
     PartQuery,
     Program,
@@ -49,6 +50,8 @@ class ModelView:
     """Words of the product names in the file."""
     kinds: tuple[str, ...] = ()
     """Kinds of part that the model has, the most frequent first."""
+    contents: Callable[[], tuple[ModelSummary, Sequence[Part]]] | None = None
+    """What a description is made of: the summary of the model, and all its parts."""
 
 
 @dataclass(frozen=True, slots=True)

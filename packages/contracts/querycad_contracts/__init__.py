@@ -20,6 +20,7 @@ from .answers import (
     TokenUse,
     Unit,
 )
+from .drawings import Callout, Column, Description, Quantity, Table, TableFormat, TableKind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
@@ -109,8 +110,11 @@ __all__ = [
     "Body",
     "BrokerSettings",
     "BucketStore",
+    "Callout",
     "Codegen",
+    "Column",
     "Convexity",
+    "Description",
     "DistanceTask",
     "EdgeDistanceTask",
     "Evidence",
@@ -160,6 +164,7 @@ __all__ = [
     "Printed",
     "Problem",
     "Program",
+    "Quantity",
     "QuestionRequest",
     "QuestionTask",
     "QuestionsRequest",
@@ -185,6 +190,9 @@ __all__ = [
     "Status",
     "StorageSettings",
     "SurfaceKind",
+    "Table",
+    "TableFormat",
+    "TableKind",
     "TaskFailure",
     "TaskFailureKind",
     "TaskName",
