@@ -111,7 +111,8 @@ def _told(question: str, told: Description, expect: Expectation, clock: _Clock, 
     """The record of a question that a description answers."""
     text = Answer(value=told.text, type=AnswerType.TEXT, unit=Unit.NONE, text=told.text)
     try:
-        verdict = Verdict(answer=as_expected(text, expect))
+        as_expected(text.model_copy(update={"text": "a description"}), expect)
+        verdict = Verdict(answer=text)
     except Unexpected as error:
         verdict = Verdict(failure=Failure(category="unexpected", message=str(error)))
     known = Understood(verdict=verdict, confidence=1.0, understood_as="a description of the model")

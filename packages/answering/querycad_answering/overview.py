@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from querycad_contracts import Description, LengthUnit
-from querycad_language.tokens import Kind, tokenize
+from querycad_language.tokens import Kind, Token, tokenize
 
 from .drawing.describing import Ask, describe
 from .understanding import ModelView
@@ -21,7 +21,7 @@ _TOPIC = frozenset((
 """Words that ask for a description, or for what can be asked."""
 _AROUND = frozenset((
     "please", "can", "could", "would", "should", "may", "might", "you", "me", "i", "we", "us", "my", "the", "a", "an",
-    "of", "about", "all", "its", "in", "for", "to", "do", "is", "are", "am", "be", "there", "have", "has", "what",
+    "of", "about", "all", "its", "in", "for", "to", "do", "does", "is", "are", "am", "be", "there", "have", "has", "what",
     "which", "kind", "sort", "type", "give", "show", "tell", "list", "print", "want", "like", "need", "with", "on",
     "just", "at", "look", "looking", "short", "brief", "briefly", "quick", "quickly", "every", "each", "full",
     "complete", "possible", "available", "some", "any", "exactly", "actually", "really", "so", "see", "know", "get",
@@ -29,7 +29,7 @@ _AROUND = frozenset((
 ))
 """Words around these that ask for nothing else."""
 # fmt: on
-_YES_OR_NO = frozenset(("is", "are", "do", "have", "has"))
+_YES_OR_NO = frozenset(("is", "are", "do", "does", "have", "has"))
 
 
 def asks_for_overview(question: str) -> bool:
@@ -38,7 +38,7 @@ def asks_for_overview(question: str) -> bool:
     'What is this part?' 'Describe the model.' It is where no word of it says anything else.
     """
     tokens = tokenize(question)
-    words = [token.word for token in tokens if token.kind is Kind.WORD and token.word not in ".?!,"]
+    words = [token.raw.lower() if token.raw.lower() in _AROUND else token.word for token in tokens if _is_word(token)]
     if not words or words[0] in _YES_OR_NO or any(token.kind not in (Kind.WORD, Kind.SYMBOL) for token in tokens):
         return False
     if not all(word in _SUBJECT or word in _TOPIC or word in _AROUND for word in words):
@@ -46,6 +46,10 @@ def asks_for_overview(question: str) -> bool:
     if any(word in _TOPIC for word in words):
         return True
     return words[0] in ("what", "tell", "show") and words[-1] in _SUBJECT
+
+
+def _is_word(token: Token) -> bool:
+    return token.kind is Kind.WORD and token.word not in ".?!,"
 
 
 def overview(view: ModelView, unit: LengthUnit, ask: Ask | None = None) -> Description | None:

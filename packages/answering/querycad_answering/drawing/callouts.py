@@ -194,7 +194,7 @@ def _pattern(part: Part, unit: LengthUnit, known: Known) -> str:
     name, _, rest = part.label.partition(" of ")
     members = [known[child] for child in part.children if child in known]
     told = callouts(members, unit, known)
-    what = told[0].text if len(told) == 1 else rest.partition(",")[0] or f"{part.count} parts"
+    what = told[0].text if len(told) == 1 else rest.partition(",")[0] or f"{part.count or 'several'} parts"
     size = ""
     if part.diameter:
         size = f"Ø{length(part.diameter, unit)}"

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from querycad_contracts import Answer, Callout, Description, LengthUnit, ModelSummary, Part, PartKind, TableKind
 
 from .callouts import callouts, carried_sections, ids_text
-from .numbers import direction, length, significant
+from .numbers import direction, length, significant, unit_name
 from .tables import alike_bodies, distinct, is_fastener, product_name
 
 FEATURES_SHOWN = 20
@@ -88,16 +88,16 @@ def _lines(found: Description, parts: Sequence[Part]) -> Iterator[str]:
     yield f"volume {volume} {unit.value}³, surface {area} {unit.value}²"
     yield "; ".join(_facts(found))
     if found.bodies > 1:
-        yield f"bodies, in {unit.value}"
+        yield f"bodies, in {unit_name(unit)}"
         yield from listing(_bodies(parts, unit), BODIES_SHOWN)
     if found.standard_parts:
         yield "standard parts"
         yield from (f"  {one}" for one in found.standard_parts)
     if found.features:
-        yield f"features, in {unit.value}"
+        yield f"features, in {unit_name(unit)}"
         yield from listing(found.features, FEATURES_SHOWN)
     if found.patterns:
-        yield f"patterns, in {unit.value}"
+        yield f"patterns, in {unit_name(unit)}"
         yield from listing(found.patterns, FEATURES_SHOWN)
     if found.warnings:
         yield "notes"

@@ -24,6 +24,11 @@ def length(metres: float, unit: LengthUnit) -> str:
     return number(metres / unit.metres, _DECIMALS[unit])
 
 
+def unit_name(unit: LengthUnit) -> str:
+    """What is said for 'in …': 'mm', 'inches'."""
+    return "inches" if unit is LengthUnit.IN else unit.value
+
+
 def significant(value: float, digits: int = 6) -> str:
     """The number with so many digits that count, and no exponent: for areas and volumes."""
     if value == 0.0:

@@ -13,6 +13,7 @@ from pydantic import ValidationError
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.drawing.callouts import callout, callouts
 from querycad_answering.drawing.describing import listing
+from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import AnswerRecord, Failure, LengthUnit, Part, Status
 from querycad_language.units import asked_unit
 from querycad_segworker.errors import FileProblem
@@ -151,7 +152,7 @@ def _parts(record: AnswerRecord, options: argparse.Namespace, known: Sequence[Pa
     unit = asked_unit(record.question) or LengthUnit(options.unit)
     by_id = {part.id: part for part in (*known, *record.parts)}
     if record.parts:
-        yield f"  parts, in {unit.value}:"
+        yield f"  parts, in {unit_name(unit)}:"
     if options.all:
         for part in record.parts:
             text = callout(part, unit, by_id, symbols=options.symbols)

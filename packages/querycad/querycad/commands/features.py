@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from querycad_answering.drawing.callouts import callout, callouts, carried_sections
 from querycad_answering.drawing.describing import SURFACES, listing
+from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import LengthUnit, Part, PartKind
 from querycad_segworker.model import Artefacts
 
@@ -73,7 +74,7 @@ def _grouped(wanted: Sequence[Part], parts: Sequence[Part], options: argparse.Na
         left_out = (*SURFACES, PartKind.MODEL)
         told = [part for part in wanted if part.kind not in left_out and part.id not in carried]
         surfaces = Counter(part.kind.value for part in wanted if part.kind in SURFACES)
-    yield f"lengths in {unit.value}"
+    yield f"lengths in {unit_name(unit)}"
     yield from listing(callouts(told, unit, known, symbols=options.symbols))
     if surfaces:
         counted = ", ".join(f"{count} {kind}{'' if count == 1 else 's'}" for kind, count in surfaces.items())
