@@ -21,9 +21,9 @@ _TOPIC = frozenset((
 """Words that ask for a description, or for what can be asked."""
 _AROUND = frozenset((
     "please", "can", "could", "would", "should", "may", "might", "you", "me", "i", "we", "us", "my", "the", "a", "an",
-    "of", "about", "all", "its", "in", "for", "to", "do", "does", "is", "are", "am", "be", "there", "have", "has", "what",
-    "which", "kind", "sort", "type", "give", "show", "tell", "list", "print", "want", "like", "need", "with", "on",
-    "just", "at", "look", "looking", "short", "brief", "briefly", "quick", "quickly", "every", "each", "full",
+    "of", "about", "all", "its", "in", "for", "to", "do", "does", "is", "are", "am", "be", "there", "have", "has",
+    "what", "which", "kind", "sort", "type", "give", "show", "tell", "list", "print", "want", "like", "need", "with",
+    "on", "just", "at", "look", "looking", "short", "brief", "briefly", "quick", "quickly", "every", "each", "full",
     "complete", "possible", "available", "some", "any", "exactly", "actually", "really", "so", "see", "know", "get",
     "let", "hi", "hello", "hey", "thanks", "thank", "and", "or", "by", "here", "found",
 ))

@@ -44,6 +44,7 @@ from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, Run
 from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
     NO_ACCOUNTS,
+    DescribeTask,
     DistanceTask,
     EdgeDistanceTask,
     FacesTask,
@@ -114,6 +115,7 @@ __all__ = [
     "Codegen",
     "Column",
     "Convexity",
+    "DescribeTask",
     "Description",
     "DistanceTask",
     "EdgeDistanceTask",

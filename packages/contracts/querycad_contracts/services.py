@@ -50,6 +50,7 @@ class TaskName(StrEnum):
     PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: name of the file in the store
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
+    DESCRIPTION = "querycad.description"  # DescribeTask -> TaskOutcome[Description], by the question workers
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
     MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant, uploaded -> nothing; after an ingest
     MODEL_LOST = "querycad.model_lost"  # task id, model, tenant, uploaded -> nothing; after one that was stopped
@@ -65,6 +66,7 @@ _QUEUES = {
     TaskName.PICTURE: Queue.PICTURES,
     TaskName.VIEW: Queue.PICTURES,
     TaskName.GLB: Queue.PICTURES,
+    TaskName.DESCRIPTION: Queue.QUESTIONS,
     TaskName.QUESTION: Queue.QUESTIONS,
     TaskName.MODEL_READ: Queue.QUESTIONS,
     TaskName.MODEL_LOST: Queue.QUESTIONS,
@@ -271,6 +273,13 @@ class RunRequest(Frozen):
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence its words are turned into parts.")
     run: RunId = Field(default_factory=lambda: uuid4().hex)
     request: str = Field(default_factory=current_request, description="Id of the HTTP request that this is done for.")
+
+
+class DescribeTask(ModelTask):
+    """What is the model, and what can be asked about it?"""
+
+    summary: ModelSummary
+    unit: LengthUnit = LengthUnit.MM
 
 
 class Problem(Frozen):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 from tests.made import MM, hole, part
@@ -25,7 +26,7 @@ def countersunk() -> tuple[Part, Part]:
     return hole(1, diameter=0.0055, tags=("through", "countersunk"), children=(sink.id,), width=0.0112), sink
 
 
-BLIND = {"bottom": "flat", "tags": ("blind", "circular"), "depth": 0.025}
+BLIND: dict[str, Any] = {"bottom": "flat", "tags": ("blind", "circular"), "depth": 0.025}
 CALLED = [
     (hole(1, diameter=0.0085), "Ø8.5 THRU"),
     (hole(1, diameter=0.0085, **BLIND), "Ø8.5 depth 25"),

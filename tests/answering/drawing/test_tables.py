@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from typing import Any
 
 import pytest
 from tests.made import MM, body, hole, part
@@ -21,8 +22,8 @@ def cell(found: Table, row: int, name: str) -> object:
     return found.rows[row][[column.name for column in found.columns].index(name)]
 
 
-def screw(number: int, name: str = "", across: float = 0.01, **more: object) -> Part:
-    fields: dict[str, object] = {
+def screw(number: int, name: str = "", across: float = 0.01, **more: Any) -> Part:
+    fields: dict[str, Any] = {
         "extents": (across, across, 0.021),
         "volume": 5.58e-7,
         "length": 0.021,
