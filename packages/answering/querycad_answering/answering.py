@@ -22,6 +22,8 @@ from querycad_contracts import (
     Failure,
     LengthUnit,
     ModelSummary,
+    Part,
+    PartKind,
     Program,
     RunOutcome,
     Status,
@@ -31,9 +33,11 @@ from querycad_contracts import (
 from querycad_contracts.answers import LEAST_CONFIDENCE
 from querycad_language.units import asked_unit
 
+from .conversation import NotFollowed, not_followed, stands_alone
+from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Task
-from .overview import asks_for_overview, overview
+from .overview import asks_for_overview, asks_what_parts_are, overview, told_parts
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
 from .understanding import ModelView, Run, Understanding, Understood
@@ -78,13 +82,18 @@ def answer_question(
         return _refused(question, str(error), clock, least)
     if not question.strip():
         return _refused(question, "the question is empty", clock, least)
-    if asks_for_overview(question) and (told := described(run, view, unit)) is not None:
-        return _told(question, told, expect, clock, least)
-    understanding = Understanding(question, view, expect)
+    try:
+        asked_for, at_most = _stands_alone(question, options, run, view, unit)
+    except NotFollowed as error:
+        return _Outcome(failure=not_followed(error)).record(question, clock, least)
+    unit = asked_unit(asked_for) or unit
+    understanding = Understanding(asked_for, view, expect, at_most)
+    if (told := _told(understanding, run, view, unit, expect)) is not None:
+        return told.record(question, clock, least)
     codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
-        task = Task(question, judged, summary, expect, asked)
+        task = Task(asked_for, judged, summary, expect, asked)
         outcome = _with_llm(task, codegen, writer, lambda: understanding.answered(timed_run, unit, least), clock)
     else:
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
@@ -107,17 +116,55 @@ def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> De
     return overview(view, unit, ask)
 
 
-def _told(question: str, told: Description, expect: Expectation, clock: _Clock, least: float) -> AnswerRecord:
-    """The record of a question that a description answers."""
-    text = Answer(value=told.text, type=AnswerType.TEXT, unit=Unit.NONE, text=told.text)
+def _stands_alone(
+    question: str, options: AnswerOptions, run: Run, view: ModelView, unit: LengthUnit
+) -> tuple[str, float]:
+    """The question with what it leans on put in: parts that are pointed at, questions before. Raises NotFollowed.
+
+    And how sure an answer can be at most: as sure as it is which parts the questions before were about.
+    """
+    if not options.context and options.selection is None:
+        return question, 1.0
+    if view.contents is None:
+        raise NotFollowed("the parts of the model are not known here, to which the question refers")
+    alone = options.model_copy(update={"codegen": Codegen.PARSER, "context": (), "selection": None, "expect": None})
+
+    at_most = 1.0
+
+    def before(text: str) -> list[str] | None:
+        nonlocal at_most
+        record = answer_question(text, run, view, unit, alone)
+        at_most = min(at_most, 1.0 if record.confidence is None else record.confidence)
+        found = [part.id for part in record.parts if part.kind is not PartKind.MODEL]
+        return found if found or not record.parts else None
+
+    contents = view.contents
+    text = stands_alone(question, options.context, options.selection, lambda: contents()[1], before)
+    return text, at_most
+
+
+def _told(
+    understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, expect: Expectation
+) -> _Outcome | None:
+    """What comes of a question that no program answers: what the model is, what a part is. None for any other."""
+    question, addressed = understanding.question, understanding.addressed
+    parts: tuple[Part, ...] = ()
+    if asks_for_overview(question) and (found := described(run, view, unit)) is not None:
+        text, meant = found.text, "a description of the model"
+    elif view.contents is not None and asks_what_parts_are(addressed):
+        known = view.contents()[1]
+        parts = tuple(part for part in known if part.id in addressed.ids)
+        text, meant = told_parts(parts, known, unit), f"what {ids_text([part.id for part in parts])} is"
+    else:
+        return None
+    answer = Answer(value=text, type=AnswerType.TEXT, unit=Unit.NONE, text=text)
     try:
-        as_expected(text.model_copy(update={"text": "a description"}), expect)
-        verdict = Verdict(answer=text)
+        as_expected(answer.model_copy(update={"text": meant}), expect)
     except Unexpected as error:
-        verdict = Verdict(failure=Failure(category="unexpected", message=str(error)))
-    known = Understood(verdict=verdict, confidence=1.0, understood_as="a description of the model")
-    record = _Outcome(failure=verdict.failure, understood=known).record(question, clock, least)
-    return record.model_copy(update={"status": verdict.status, "answer": verdict.answer})
+        return _Outcome(failure=Failure(category="unexpected", message=str(error)))
+    program = Program(code="", codegen="parser", expects=AnswerType.TEXT, confidence=1.0)
+    verdict = Verdict(answer=answer, parts=parts)
+    return _by_parser(Understood(program, verdict, 1.0, meant, notes=addressed.notes))
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
@@ -207,17 +254,18 @@ class _Outcome:
         alternatives = self._alternatives(understood)
         status, answer = verdict.status, verdict.answer
         confidence = understood.confidence if understood is not None else None
+        notes = understood.notes if understood is not None else ()
         if answer is not None and confidence is not None and confidence < least:
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(
             question=question,
             status=status,
             answer=answer,
-            code=program.code if program is not None else None,
-            codegen=program.codegen if program is not None else None,
+            code=program.code if program is not None and program.code else None,
+            codegen=program.codegen if program is not None and program.code else None,
             parts=verdict.parts,
             timings_ms=clock.timings_ms,
-            warnings=tuple(dict.fromkeys((*self.notes, *self._disagreement(), *verdict.warnings))),
+            warnings=tuple(dict.fromkeys((*self.notes, *notes, *self._disagreement(), *verdict.warnings))),
             failure=verdict.failure,
             confidence=confidence,
             understood_as=understood.understood_as if understood is not None else "",

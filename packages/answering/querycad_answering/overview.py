@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Description, LengthUnit
+import re
+from collections.abc import Sequence
+
+from querycad_contracts import Description, LengthUnit, Part
 from querycad_language.tokens import Kind, Token, tokenize
 
+from .addressing import Addressed
+from .drawing.callouts import callouts, ids_text
 from .drawing.describing import Ask, describe
+from .drawing.numbers import unit_name
 from .understanding import ModelView
 
 # fmt: off
@@ -29,6 +35,29 @@ _AROUND = frozenset((
 ))
 """Words around these that ask for nothing else."""
 # fmt: on
+_ABOUT_PARTS = frozenset(
+    (
+        "what",
+        "is",
+        "are",
+        "describe",
+        "explain",
+        "tell",
+        "me",
+        "us",
+        "about",
+        "show",
+        "please",
+        "the",
+        "and",
+        "a",
+        "can",
+        "you",
+        "exactly",
+        "s",
+    )
+)
+_WORD = re.compile(r"[a-z]+")
 _YES_OR_NO = frozenset(("is", "are", "do", "does", "have", "has"))
 
 
@@ -46,6 +75,22 @@ def asks_for_overview(question: str) -> bool:
     if any(word in _TOPIC for word in words):
         return True
     return words[0] in ("what", "tell", "show") and words[-1] in _SUBJECT
+
+
+def asks_what_parts_are(addressed: Addressed) -> bool:
+    """Is asked what the parts are that the question names: 'what is hole 4', 'describe face 36'?"""
+    if not addressed.names:
+        return False
+    names = "|".join(map(str, addressed.names))
+    bare = re.sub(rf"\b(?:ring )?[a-z]+ (?:{names})\b", " ", addressed.texts[0])
+    words = _WORD.findall(bare.lower())
+    return bool(words) and words[0] not in _YES_OR_NO and all(word in _ABOUT_PARTS for word in words)
+
+
+def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:
+    """What a drawing would say of some of all parts, like ones together; lengths are in `unit`."""
+    found = callouts(told, unit, {part.id: part for part in parts})
+    return "; ".join(f"{one.text} ({ids_text(one.ids)})" for one in found) + f", in {unit_name(unit)}"
 
 
 def _is_word(token: Token) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from querycad_contracts import (
@@ -21,9 +21,10 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
-from querycad_language.readings import Reader
 
+from .addressing import Addressed, address, may_name_parts, names_all, reader_of
 from .candidates import Candidate, Ground, candidates, with_value
+from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
 from .refusing import TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
@@ -63,27 +64,39 @@ class Understood:
     confidence: float | None = None
     understood_as: str = ""
     ignored: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    """How names of parts were taken."""
     others: tuple[Alternative, ...] = ()
 
 
 class Understanding:
     """One question on one model. Nothing is read before it is asked for, and nothing run before `answered`."""
 
-    def __init__(self, question: str, view: ModelView, expect: Expectation) -> None:
-        self._question = question
+    def __init__(self, question: str, view: ModelView, expect: Expectation, at_most: float = 1.0) -> None:
+        """No answer is surer than `at_most`."""
+        self.question = question
         self._view = view
         self._expect = expect
+        self._at_most = at_most
         self._outcomes: dict[str, RunOutcome] = {}
         self.grounded: dict[PartQuery, Sequence[Grounded]] = {}
 
     @cached_property
     def _asked(self) -> Refused:
-        return Refused(Reader(self._question, self._view.names), self._view.kinds)
+        return Refused(reader_of(self.addressed, self._view.names), self._view.kinds)
+
+    @cached_property
+    def addressed(self) -> Addressed:
+        """The question with the parts that it names by their ids."""
+        if self._view.contents is None or not may_name_parts(self.question):
+            return Addressed((self.question,))
+        return address(self.question, self._view.contents()[1])
 
     @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
         found = candidates(self._asked.reader.readings, self._ground, self._view.whole)
+        found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
         return fitting or found
@@ -96,6 +109,8 @@ class Understanding:
     @cached_property
     def refused(self) -> Failure | None:
         """Why is no program run at all?"""
+        if self.addressed.failure is not None:
+            return self.addressed.failure.model_copy(update={"nearest": self._view.kinds})
         asked = self._asked
         best = next(iter(self.ranked), None)
         return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
@@ -127,7 +142,7 @@ class Understanding:
         tried = self.tried(run)
         untried = [one.score for one in self.ranked[len(tried) :]]
         found = values(tried, untried)
-        for index, best in enumerate(found):
+        for index, best in enumerate(map(self._certain, found)):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
                 if (missing := self._missing(best, least)) is not None:
@@ -138,6 +153,16 @@ class Understanding:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
+
+    def _certain(self, best: Value) -> Value:
+        """The value with the confidence that it has where every part is named by its id, and no word is passed over.
+
+        Then nothing is left to find: it is as sure as the share of its meaning among the others.
+        """
+        ids = self.addressed.ids
+        named = ids and all(query.ids for query in best.candidate.grounds) and names_all(best.candidate.reading, ids)
+        sure = max(best.confidence, best.share) if named and not skipped(best.candidate) else best.confidence
+        return replace(best, confidence=min(sure, self._at_most))
 
     def _missing(self, best: Value, least: float) -> Failure | None:
         """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""
@@ -159,6 +184,7 @@ class Understanding:
             verdict=verdict,
             confidence=round(best.confidence, 3),
             understood_as=meant(candidate),
+            notes=self.addressed.notes,
             ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
             others=others,
         )
@@ -183,6 +209,8 @@ class Understanding:
 def meant(candidate: Candidate) -> str:
     """What is asked, in plain words; a noun that is taken for all of the model is said to be."""
     said = describe(candidate.reading.form)
+    for query in candidate.grounds:
+        said = said.replace(", ".join(query.ids), ids_text(query.ids)) if len(query.ids) > 1 else said
     whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
     return f"{said}, which is the whole model" if whole else said
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -94,6 +94,15 @@ class LlmOptions(Frozen):
     repairs: int | None = Field(None, ge=0, le=5, description="Times that a program that fails is sent back.")
 
 
+class Selection(Frozen):
+    """What is pointed at while a question is asked: clicked in a view of the model, say. 'It' and 'this' are these."""
+
+    parts: tuple[str, ...] = Field((), max_length=1000, description="Ids of parts, such as 'hole-4'.")
+    faces: tuple[int, ...] = Field(
+        (), max_length=1000, description="Ids of faces; a feature that has them all is meant."
+    )
+
+
 class AnswerOptions(Frozen):
     """How a question is to be answered, as far as the caller has a say."""
 
@@ -109,6 +118,10 @@ class AnswerOptions(Frozen):
         le=1.0,
         strict=True,
         description=f"An answer less probable than this is `unsure`; null: {LEAST_CONFIDENCE}. 0: never unsure.",
+    )
+    selection: Selection | None = Field(None, description="What is pointed at: what 'it', 'these', 'this hole' mean.")
+    context: tuple[Annotated[str, Field(max_length=2000)], ...] = Field(
+        (), max_length=20, description="Questions asked before, the oldest first: what 'and how deep is it?' leans on."
     )
 
 

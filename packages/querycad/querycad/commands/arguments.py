@@ -87,6 +87,20 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
     ask.add_argument("--picture", metavar="OUT.png", type=_png, help="draw the parts that the answer rests on")
     ask.add_argument("--all", action="store_true", help="print each part of the answer, with its faces and sides")
     ask.add_argument("--symbols", action="store_true", help="write drawing symbols for words: ⌴ ⌵ ↧")
+    ask.add_argument(
+        "--select",
+        action="append",
+        default=[],
+        metavar="ID",
+        help="what 'it' or 'this' is: the id of a part, or the number of a face; as often as needed",
+    )
+    ask.add_argument(
+        "--context",
+        action="append",
+        default=[],
+        metavar="QUESTION",
+        help="a question asked before, which this one may refer to; as often as needed, the oldest first",
+    )
     ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
     ask.add_argument("--server", metavar="URL", help="let a running service answer, such as http://127.0.0.1:8000")
     ask.add_argument(
@@ -101,6 +115,8 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
         'ask part.step "What is the diameter of the holes on top?"',
         'ask part.step "distance between hole 4 and hole 6" --unit in',
         'ask part.step "How many ribs are there?" --picture ribs.png',
+        'ask part.step "And how deep are they?" --context "How many blind holes are there?"',
+        'ask part.step "What is its area?" --select hole-4',
         "ask part.step --questions questions.txt --json",
     )
     ask.set_defaults(run=_runs("ask", "ask"))
