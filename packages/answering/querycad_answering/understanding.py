@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from querycad_contracts import (
     Alternative,
+    AnswerType,
     Expectation,
     Failure,
     Grounded,
     LengthUnit,
+    Measure,
     ModelSummary,
     Part,
     PartQuery,
@@ -21,6 +24,8 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
+from querycad_language.forms import Get
+from querycad_language.lexicon import lexicon
 
 from .addressing import Addressed, address, may_name_parts, names_all, reader_of
 from .candidates import Candidate, Ground, candidates, with_value
@@ -36,6 +41,15 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
+
+OTHER_CLASS = 0.4
+"""So sure, at most, is a value that answers a question which asks for yes or no."""
+_YES_OR_NO = re.compile(
+    r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"
+    r"(?!.*\b(?:or|how|what|which|where|number|count|give|tell|possible|way|anyone|anybody)\b)",
+    re.IGNORECASE | re.DOTALL,
+)
+"""What asks for yes or no and for nothing else."""
 
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
@@ -162,6 +176,8 @@ class Understanding:
         ids = self.addressed.ids
         named = ids and all(query.ids for query in best.candidate.grounds) and names_all(best.candidate.reading, ids)
         sure = max(best.confidence, best.share) if named and not skipped(best.candidate) else best.confidence
+        if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
+            sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
 
     def _missing(self, best: Value, least: float) -> Failure | None:
@@ -175,7 +191,12 @@ class Understanding:
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
         program = _program(candidate, confidence)
-        return judge(program, self._outcomes[candidate.written.code], unit, self._expect)
+        verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
+        form = candidate.reading.form
+        if verdict.answer is not None and isinstance(form, Get) and form.measures == (Measure.MASS,):
+            text = f"{verdict.answer.text} kg"
+            return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
+        return verdict
 
     def _understood(self, best: Value, verdict: Verdict, others: tuple[Alternative, ...]) -> Understood:
         candidate = best.candidate
@@ -184,10 +205,19 @@ class Understanding:
             verdict=verdict,
             confidence=round(best.confidence, 3),
             understood_as=meant(candidate),
-            notes=self.addressed.notes,
+            notes=(*self.addressed.notes, *self._taken_for_whole(candidate)),
             ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
             others=others,
         )
+
+    def _taken_for_whole(self, candidate: Candidate) -> Iterator[str]:
+        """The product in 'piston rings', where the model is taken for it and has no such name."""
+        for query, grounded in candidate.grounds.items():
+            for place in query.places if grounded.features.get("compound_whole") else ():
+                noun = place.what.noun if place.what is not None else ""
+                known = lexicon().nouns.get(noun)
+                if noun and (known is None or known.product) and not set(noun.split()) & self._view.names:
+                    yield f"not checked: '{noun}', taken for the whole model"
 
     def _others(self, best: Candidate, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
         """The other values that may be meant, the most probable first."""
