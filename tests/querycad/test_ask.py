@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -154,6 +155,35 @@ def test_an_id_that_the_model_lacks_is_refused_with_those_it_has(capsys: pytest.
     code, out, err = run(capsys, FLANGE, "How deep is hole 99?")
     assert (code, out) == (2, "")
     assert "the model has no hole-99; it has hole-1..11" in err
+
+
+@pytest.mark.parametrize("question", ["Which is larger, hole 4 or hole 11?", "hole 1 hole 2 hole 3 depth width"])
+def test_an_id_is_never_passed_over_surely(capsys: pytest.CaptureFixture[str], question: str) -> None:
+    record = json.loads(run(capsys, FLANGE, question, "--json")[1])
+    named = set(re.findall(r"hole-\d+", question.replace("hole ", "hole-")))
+    rests_on = {part["id"] for part in record["parts"]}
+    assert record["status"] != "answered" or named <= rests_on
+
+
+@pytest.mark.parametrize(
+    ("question", "text"),
+    [
+        ("Is hole 1 counterbored?", "yes"),
+        ("Is hole 4 counterbored?", "no"),
+        ("Are hole 1 and hole 2 counterbored?", "yes"),
+        ("Is hole 4 larger than hole 11?", "no"),
+        ("depth of the counterbored hole 1", "22 mm"),
+    ],
+)
+def test_what_is_said_of_a_part_by_its_id_is_checked(
+    capsys: pytest.CaptureFixture[str], question: str, text: str
+) -> None:
+    assert run(capsys, FLANGE, question)[1].splitlines()[0] == text
+
+
+@pytest.mark.parametrize("question", ["depth of the blind hole 4", "Is hole 4 threaded?"])
+def test_what_a_part_is_not_makes_the_answer_unsure(capsys: pytest.CaptureFixture[str], question: str) -> None:
+    assert run(capsys, FLANGE, question)[1].startswith("perhaps ")
 
 
 def test_distances_of_three_parts_are_not_answered_with_one(capsys: pytest.CaptureFixture[str]) -> None:

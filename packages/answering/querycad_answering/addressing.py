@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
-from querycad_language.forms import Distance, queries
+from querycad_language.forms import Distance, Every, Form, Get, Reduce, queries
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
 from querycad_language.text import Text
@@ -90,6 +90,26 @@ def names_all(reading: Reading, ids: frozenset[str]) -> bool:
     if isinstance(form, Distance) and form.second == "each other" and len(ids) > 2:
         return False
     return ids <= {part for query in queries(reading.form) for part in query.ids}
+
+
+def is_certain(form: Form) -> bool:
+    """Is nothing left to find: is every part that the form is about named by its id, and by nothing that restricts it?
+
+    What words such as 'difference' do with the values is not certain.
+    """
+    if isinstance(form, Every) or (isinstance(form, Get) and form.reduce is Reduce.DIFFERENT):
+        return False
+    return all(query.ids and not is_restricted(query) for query in queries(form))
+
+
+def is_restricted(query: PartQuery) -> bool:
+    """Do words beside the ids say which parts: 'the blind hole 4'?"""
+    plain = PartQuery()
+    own = query.noun in _KINDS or not query.noun
+    return not own or any(getattr(query, name) != getattr(plain, name) for name in _RESTRICTS)
+
+
+_RESTRICTS = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "places", "sides", "unseen", "excluded")
 
 
 def may_name_parts(question: str) -> bool:
@@ -264,6 +284,9 @@ def _with_ids(value: Any, names: Mapping[int, tuple[str, ...]]) -> Any:
         if isinstance(value, PartQuery):
             changed["ids"] = tuple(_own(value.ids, names))
         return value.model_copy(update=changed)
+    if isinstance(value, Every):  # 'is hole 4 counterbored': among all that are, not among itself
+        among = _with_ids(value.among, names)
+        return Every(_with_ids(value.target, names), among.model_copy(update={"ids": ()}))
     if is_dataclass(value) and not isinstance(value, type):
         return replace(value, **{each.name: _with_ids(getattr(value, each.name), names) for each in fields(value)})
     return value

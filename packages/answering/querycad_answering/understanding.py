@@ -27,7 +27,7 @@ from querycad_language.describe import describe
 from querycad_language.forms import Get
 from querycad_language.lexicon import lexicon
 
-from .addressing import Addressed, address, may_name_parts, names_all, reader_of
+from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
 from .judging import Verdict, judge
@@ -42,6 +42,9 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
 
+PASSED_OVER = 0.4
+"""So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
+_ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.4
 """So sure, at most, is a value that answers a question which asks for yes or no."""
 _YES_OR_NO = re.compile(
@@ -174,11 +177,25 @@ class Understanding:
         Then nothing is left to find: it is as sure as the share of its meaning among the others.
         """
         ids = self.addressed.ids
-        named = ids and all(query.ids for query in best.candidate.grounds) and names_all(best.candidate.reading, ids)
+        named = ids and is_certain(best.candidate.reading.form) and names_all(best.candidate.reading, ids)
         sure = max(best.confidence, best.share) if named and not skipped(best.candidate) else best.confidence
+        if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
+            sure = min(sure, PASSED_OVER)
         if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
+
+    def _fits(self, candidate: Candidate) -> bool:
+        """Are the parts that are named by their ids what is said beside: is hole 4 blind in 'the blind hole 4'?
+
+        And is what is said of them meant in its own sense? A hole that has a tap drill's diameter need not be threaded.
+        """
+        restricted = [query for query in candidate.grounds if query.ids and is_restricted(query)]
+        ways = self._view.ground([query.model_copy(update=_ALL_SUCH) for query in restricted]) if restricted else ()
+        return "adjective_wider" not in candidate.features and all(
+            set(query.ids) <= {part.id for part in found[0].parts}
+            for query, found in zip(restricted, ways, strict=True)
+        )
 
     def _missing(self, best: Value, least: float) -> Failure | None:
         """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""

@@ -90,16 +90,20 @@ class LlmOptions(Frozen):
     """What a caller may choose of a language model. Its address and key are the service's own, always."""
 
     model: str | None = Field(None, max_length=200, description="One of the models that the service allows.")
-    samples: int | None = Field(None, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
-    repairs: int | None = Field(None, ge=0, le=5, description="Times that a program that fails is sent back.")
+    samples: int | None = Field(
+        None, ge=1, le=9, strict=True, description="Programs asked for, whose answers are voted on."
+    )
+    repairs: int | None = Field(
+        None, ge=0, le=5, strict=True, description="Times that a program that fails is sent back."
+    )
 
 
 class Selection(Frozen):
     """What is pointed at while a question is asked: clicked in a view of the model, say. 'It' and 'this' are these."""
 
     parts: tuple[str, ...] = Field((), max_length=1000, description="Ids of parts, such as 'hole-4'.")
-    faces: tuple[int, ...] = Field(
-        (), max_length=1000, description="Ids of faces; a feature that has them all is meant."
+    faces: tuple[Annotated[int, Field(ge=0, strict=True)], ...] = Field(
+        (), max_length=1000, description="Numbers of faces in the file; a feature that has them all is meant."
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
@@ -156,5 +157,5 @@ def _view(segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> M
         segcad.whole,
         segcad.names,
         segcad.kinds,
-        contents=lambda: (summary(segcad.model), segcad.model.parts),
+        contents=cache(lambda: (summary(segcad.model), segcad.model.parts)),
     )

@@ -53,6 +53,12 @@ def test_grouped_rows_stand_for_all_alike_and_have_no_place() -> None:
     assert cell(found, 0, "x") is None
 
 
+def test_a_grouped_row_has_an_axis_only_where_all_have_the_same() -> None:
+    sideways = hole(7, diameter=0.005, axis=(1.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
+    assert cell(table(TableKind.HOLES, SIX, grouped=True), 0, "axis") == "+z"
+    assert cell(table(TableKind.HOLES, [*SIX, sideways], grouped=True), 0, "axis") is None
+
+
 def test_a_thousand_holes_are_a_few_grouped_rows() -> None:
     holes = [hole(number, diameter=0.002 + 0.001 * (number % 3)) for number in range(1, 1361)]
     found = table(TableKind.HOLES, holes, grouped=True)

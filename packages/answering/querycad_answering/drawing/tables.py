@@ -188,6 +188,12 @@ def _outline(part: Part) -> tuple[float | None, float | None]:
     return (part.local_size[1], part.local_size[0]) if part.local_size else (part.width, part.length)
 
 
+def _common(texts: Iterable[str]) -> str | None:
+    """The one text that all are; None where they differ."""
+    different = set(texts)
+    return different.pop() if len(different) == 1 else None
+
+
 def _shank(row: _Row) -> float | None:
     """How long is a screw as its standard says, under the head? A countersunk one's head counts (ISO 7721)."""
     part = row.first
@@ -210,7 +216,10 @@ _CALLOUT = (
     lambda row: callout(row.first, row.unit, row.known),
 )
 _NAME = (Column(name="name"), lambda row: product_name(row.parts) or None)
-_AXIS = _text("axis", lambda part: direction(way) if (way := part.normal or part.axis) else None)
+_AXIS = (
+    Column(name="axis"),
+    lambda row: _common(direction(way) for part in row.parts if (way := part.normal or part.axis)),
+)
 _COLOR = _text("color", lambda part: part.color)
 
 _CELLS: Mapping[TableKind, _Cells] = {

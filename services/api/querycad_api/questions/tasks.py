@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import time
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from celery import Celery, Task
@@ -180,7 +181,7 @@ class Questions:
     def _view(self, task: ModelTask, summary: ModelSummary, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
         """What readings are ranked on; all parts are fetched only where a description is asked for."""
         view = self.segcad.view(task.model, grounding)
-        return replace(view, contents=lambda: (summary, self.segcad.parts(task.model)))
+        return replace(view, contents=cache(lambda: (summary, self.segcad.parts(task.model))))
 
     def _finish(self, task: QuestionTask, job: Begun, record: AnswerRecord) -> None:
         took_s = job.age_s
