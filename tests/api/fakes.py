@@ -9,7 +9,7 @@ from base64 import b64decode
 from collections.abc import Callable
 
 from redis import Redis
-from tests.made import view
+from tests.made import view, whole
 
 from querycad_answering.understanding import ModelView
 from querycad_contracts import (
@@ -18,6 +18,7 @@ from querycad_contracts import (
     Grounding,
     GroundTask,
     ModelSummary,
+    Part,
     Program,
     Queue,
     RunOutcome,
@@ -55,6 +56,9 @@ class FakeSegcad:
 
     def view(self, model: str, *_: object) -> ModelView:
         return view()
+
+    def parts(self, model: str) -> tuple[Part, ...]:
+        return (whole(),)
 
 
 class FakeSegworker(threading.Thread):

@@ -18,7 +18,7 @@ import httpx
 import pytest
 
 from querycad.client import Client, ServerProblem
-from querycad_contracts import AnswerRecord, ModelStatus, Status
+from querycad_contracts import AnswerRecord, ModelStatus, Status, TableKind
 
 ROOT = Path(__file__).parents[2]
 QUESTION = "What is the diameter of the holes visible from the top?"
@@ -133,6 +133,28 @@ def test_the_service_answers_just_what_the_command_answers(
     assert answered.status is Status.ANSWERED
     assert without_timings(answered) == without_timings(AnswerRecord.model_validate_json(printed))
     assert list(answered.timings_ms) == list(json.loads(printed)["timings_ms"])
+
+
+def test_the_service_describes_and_tabulates_as_the_command_does(
+    service: Service, client: Client, model: str, flange: Path
+) -> None:
+    def printed(*arguments: str) -> str:
+        command = [sys.executable, "-m", "querycad.cli", *arguments]
+        return subprocess.run(command, env=service.environment, capture_output=True, text=True, check=True).stdout
+
+    described = client.describe(model)
+    assert described.text + "\n" == printed("describe", str(flange))
+    assert len(described.questions) >= 5
+    asked = client.ask(model, "What is this part?")
+    assert (asked.status, asked.answer.text if asked.answer else "") == (Status.ANSWERED, described.text)
+    assert client.table(model, TableKind.HOLES).model_dump_json() + "\n" == printed(
+        "table", str(flange), "holes", "--format", "json"
+    )
+    path = f"{service.url}/v1/models/{model}/tables/holes"
+    response = httpx.get(path, params={"format": "csv", "unit": "in", "grouped": "true"})
+    assert response.headers["content-type"].startswith("text/csv")
+    assert response.text == printed("table", str(flange), "holes", "--format", "csv", "--unit", "in", "--grouped")
+    assert httpx.get(f"{service.url}/v1/models/{model}/tables/bananas").status_code == 422
 
 
 def test_a_question_may_follow_its_upload_at_once(client: Client) -> None:

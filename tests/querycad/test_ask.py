@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -30,7 +31,7 @@ def test_an_answer_comes_with_its_parts_and_program(capsys: pytest.CaptureFixtur
     code, out, err = run(capsys, FLANGE, "How many counterbored holes are there?", "--show-code")
     assert (code, err) == (0, "")
     assert out.startswith("8\n")
-    assert out.count("counterbored through hole") == 8
+    assert "8x Ø16 THRU, counterbore Ø26 depth 8  hole-1..3, hole-5, hole-7..10" in out
     assert "parts = find_parts(" in out
 
 
@@ -123,3 +124,93 @@ def test_a_picture_that_cannot_be_written_is_told_by_the_exit_code(
     assert code == 2
     assert out.startswith("11\n")
     assert "the picture cannot be written" in err
+
+
+@pytest.mark.parametrize(
+    ("question", "value"),
+    [
+        ("distance between hole 4 and hole 6", 0.134),
+        ("What is the distance between hole-4 and hole-6?", 0.134),
+        ("How far apart are holes 4 and 6?", 0.134),
+        ("diameter of counterbore-h1.1", 0.026),
+        ("area of face 36", 0.008991),
+    ],
+)
+def test_what_is_printed_can_be_asked_for_and_is_certain(
+    capsys: pytest.CaptureFixture[str], question: str, value: float
+) -> None:
+    code, out, _ = run(capsys, FLANGE, question, "--json")
+    record = json.loads(out)
+    assert (code, record["status"]) == (0, "answered")
+    assert record["confidence"] >= 0.9
+    assert record["answer"]["value"] == pytest.approx(value, rel=1e-3)
+
+
+def test_a_part_is_told_as_on_a_drawing(capsys: pytest.CaptureFixture[str]) -> None:
+    out = run(capsys, FLANGE, "What is hole 1?")[1]
+    assert out.splitlines()[0] == "Ø16 THRU, counterbore Ø26 depth 8 (hole-1), in mm"
+
+
+def test_an_id_that_the_model_lacks_is_refused_with_those_it_has(capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = run(capsys, FLANGE, "How deep is hole 99?")
+    assert (code, out) == (2, "")
+    assert "the model has no hole-99; it has hole-1..11" in err
+
+
+@pytest.mark.parametrize("question", ["Which is larger, hole 4 or hole 11?", "hole 1 hole 2 hole 3 depth width"])
+def test_an_id_is_never_passed_over_surely(capsys: pytest.CaptureFixture[str], question: str) -> None:
+    record = json.loads(run(capsys, FLANGE, question, "--json")[1])
+    named = set(re.findall(r"hole-\d+", question.replace("hole ", "hole-")))
+    rests_on = {part["id"] for part in record["parts"]}
+    assert record["status"] != "answered" or named <= rests_on
+
+
+@pytest.mark.parametrize(
+    ("question", "text"),
+    [
+        ("Is hole 1 counterbored?", "yes"),
+        ("Is hole 4 counterbored?", "no"),
+        ("Are hole 1 and hole 2 counterbored?", "yes"),
+        ("Is hole 4 larger than hole 11?", "no"),
+        ("depth of the counterbored hole 1", "22 mm"),
+    ],
+)
+def test_what_is_said_of_a_part_by_its_id_is_checked(
+    capsys: pytest.CaptureFixture[str], question: str, text: str
+) -> None:
+    assert run(capsys, FLANGE, question)[1].splitlines()[0] == text
+
+
+@pytest.mark.parametrize("question", ["depth of the blind hole 4", "Is hole 4 threaded?"])
+def test_what_a_part_is_not_makes_the_answer_unsure(capsys: pytest.CaptureFixture[str], question: str) -> None:
+    assert run(capsys, FLANGE, question)[1].startswith("perhaps ")
+
+
+def test_distances_of_three_parts_are_not_answered_with_one(capsys: pytest.CaptureFixture[str]) -> None:
+    record = json.loads(run(capsys, FLANGE, "how far apart are hole 1, hole 2 and hole 3", "--json")[1])
+    assert record["status"] != "answered"
+
+
+def test_questions_follow_one_another(capsys: pytest.CaptureFixture[str]) -> None:
+    first = ["--context", "How many counterbored holes are there?"]
+    out = run(capsys, FLANGE, "And how deep are they?", *first)[1]
+    assert out.startswith("22 mm\n")
+    assert "depth of hole-1..3, hole-5, hole-7..10" in out
+    out = run(capsys, FLANGE, "the same in inches", *first, "--context", "And how deep are they?")[1]
+    assert out.splitlines()[0].endswith("0.866142 in")
+
+
+def test_a_follow_up_is_no_surer_than_the_question_that_it_follows(capsys: pytest.CaptureFixture[str]) -> None:
+    context = "What is the diameter of the holes visible from the top?"
+    before = json.loads(run(capsys, FLANGE, context, "--json")[1])
+    after = json.loads(run(capsys, FLANGE, "and how deep are they?", "--context", context, "--json")[1])
+    assert len(after["parts"]) == len(before["parts"]) == 11
+    assert after["confidence"] <= before["confidence"]
+
+
+def test_what_is_selected_is_what_it_means(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(capsys, FLANGE, "What is its diameter?", "--select", "hole-4")[1].startswith("8.5 mm\n")
+    assert run(capsys, FLANGE, "How deep is it?", "--select", "25")[1].startswith("8 mm\n")
+    code, _, err = run(capsys, FLANGE, "How deep is it?", "--select", "hole-44")
+    assert code == 2
+    assert "no hole-44" in err

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from querycad.bench import run
+from querycad.commands.bench import run
 
 ROOT = Path(__file__).parents[2]
 
@@ -36,4 +36,4 @@ def test_from_any_folder_all_that_follows_is_the_benchmarks_own(
 def test_the_package_has_none_of_it() -> None:
     said = tomllib.loads((ROOT / "packages/querycad/pyproject.toml").read_text(encoding="utf-8"))
     assert said["tool"]["hatch"]["build"]["targets"]["wheel"]["packages"] == ["querycad"]
-    assert not (ROOT / "packages/querycad/querycad/bench").exists()
+    assert not (ROOT / "packages/querycad/querycad/commands/bench").exists()

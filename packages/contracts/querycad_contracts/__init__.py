@@ -16,10 +16,12 @@ from .answers import (
     LlmOptions,
     MissingAttribute,
     Program,
+    Selection,
     Status,
     TokenUse,
     Unit,
 )
+from .drawings import Callout, Column, Description, Quantity, Table, TableFormat, TableKind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
@@ -44,6 +46,7 @@ from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, Run
 from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
 from .services import (
     NO_ACCOUNTS,
+    DescribeTask,
     DistanceTask,
     EdgeDistanceTask,
     ExtentTask,
@@ -114,8 +117,12 @@ __all__ = [
     "Body",
     "BrokerSettings",
     "BucketStore",
+    "Callout",
     "Codegen",
+    "Column",
     "Convexity",
+    "DescribeTask",
+    "Description",
     "DistanceTask",
     "EdgeDistanceTask",
     "Evidence",
@@ -173,6 +180,7 @@ __all__ = [
     "Problem",
     "Program",
     "ProgramRequest",
+    "Quantity",
     "QuestionRequest",
     "QuestionTask",
     "QuestionsRequest",
@@ -191,6 +199,7 @@ __all__ = [
     "RunStatus",
     "SegCad",
     "SegmentRequest",
+    "Selection",
     "Settings",
     "Shape",
     "Side",
@@ -198,6 +207,9 @@ __all__ = [
     "Status",
     "StorageSettings",
     "SurfaceKind",
+    "Table",
+    "TableFormat",
+    "TableKind",
     "TaskFailure",
     "TaskFailureKind",
     "TaskName",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Any
+from typing import Annotated, Any
 
 from pydantic import Field
 
@@ -92,8 +92,21 @@ class LlmOptions(Frozen):
     """What a caller may choose of a language model. Its address and key are the service's own, always."""
 
     model: str | None = Field(None, max_length=200, description="One of the models that the service allows.")
-    samples: int | None = Field(None, ge=1, le=9, description="Programs asked for, whose answers are voted on.")
-    repairs: int | None = Field(None, ge=0, le=5, description="Times that a program that fails is sent back.")
+    samples: int | None = Field(
+        None, ge=1, le=9, strict=True, description="Programs asked for, whose answers are voted on."
+    )
+    repairs: int | None = Field(
+        None, ge=0, le=5, strict=True, description="Times that a program that fails is sent back."
+    )
+
+
+class Selection(Frozen):
+    """What is pointed at while a question is asked: clicked in a view of the model, say. 'It' and 'this' are these."""
+
+    parts: tuple[str, ...] = Field((), max_length=1000, description="Ids of parts, such as 'hole-4'.")
+    faces: tuple[Annotated[int, Field(ge=0, strict=True)], ...] = Field(
+        (), max_length=1000, description="Numbers of faces in the file; a feature that has them all is meant."
+    )
 
 
 class AnswerOptions(Frozen):
@@ -111,6 +124,10 @@ class AnswerOptions(Frozen):
         le=1.0,
         strict=True,
         description=f"An answer less probable than this is `unsure`; null: {LEAST_CONFIDENCE}. 0: never unsure.",
+    )
+    selection: Selection | None = Field(None, description="What is pointed at: what 'it', 'these', 'this hole' mean.")
+    context: tuple[Annotated[str, Field(max_length=2000)], ...] = Field(
+        (), max_length=20, description="Questions asked before, the oldest first: what 'and how deep is it?' leans on."
     )
 
 

@@ -52,6 +52,7 @@ class TaskName(StrEnum):
     PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: name of the file in the store
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
+    DESCRIPTION = "querycad.description"  # DescribeTask -> TaskOutcome[Description], by the question workers
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
     MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant, uploaded -> nothing; after an ingest
     MODEL_LOST = "querycad.model_lost"  # task id, model, tenant, uploaded -> nothing; after one that was stopped
@@ -67,6 +68,7 @@ _QUEUES = {
     TaskName.PICTURE: Queue.PICTURES,
     TaskName.VIEW: Queue.PICTURES,
     TaskName.GLB: Queue.PICTURES,
+    TaskName.DESCRIPTION: Queue.QUESTIONS,
     TaskName.QUESTION: Queue.QUESTIONS,
     TaskName.MODEL_READ: Queue.QUESTIONS,
     TaskName.MODEL_LOST: Queue.QUESTIONS,
@@ -314,6 +316,13 @@ class ProgramRequest(Frozen):
     )
     expects: AnswerType | None = Field(None, description="Then an absent measure in the result is the run's failure.")
     grounding: GroundedBy = Field(GroundedBy.GEOMETRY, description="By which evidence words are turned into parts.")
+
+
+class DescribeTask(ModelTask):
+    """What is the model, and what can be asked about it?"""
+
+    summary: ModelSummary
+    unit: LengthUnit = LengthUnit.MM
 
 
 class Problem(Frozen):

@@ -17,6 +17,7 @@ from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
     AnswerType,
+    Description,
     GroundedBy,
     Grounding,
     Health,
@@ -30,6 +31,8 @@ from querycad_contracts import (
     ProgramRequest,
     RunOutcome,
     Side,
+    Table,
+    TableKind,
     ViewName,
 )
 
@@ -93,6 +96,14 @@ class Client:
     def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
         """Which parts were recognised in the model?"""
         return self._run(flows.parts(model, kind, offset, limit))
+
+    def table(self, model: str, kind: TableKind, grouped: bool | None = None) -> Table:
+        """The holes, bends, fasteners, bodies … of the model, a row each; `grouped`: a row for all that are alike."""
+        return self._run(flows.table(model, kind, grouped))
+
+    def describe(self, model: str, unit: LengthUnit = LengthUnit.MM) -> Description:
+        """What is the model, and what can be asked about it?"""
+        return self._run(flows.describe(model, unit))
 
     def segment(
         self,
@@ -247,6 +258,14 @@ class AsyncClient:
     async def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
         """Which parts were recognised in the model?"""
         return await self._run(flows.parts(model, kind, offset, limit))
+
+    async def table(self, model: str, kind: TableKind, grouped: bool | None = None) -> Table:
+        """The holes, bends, fasteners, bodies … of the model, a row each; `grouped`: a row for all that are alike."""
+        return await self._run(flows.table(model, kind, grouped))
+
+    async def describe(self, model: str, unit: LengthUnit = LengthUnit.MM) -> Description:
+        """What is the model, and what can be asked about it?"""
+        return await self._run(flows.describe(model, unit))
 
     async def segment(
         self,

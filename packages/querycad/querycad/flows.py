@@ -23,6 +23,7 @@ from pydantic import BaseModel, ValidationError
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
+    Description,
     GroundedBy,
     Grounding,
     Health,
@@ -41,6 +42,8 @@ from querycad_contracts import (
     RunOutcome,
     SegmentRequest,
     Side,
+    Table,
+    TableKind,
     ViewName,
 )
 
@@ -143,6 +146,17 @@ def parts(model_id: str, kind: str | None, offset: int, limit: int) -> Flow[Part
     """Which parts were recognised?"""
     query: dict[str, Any] = {"offset": offset, "limit": limit} | ({"kind": kind} if kind else {})
     return (yield from _got(PartsPage, f"/v1/models/{model_id}/parts", query))
+
+
+def table(model_id: str, kind: TableKind, grouped: bool | None) -> Flow[Table]:
+    """The holes, bends, bodies …"""
+    query = {} if grouped is None else {"grouped": str(grouped).lower()}
+    return (yield from _got(Table, f"/v1/models/{model_id}/tables/{TableKind(kind).value}", query))
+
+
+def describe(model_id: str, unit: LengthUnit) -> Flow[Description]:
+    """What is the model?"""
+    return (yield from _got(Description, f"/v1/models/{model_id}/description", {"unit": LengthUnit(unit).value}))
 
 
 def segment(

@@ -5,19 +5,22 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
-from querycad_answering.answering import NO_OPTIONS, answer_question
+from querycad_answering.answering import NO_OPTIONS, answer_question, described
 from querycad_answering.llm import LlmSettings, LlmWriter
 from querycad_answering.understanding import ModelView, Run
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
+    Description,
     GroundedBy,
     LengthUnit,
     ModelSummary,
+    Part,
     Program,
     RunOutcome,
     RunStatus,
@@ -120,6 +123,19 @@ class EmbeddedRuntime:
             self._models.popitem(last=False)
         return known
 
+    def describe(
+        self, file: Path | str, unit: LengthUnit = LengthUnit.MM, progress: Callable[[str], None] | None = None
+    ) -> Description:
+        """What is the model, and what can be asked about it? Raises FileProblem."""
+        segcad = self.model(file, progress)
+        found = described(self._runner(segcad), _view(segcad), unit)
+        assert found is not None
+        return found
+
+    def parts(self, file: Path | str) -> tuple[Part, ...]:
+        """All parts of the model. Raises FileProblem."""
+        return self.model(file).model.parts
+
     def summary(self, file: Path | str, progress: Callable[[str], None] | None = None) -> ModelSummary:
         """What does the file hold, in short? Raises FileProblem."""
         return summary(self.model(file, progress).model)
@@ -136,4 +152,10 @@ class EmbeddedRuntime:
 
 
 def _view(segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
-    return ModelView(segcad.grounded_by(grounding).ground, segcad.whole, segcad.names, segcad.kinds)
+    return ModelView(
+        segcad.grounded_by(grounding).ground,
+        segcad.whole,
+        segcad.names,
+        segcad.kinds,
+        contents=cache(lambda: (summary(segcad.model), segcad.model.parts)),
+    )

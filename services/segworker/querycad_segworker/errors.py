@@ -7,7 +7,8 @@ FileProblem
 ├── UnreadableFile     the kernel cannot make sense of it
 ├── FileTooLarge       over the size limit
 ├── KernelDied         the kernel crashed, hung or ran out of memory on it
-└── KernelKilled       the kernel's process was killed by somebody else
+├── KernelKilled       the kernel's process was killed by somebody else
+└── NoPlace            what is read of it cannot be kept anywhere
 """
 
 from __future__ import annotations
@@ -47,3 +48,7 @@ class KernelKilled(FileProblem):
     """The kernel's process was killed from outside; the file may be sound."""
 
     retryable = True
+
+
+class NoPlace(FileProblem):
+    """The folder that keeps what is read of files cannot be written."""

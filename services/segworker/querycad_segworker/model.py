@@ -13,6 +13,8 @@ from pydantic import TypeAdapter
 
 from querycad_contracts import AnswerRecord, Face, Frozen, Part, Refusal, Shape
 
+from .errors import NoPlace
+
 ARTEFACT_VERSION = 24
 """Raise it whenever recognition or the files below change: older artefacts are then made anew."""
 
@@ -104,9 +106,15 @@ class ModelStore:
         return artefacts if artefacts.model.exists() else None
 
     def scratch(self) -> Path:
-        """A new empty folder on the same file system, for what `keep` will put in place."""
-        self.root.mkdir(parents=True, exist_ok=True)
-        return Path(tempfile.mkdtemp(prefix="ingest-", dir=self.root))
+        """A new empty folder on the same file system, for what `keep` will put in place. Raises NoPlace."""
+        try:
+            self.root.mkdir(parents=True, exist_ok=True)
+            return Path(tempfile.mkdtemp(prefix="ingest-", dir=self.root))
+        except OSError as error:
+            raise NoPlace(
+                f"what is read of it cannot be kept in {self.root} ({error.strerror}); "
+                "set QUERYCAD_HOME to a folder that can be written"
+            ) from error
 
     def keep(self, sha256: str, scratch: Path) -> Artefacts:
         """Puts a finished scratch folder in place, all at once; where another process was faster, its result stays."""

@@ -57,7 +57,7 @@ DEATHS_S = 24 * 3600
 ALIVE_S = 10
 """A worker counts as there this long after its last heartbeat; there is one every 2 seconds."""
 
-SERVED = tuple(name for name in TaskName if name not in (TaskName.QUESTION, TaskName.MODEL_READ, TaskName.MODEL_LOST))
+SERVED = tuple(name for name in TaskName if name.queue is not Queue.QUESTIONS)
 
 log = logging.getLogger("querycad_segworker.worker")  # it is run as __main__
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 from typing import Any
 
@@ -19,6 +20,8 @@ from querycad_api.worker import make_app
 from querycad_contracts import (
     NO_ACCOUNTS,
     AnswerRecord,
+    DescribeTask,
+    Description,
     Failure,
     ModelSummary,
     QuestionTask,
@@ -220,3 +223,32 @@ def test_a_picture_of_what_is_not_there_is_not_found(client: httpx.Client, model
         response = client.get(f"/v1/models/{path}/picture")
         assert response.status_code == 404
         assert response.headers["content-type"] == "application/problem+json"
+
+
+def test_a_description_is_made_by_a_question_worker(worker: Questions) -> None:
+    outcome = worker.described(DescribeTask(model=MODEL, summary=SUMMARY))
+    assert outcome.value is not None
+    assert outcome.value.text.startswith("box: one body, 6 faces, 100 x 200 x 300 mm")
+    assert "it was tilted" in outcome.value.text
+
+
+def test_a_description_without_a_sandbox_says_so(worker: Questions, sandbox: FakeSandbox) -> None:
+    sandbox.error = SandboxUnavailable("away")
+    failure = worker.described(DescribeTask(model=MODEL, summary=SUMMARY)).failure
+    assert failure is not None
+    assert failure.retryable
+
+
+def test_who_waits_for_a_description_is_told(client: httpx.Client, model: str, redis: Redis, worker: Questions) -> None:
+    told = worker.described(DescribeTask(model=MODEL, summary=SUMMARY))
+
+    def work() -> None:
+        taken = redis.brpop(["questions"], 5)
+        assert isinstance(taken, tuple)
+        worker.reply(json.loads(taken[1])["headers"]["id"], told)
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    response = client.get(f"/v1/models/{model}/description")
+    thread.join()
+    assert (response.status_code, told.value) == (200, Description.model_validate(response.json()))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import Annotated
 
 from fastapi import APIRouter, Query
 from fastapi.responses import Response
 from pydantic import TypeAdapter
 
-from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep
+from querycad_answering.drawing.tables import table
+from querycad_answering.drawing.writing import written
+from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
 from querycad_api.problems import (
     Malformed,
     ModelNotFound,
@@ -19,14 +22,21 @@ from querycad_api.problems import (
     responses,
 )
 from querycad_contracts import (
+    DescribeTask,
+    Description,
     FindPartsTask,
     GroundedBy,
     Grounding,
+    LengthUnit,
     ModelId,
     ModelTask,
+    Part,
     PartsPage,
     PartsTask,
     SegmentRequest,
+    Table,
+    TableFormat,
+    TableKind,
     TaskName,
     TaskOutcome,
     ViewName,
@@ -37,7 +47,16 @@ from .drawings import DRAW_S, GLB, PNG, drawn
 
 CALL_S = 20.0
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
+DESCRIBE_S = 60.0
+"""Suggested questions are answered first, each in some ten milliseconds."""
+PAGE = 1000
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
+_DESCRIPTION = TypeAdapter(TaskOutcome[Description])
+TEXT_MEDIA = {
+    TableFormat.TEXT: "text/plain",
+    TableFormat.CSV: "text/csv",
+    TableFormat.MARKDOWN: "text/markdown",
+}
 
 PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
 BODY_PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
@@ -57,6 +76,58 @@ async def list_parts(
     await services.ready_model(model_id)
     task = PartsTask(model=model_id, kind=kind, offset=offset, limit=limit)
     return await services.broker.call(TaskName.PARTS, task, _PARTS, CALL_S)
+
+
+@router.get(
+    "/tables/{kind}",
+    response_model=None,
+    responses={
+        **PROBLEMS,
+        200: {
+            "description": "The table: JSON in SI units, other forms in the unit asked for.",
+            "model": Table,
+            "content": {media: {"schema": {"type": "string"}} for media in TEXT_MEDIA.values()},
+        },
+    },
+)
+async def get_table(
+    model_id: ModelId,
+    kind: TableKind,
+    services: ServicesDep,
+    form: Annotated[TableFormat, Query(alias="format", description="How it is written.")] = TableFormat.JSON,
+    unit: Annotated[LengthUnit, Query(description="Unit of lengths in text.")] = LengthUnit.MM,
+    grouped: Annotated[
+        bool | None, Query(description="A row for all parts alike, or each; null: bodies and fasteners are grouped.")
+    ] = None,
+) -> Response:
+    """The holes, slots, bends, fasteners, bodies … of the model, a row each."""
+    await services.ready_model(model_id)
+    parts = await _all_parts(services, model_id)
+    found = await asyncio.to_thread(table, kind, parts, grouped=grouped, unit=unit)
+    return Response(written(found, form, unit), media_type=TEXT_MEDIA.get(form, "application/json"))
+
+
+@router.get("/description", response_model=Description, responses=PROBLEMS)
+async def get_description(
+    model_id: ModelId,
+    services: ServicesDep,
+    unit: Annotated[LengthUnit, Query(description="Unit of lengths in text.")] = LengthUnit.MM,
+) -> Description:
+    """What is the model? Size, bodies, likely unit, features in groups, and questions that have a sure answer."""
+    model = await services.ready_model(model_id)
+    assert model.summary is not None
+    task = DescribeTask(model=model_id, summary=model.summary, unit=unit)
+    return await services.broker.call(TaskName.DESCRIPTION, task, _DESCRIPTION, DESCRIBE_S)
+
+
+async def _all_parts(services: Services, model: str) -> tuple[Part, ...]:
+    found: list[Part] = []
+    while True:
+        task = PartsTask(model=model, offset=len(found), limit=PAGE)
+        page = await services.broker.call(TaskName.PARTS, task, _PARTS, CALL_S)
+        found += page.items
+        if not page.items or len(found) >= page.total:
+            return tuple(found)
 
 
 @router.post("/segment", response_model=Grounding, responses=BODY_PROBLEMS)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Sequence
-from typing import cast
+from typing import TypeVar, cast
 from uuid import uuid4
 
 from pydantic import TypeAdapter
@@ -18,7 +18,11 @@ from querycad_contracts import (
     GroundedBy,
     GroundedParts,
     GroundTask,
+    ModelTask,
+    Part,
     PartQuery,
+    PartsPage,
+    PartsTask,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
@@ -32,7 +36,10 @@ from .sandbox import RunRefused, SandboxUnavailable
 CALL_S, LOOK_S = 20.0, 120.0
 VIEWS_KEPT = 256
 """Models whose names and whole are remembered: a few kilobytes each."""
+PAGE = 1000
 _OUTCOME = TypeAdapter(TaskOutcome[GroundedParts])
+_PARTS = TypeAdapter(TaskOutcome[PartsPage])
+T = TypeVar("T")
 
 
 class SegcadClient:
@@ -56,20 +63,33 @@ class SegcadClient:
 
         return ModelView(ground, known.whole, frozenset(known.names), known.kinds)
 
+    def parts(self, model: str) -> tuple[Part, ...]:
+        """All parts of the model. Raises as `view` does."""
+        found: list[Part] = []
+        while True:
+            task = PartsTask(model=model, offset=len(found), limit=PAGE)
+            page = self._call(TaskName.PARTS, task, _PARTS, CALL_S)
+            found += page.items
+            if not page.items or len(found) >= page.total:
+                return tuple(found)
+
     def _ask(self, task: GroundTask) -> GroundedParts:
-        sent = uuid4().hex
         wait_s = CALL_S if task.grounding is GroundedBy.GEOMETRY else LOOK_S
-        queue = queue_of(TaskName.GROUND, task)
+        return self._call(TaskName.GROUND, task, _OUTCOME, wait_s)
+
+    def _call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], wait_s: float) -> T:
+        sent = uuid4().hex
+        queue = queue_of(name, task)
         try:
             with self._redis.pipeline(transaction=False) as pipe:  # sent and waited for in one
-                pipe.lpush(queue.value, task_message(TaskName.GROUND, task, sent, wait_s))
+                pipe.lpush(queue.value, task_message(name, task, sent, wait_s))
                 pipe.blpop([reply_key(sent)], wait_s)
                 reply = cast("tuple[str, str] | None", pipe.execute()[1])
         except RedisError as error:
             raise SandboxUnavailable(str(error)) from error
         if reply is None:
             raise SandboxUnavailable("no segworker answered")
-        outcome = _OUTCOME.validate_json(reply[1])
+        outcome = value.validate_json(reply[1])
         if outcome.value is not None:
             return outcome.value
         failure = outcome.failure

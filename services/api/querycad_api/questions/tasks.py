@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import logging
 import time
+from dataclasses import replace
+from functools import cache
 from typing import Any
 
 from celery import Celery, Task
@@ -16,19 +18,29 @@ from redis import Redis
 from redis.backoff import ExponentialBackoff
 from redis.retry import Retry
 
-from querycad_answering.answering import answer_question
+from querycad_answering.answering import answer_question, described
 from querycad_answering.llm import LlmWriter
+from querycad_answering.understanding import ModelView
 from querycad_api.settings import ApiSettings
 from querycad_api.store.ledger import Begun, Ledger
 from querycad_contracts import (
     AnswerRecord,
+    DescribeTask,
+    Description,
     Failure,
+    GroundedBy,
     ModelResource,
     ModelStatus,
+    ModelSummary,
+    ModelTask,
     Program,
     QuestionTask,
     RunOutcome,
+    TaskFailure,
+    TaskFailureKind,
     TaskName,
+    TaskOutcome,
+    reply_key,
     working_for,
 )
 
@@ -43,6 +55,8 @@ PAUSE_S = 2.0
 READING_S = 0.2
 """Between two looks at a model that is still being read, growing to five times that."""
 READING_AT_MOST_S = 3600.0
+REPLY_S = 60
+"""Who asked takes the reply at once; one that nobody waits for any more goes away."""
 STORE_TRIES, STORE_PAUSE_S = 100, 1.0
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 
@@ -59,7 +73,13 @@ def register(app: Celery, questions: Questions) -> None:
         if again_s is not None:
             raise self.retry(countdown=again_s)
 
+    def description(self: Task, payload: dict[str, Any]) -> None:
+        task = DescribeTask.model_validate(payload)
+        with working_for(task.request):
+            questions.reply(self.request.id, questions.described(task))
+
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
+    app.task(description, name=TaskName.DESCRIPTION.value, bind=True)
 
 
 class Questions:
@@ -136,6 +156,33 @@ class Questions:
         self._finish(task, job, record)
         return None
 
+    def described(self, task: DescribeTask) -> TaskOutcome[Description]:
+        """What is the model, and what can be asked about it?"""
+
+        def run(program: Program) -> RunOutcome:
+            return self.sandbox.run(program, task.model)
+
+        try:
+            return TaskOutcome[Description](value=described(run, self._view(task, task.summary), task.unit))
+        except RunRefused as refused:
+            failure = TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
+        except SandboxUnavailable as error:
+            log.warning("description: sandbox: %s", error)
+            failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
+        return TaskOutcome[Description](failure=failure)
+
+    def reply(self, task_id: str, outcome: TaskOutcome[Description]) -> None:
+        """Leaves the outcome for whoever waits for it."""
+        with self._redis() as redis, redis.pipeline() as pipe:
+            pipe.rpush(reply_key(task_id), outcome.model_dump_json())
+            pipe.expire(reply_key(task_id), REPLY_S)
+            pipe.execute()
+
+    def _view(self, task: ModelTask, summary: ModelSummary, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
+        """What readings are ranked on; all parts are fetched only where a description is asked for."""
+        view = self.segcad.view(task.model, grounding)
+        return replace(view, contents=cache(lambda: (summary, self.segcad.parts(task.model))))
+
     def _finish(self, task: QuestionTask, job: Begun, record: AnswerRecord) -> None:
         took_s = job.age_s
         self.ledger.finish_job(task, record, took_s)
@@ -149,6 +196,7 @@ class Questions:
         if model.summary is None:
             late = Failure(category="internal", message="the model's file was not read in time", retryable=True)
             return AnswerRecord.failed(task.question, model.failure or late)
+        summary = model.summary
 
         def run(program: Program) -> RunOutcome:
             self.ledger.wrote(task.job, program.code, program.codegen)
@@ -157,8 +205,8 @@ class Questions:
             return outcome
 
         try:
-            view = self.segcad.view(task.model, task.grounding)
-            record = answer_question(task.question, run, view, task.unit, task, summary=model.summary, llm=self._llm)
+            view = self._view(task, summary, task.grounding)
+            record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=self._llm)
         except RunRefused as refused:
             return AnswerRecord.failed(task.question, refused.failure)
         except (SoftTimeLimitExceeded, SandboxUnavailable):
@@ -168,5 +216,5 @@ class Questions:
             return AnswerRecord.failed(
                 task.question, Failure(category="internal", message="the question could not be answered")
             )
-        warnings = tuple(dict.fromkeys((*model.summary.warnings, *record.warnings)))
+        warnings = tuple(dict.fromkeys((*summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})

@@ -82,21 +82,21 @@ class Broker:
             return  # what is answered for nothing is passed over when it is done
 
     async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
-        """What does a segworker say to this? Raises ModelUnreadable too."""
+        """What does a worker say to this? Raises ModelUnreadable too."""
         sent = uuid4().hex
         await self._put(queue_of(name, task), task_message(name, task, sent, timeout_s))
         reply = await self._reply(sent, timeout_s)
         if reply is None:
-            raise ServiceUnavailable("no segworker answered; try again in a moment")
+            raise ServiceUnavailable("no worker answered; try again in a moment")
         outcome = value.validate_json(reply)
         if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.FILE:
             raise ModelUnreadable(outcome.failure.message)
         if outcome.value is None:
-            raise ServiceUnavailable("the segworker could not do this; its log says why")
+            raise ServiceUnavailable("the worker could not do this; its log says why")
         return outcome.value
 
     async def _reply(self, task: str, timeout_s: float) -> str | None:
-        """What did the segworker leave? Waited for in pieces, so that a store that says nothing is told from it."""
+        """What did the worker leave? Waited for in pieces, so that a store that says nothing is told from it."""
         loop = asyncio.get_running_loop()
         deadline = loop.time() + timeout_s
         while (left_s := deadline - loop.time()) > 0:

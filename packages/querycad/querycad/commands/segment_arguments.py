@@ -48,6 +48,11 @@ def add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
         default=True,
         help="one part of finds that meet along an edge, where no view shows them apart (default: yes; published: no)",
     )
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = (
+        "examples:\n  querycad segment part.step logo --out build/logo\n"
+        "  querycad segment part.step hole --out build/holes --known"
+    )
     parser.set_defaults(run=_run)
 
 

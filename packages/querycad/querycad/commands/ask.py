@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 
 from pydantic import ValidationError
 
-from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Status
+from querycad.runtime import EmbeddedRuntime
+from querycad_answering.drawing.callouts import callout, callouts
+from querycad_answering.drawing.describing import listing
+from querycad_answering.drawing.numbers import unit_name
+from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Part, Status
+from querycad_language.units import asked_unit
 from querycad_segworker.errors import FileProblem
 
+from .features import listed
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
-from .runtime import EmbeddedRuntime
 
 if TYPE_CHECKING:
     from .ask_server import ServerRuntime
@@ -91,7 +97,7 @@ def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namesp
             if options.json:
                 print(record.model_dump_json(), flush=True)
             else:
-                _print_record(record, options)
+                _print_record(record, options, runtime.parts(options.file))
             if options.picture and record.answer is not None:
                 path = _picture_path(options.picture, number, len(questions))
                 worst = max(worst, _draw(runtime, options, record, path))
@@ -120,7 +126,7 @@ def _exit_code(record: AnswerRecord) -> int:
     return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED
 
 
-def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
+def _print_record(record: AnswerRecord, options: argparse.Namespace, known: Sequence[Part]) -> None:
     many = options.questions is not None
     if many:
         print(record.question)
@@ -128,9 +134,8 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
         print(f"{'  ' if many else ''}{record.answer.text}")
         if record.understood_as and record.confidence is not None:
             print(f"  understood as: {record.understood_as} (confidence {record.confidence:.2f})")
-        for part in record.parts:
-            sides = ", ".join(part.sides) or "hidden"
-            print(f"  {part.id}: {part.label} (faces {_faces(part.faces)}; visible from: {sides})")
+        for line in _parts(record, options, known):
+            print(line)
     elif record.failure is not None:
         nearest = f" (known here: {', '.join(record.failure.nearest)})" if record.failure.nearest else ""
         status = "not grounded" if record.status is Status.NOT_GROUNDED else record.failure.category.replace("_", " ")
@@ -148,6 +153,25 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace) -> None:
         print("  timings: " + ", ".join(f"{step} {ms:.1f} ms" for step, ms in record.timings_ms.items()))
 
 
+def _parts(record: AnswerRecord, options: argparse.Namespace, known: Sequence[Part]) -> Iterator[str]:
+    """The parts that the answer rests on: like ones together, or each where all are asked for."""
+    unit = asked_unit(record.question) or LengthUnit(options.unit)
+    by_id = {part.id: part for part in (*known, *record.parts)}
+    if record.parts:
+        yield f"  parts, in {unit_name(unit)}:"
+    if options.all:
+        for part in record.parts:
+            text = callout(part, unit, by_id, symbols=options.symbols)
+            yield f"    {part.id}: {text} (faces {listed(part.faces)}; visible from: {_sides(part)})"
+        return
+    for line in listing(callouts(record.parts, unit, by_id, symbols=options.symbols)):
+        yield f"  {line}"
+
+
+def _sides(part: Part) -> str:
+    return ", ".join(part.sides) or "hidden"
+
+
 def _print_program(codegen: str | None, code: str, remark: str = "") -> None:
     writer = "the parser" if codegen == "parser" else f"a language model ({codegen})"
     print(f"  program, written by {writer}{remark}:")
@@ -158,11 +182,6 @@ def _first(error: ValidationError) -> str:
     """The first thing that is wrong with options or environment variables, for a person."""
     first = error.errors()[0]
     return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
-
-
-def _faces(ids: tuple[int, ...]) -> str:
-    shown = ", ".join(str(i) for i in ids[:8])
-    return f"{shown} and {len(ids) - 8} more" if len(ids) > 8 else shown
 
 
 def _picture_path(given: str, number: int, count: int) -> Path:

@@ -12,9 +12,8 @@ from typing import Self
 import httpx
 from pydantic import ValidationError
 
-from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelStatus
-
-from .client import Client, ClientError, ServerProblem
+from querycad.client import Client, ClientError, ServerProblem
+from querycad_contracts import AnswerOptions, AnswerRecord, LengthUnit, ModelStatus, Part
 
 READ_S = 300.0
 KEY_VARIABLE = "QUERYCAD_API_KEY"
@@ -84,6 +83,10 @@ class ServerRuntime:
         job = self._client.submit(self._models[str(file)], question, unit, options)
         self._job = job.id
         return self._client.wait(job.id)
+
+    def parts(self, _file: Path | str) -> tuple[Part, ...]:
+        """Nothing: the parts of an answer are in its record, those that they carry are not fetched."""
+        return ()
 
     def draw(self, file: Path | str, _record: AnswerRecord, path: Path) -> None:
         """Writes the picture of the last answer. Raises OSError."""

@@ -28,6 +28,8 @@ def add_models(commands: Commands) -> None:
     source.add_argument("--from", dest="folder", metavar="FOLDER", help="copy from a local folder instead")
     verify = inner.add_parser("verify", help="compare the files here with their SHA-256")
     verify.add_argument("names", nargs="*", metavar="NAME", help="models of the list (default: all that are here)")
+    models.formatter_class = argparse.RawDescriptionHelpFormatter
+    models.epilog = "examples:\n  querycad models list\n  querycad models pull\n  querycad models pull --from ~/weights"
     models.set_defaults(run=_run)
 
 

@@ -7,6 +7,7 @@ import json
 import sys
 from typing import Any
 
+from querycad.runtime import EmbeddedRuntime
 from querycad_answering.candidates import Candidate
 from querycad_answering.ranking import Value, key, softmax, values
 from querycad_answering.typed import WrongAnswerType, typed_answer
@@ -14,8 +15,6 @@ from querycad_answering.understanding import Understanding, meant, skipped, unch
 from querycad_contracts import Expectation, LengthUnit
 from querycad_language.weights import weights
 from querycad_segworker.errors import FileProblem
-
-from .runtime import EmbeddedRuntime
 
 EXIT_DONE, EXIT_BAD_INPUT = 0, 2
 FEATURES_SHOWN = 6

@@ -5,10 +5,9 @@ from __future__ import annotations
 import argparse
 import sys
 
+from querycad.runtime import EmbeddedRuntime
 from querycad_sandbox.cli import complain, run_program
 from querycad_segworker.errors import FileProblem
-
-from .runtime import EmbeddedRuntime
 
 
 def run(options: argparse.Namespace) -> int:

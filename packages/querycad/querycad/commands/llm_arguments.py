@@ -3,9 +3,20 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from querycad_contracts import AnswerOptions, AnswerType, Codegen, Expectation, Frame, GroundedBy, LlmOptions, Unit
+from querycad_contracts import (
+    AnswerOptions,
+    AnswerType,
+    Codegen,
+    Expectation,
+    Frame,
+    GroundedBy,
+    LlmOptions,
+    Selection,
+    Unit,
+)
 
 if TYPE_CHECKING:
     from querycad_answering.llm import LlmSettings
@@ -80,7 +91,17 @@ def answer_options(options: argparse.Namespace) -> AnswerOptions:
         llm=llm,
         grounding=options.grounding,
         least_confidence=getattr(options, "least_confidence", None),
+        selection=_selection(getattr(options, "select", [])),
+        context=tuple(getattr(options, "context", [])),
     )
+
+
+def _selection(said: Sequence[str]) -> Selection | None:
+    """Numbers are faces; everything else is the id of a part."""
+    if not said:
+        return None
+    faces = tuple(int(one) for one in said if one.isdecimal())
+    return Selection(parts=tuple(one for one in said if not one.isdecimal()), faces=faces)
 
 
 def not_of_a_service(options: argparse.Namespace) -> str | None:

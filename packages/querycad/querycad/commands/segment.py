@@ -6,14 +6,13 @@ import argparse
 import sys
 from pathlib import Path
 
+from querycad.settings import model_store, weights_folder
 from querycad_contracts import Face
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.inventory import Inventory
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, Model, ModelStore
-
-from .settings import model_store, weights_folder
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 

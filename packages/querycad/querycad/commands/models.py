@@ -14,6 +14,8 @@ from rich.progress import BarColumn, DownloadColumn, TextColumn, TimeRemainingCo
 from rich.progress import Progress as Bars
 from rich.table import Table
 
+from querycad.pull import Download, LocalFolder, Progress, PullFailed, Source, pull
+from querycad.settings import weights_folder
 from querycad_segworker.segcad.engines.weights import (
     HUB,
     Check,
@@ -25,9 +27,6 @@ from querycad_segworker.segcad.engines.weights import (
     known_models,
     present,
 )
-
-from .pull import Download, LocalFolder, Progress, PullFailed, Source, pull
-from .settings import weights_folder
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 

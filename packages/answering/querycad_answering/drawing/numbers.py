@@ -1,0 +1,49 @@
+"""How is a size written on a drawing? With as many decimals as a model supports, and no zeros behind them."""
+
+from __future__ import annotations
+
+import math
+
+from querycad_contracts import LengthUnit, Vector
+
+_DECIMALS = {LengthUnit.MM: 3, LengthUnit.IN: 4, LengthUnit.M: 6}
+"""A micrometre, or a ten-thousandth of an inch: finer than parts are made, and than files are exact."""
+ALIGNED = 1.0 - 1e-6
+"""A direction is along an axis of the file where its component there is at least this."""
+
+
+def number(value: float, decimals: int = 3) -> str:
+    """The number without needless zeros: '8.5'."""
+    text = f"{value:.{decimals}f}"
+    text = text.rstrip("0").rstrip(".") if "." in text else text
+    return "0" if text == "-0" else text
+
+
+def length(metres: float, unit: LengthUnit) -> str:
+    """The length in that unit, which is not named."""
+    return number(metres / unit.metres, _DECIMALS[unit])
+
+
+def unit_name(unit: LengthUnit) -> str:
+    """What is said for 'in …': 'mm', 'inches'."""
+    return "inches" if unit is LengthUnit.IN else unit.value
+
+
+def significant(value: float, digits: int = 6) -> str:
+    """The number with so many digits that count, and no exponent: for areas and volumes."""
+    if value == 0.0:
+        return "0"
+    return number(value, max(0, digits - 1 - math.floor(math.log10(abs(value)))))
+
+
+def degrees(radians: float) -> str:
+    """The angle: '45°'."""
+    return f"{number(math.degrees(radians), 2)}°"
+
+
+def direction(vector: Vector) -> str:
+    """The direction: '+z' where it is along an axis of the file, else its three components."""
+    for axis, component in zip("xyz", vector, strict=True):
+        if abs(component) >= ALIGNED:
+            return f"{'+' if component > 0 else '-'}{axis}"
+    return "(" + ", ".join(number(component) for component in vector) + ")"

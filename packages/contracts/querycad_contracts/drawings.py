@@ -1,0 +1,99 @@
+"""What is told of a model without a question: callouts as on a drawing, tables of its parts, a description."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from pydantic import Field
+
+from .answers import LengthUnit
+from .geometry import Frozen, PartKind, Vector
+
+
+class Callout(Frozen):
+    """Parts that a drawing would call out once: '8x Ø16 THRU, counterbore Ø26 depth 8'."""
+
+    text: str = Field(description="With the number of parts before it, where there are several; in the unit asked for.")
+    kind: PartKind
+    ids: tuple[str, ...] = Field(description="Ids of the parts, at least one.")
+
+
+class TableKind(StrEnum):
+    """Which parts are in the rows of a table?"""
+
+    HOLES = "holes"
+    SLOTS = "slots"
+    """All that is cut in and is no hole: slots, pockets, cutouts, channels, steps, notches, grooves."""
+    BOSSES = "bosses"
+    """All that stands out: bosses, shafts, pads, ribs; gears."""
+    EDGES = "edges"
+    """Fillets, rounds, chamfers."""
+    BENDS = "bends"
+    PATTERNS = "patterns"
+    FASTENERS = "fasteners"
+    BODIES = "bodies"
+    """The bill of material."""
+
+
+class TableFormat(StrEnum):
+    """How is a table written?"""
+
+    TEXT = "text"
+    CSV = "csv"
+    MARKDOWN = "markdown"
+    JSON = "json"
+
+
+class Quantity(StrEnum):
+    """What do the cells of a column hold? Numbers are SI."""
+
+    TEXT = "text"
+    COUNT = "count"
+    LENGTH = "length"
+    AREA = "area"
+    VOLUME = "volume"
+    ANGLE = "angle"
+
+
+class Column(Frozen):
+    """A column of a table."""
+
+    name: str
+    quantity: Quantity = Quantity.TEXT
+
+
+Cell = str | int | float | None
+"""None where the part has no such value."""
+
+
+class Table(Frozen):
+    """Parts of one family, a row each, or a row for all that are alike."""
+
+    kind: TableKind
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    parts: int = Field(description="How many parts the rows stand for.")
+
+
+class Description(Frozen):
+    """What a model is, as an engineer would say it who opens the file for the first time."""
+
+    name: str
+    unit: LengthUnit = Field(description="Of the lengths in texts; numbers are SI.")
+    size: Vector = Field(description="Extents along x, y and z, metres.")
+    volume: float = Field(description="Cubic metres.")
+    area: float = Field(description="Square metres.")
+    bodies: int
+    faces: int
+    declared_units: tuple[str, ...] = Field((), description="Length units that the file declares.")
+    drawn_in: str = Field("", description="The unit in which its sizes are round numbers: 'mm', 'in', or empty.")
+    stands_along: str = Field(
+        "", description="Axis of the file, likely upright: that of rotation, else that square to the largest flat face."
+    )
+    material_thickness: float | None = Field(None, description="Of sheet or plate material, metres.")
+    features: tuple[Callout, ...] = Field((), description="What a drawing would call out, grouped.")
+    patterns: tuple[Callout, ...] = ()
+    standard_parts: tuple[str, ...] = Field((), description="Bodies that are standard parts: '4x ISO 4762 M5x16'.")
+    warnings: tuple[str, ...] = ()
+    questions: tuple[str, ...] = Field((), description="Questions about this model that have a sure answer.")
+    text: str = Field(description="All of it for a person.")

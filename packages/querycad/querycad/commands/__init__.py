@@ -1,0 +1,1 @@
+"""The commands of `querycad`, a module each; `arguments` says what each understands."""

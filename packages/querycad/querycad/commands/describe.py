@@ -1,0 +1,22 @@
+"""`querycad describe`: what a STEP file holds, and what can be asked about it."""
+
+from __future__ import annotations
+
+import argparse
+
+from querycad.runtime import EmbeddedRuntime
+from querycad_contracts import LengthUnit
+from querycad_segworker.errors import FileProblem
+
+from .reading import EXIT_DONE, complain
+
+
+def describe(options: argparse.Namespace) -> int:
+    """Prints the description; returns the exit code."""
+    with EmbeddedRuntime() as runtime:
+        try:
+            found = runtime.describe(options.file, LengthUnit(options.unit))
+        except FileProblem as problem:
+            return complain(f"{options.file}: {problem}")
+    print(found.model_dump_json() if options.json else found.text)
+    return EXIT_DONE
