@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cached_property
 
 from .lexicon import Lexicon, Span, lexicon
@@ -31,6 +30,9 @@ class Text:
         self.words = [token.word for token in self.tokens]
         self.lexicon: Lexicon = lexicon()
         self.spans: list[list[Span]] = self.lexicon.spans(self.words)
+        self._all: dict[tuple[str, ...], list[Span]] = {}
+        self._begins: dict[tuple[str, ...], frozenset[int]] = {}
+        self._content = [self._names_something(at) for at in range(len(self.tokens))]
 
     def __len__(self) -> int:
         return len(self.tokens)
@@ -39,16 +41,21 @@ class Text:
         """The longest phrase of one of the categories that begins here."""
         if not 0 <= at < len(self.tokens):
             return None
-        return next((span for span in self.spans[at] if span.category in categories), None)
+        for span in self.spans[at]:
+            if span.category in categories:
+                return span
+        return None
 
-    def all(self, *categories: str) -> Iterator[Span]:
+    def all(self, *categories: str) -> list[Span]:
         """The phrases of the categories, from left to right, none inside another."""
-        at = 0
-        while at < len(self.tokens):
-            span = self.find(at, *categories)
-            if span is not None:
-                yield span
-            at = span.end if span is not None else at + 1
+        if categories not in self._all:
+            found: list[Span] = []
+            for at in range(len(self.tokens)):
+                span = self.find(at, *categories) if not found or at >= found[-1].end else None
+                if span is not None:
+                    found.append(span)
+            self._all[categories] = found
+        return self._all[categories]
 
     def is_word(self, at: int, *words: str) -> bool:
         """Is the token here one of these words or symbols?"""
@@ -62,9 +69,11 @@ class Text:
         """Where these words stand."""
         return {at for at, word in enumerate(self.words) if word in words}
 
-    def at_phrases(self, *categories: str) -> set[int]:
+    def at_phrases(self, *categories: str) -> frozenset[int]:
         """Where phrases of these categories begin."""
-        return {at for at in range(len(self.tokens)) if self.find(at, *categories)}
+        if categories not in self._begins:
+            self._begins[categories] = frozenset(at for at in range(len(self.tokens)) if self.find(at, *categories))
+        return self._begins[categories]
 
     def skip(self, at: int, *categories: str) -> int:
         """Where the words of these categories that begin here end."""
@@ -78,6 +87,9 @@ class Text:
 
     def is_content(self, at: int) -> bool:
         """Is it a word that no closed class has: the name of something?"""
+        return self._content[at]
+
+    def _names_something(self, at: int) -> bool:
         token = self.tokens[at]
         if token.kind is not Kind.WORD:
             return False

@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from rapidfuzz.distance import OSA
 
@@ -20,8 +20,10 @@ MAX_CHARS = 2000
 MAX_TOKENS = 120
 TYPO_MIN_LETTERS = 5
 """Shorter words have too many neighbours: 'nut' and 'cut' differ by one letter."""
+TYPO_MAX_LETTERS = 40
+"""Longer ones are no words."""
 
-_NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d{0,9}[.,]\d{1,9}|\d{1,9}"
+_NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3}){1,3}(?:\.\d{1,9})?|\d{0,9}[.,]\d{1,9}|\d{1,9}"
 _THREAD = (
     r"\bM\d{1,2}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{1,2})?)?(?![\w.]\w)"
     r"|\b\d{1,2}/\d{1,2}-\d{2}\b|(?<![\w#])#?\d{1,2}-(?:24|32|40)\b"
@@ -108,9 +110,10 @@ class Token:
 
 def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...]:
     """What are the tokens of a question? `names`: words of product names, which are never taken for misspelt ones."""
-    text = unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split()))[:MAX_CHARS]
+    text = unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS])
     for symbol, words in _SYMBOLS.items():
         text = text.replace(symbol, words)
+    text = text[:MAX_CHARS]
     text = re.sub(r"\bR\s?(?=\d)", " ℛ ", text)
     for pattern, plain in _CONTRACTIONS:
         text = pattern.sub(plain, text)
@@ -218,7 +221,8 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
     known = lex.vocabulary
     if folded not in known and spelt in known:
         folded = spelt
-    if folded in known or folded in names or lower in names or len(folded) < TYPO_MIN_LETTERS or not folded.isalpha():
+    spellable = TYPO_MIN_LETTERS <= len(folded) <= TYPO_MAX_LETTERS and folded.isalpha()
+    if folded in known or folded in names or lower in names or not spellable:
         return [Token(folded, raw, plural=folded != spelt)]
     if pieces := _compound(folded):
         return [Token(piece, raw, plural=folded != spelt) for piece in pieces]
@@ -226,12 +230,17 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
     return [Token(corrected, raw, plural=folded != spelt, corrected=edits)]
 
 
+@cache
+def _pieces() -> frozenset[str]:
+    """Nouns of parts and adjectives of one word."""
+    lex = lexicon()
+    return frozenset(phrase for phrase in (*lex.nouns, *lex.adjectives) if " " not in phrase)
+
+
 @lru_cache(maxsize=4096)
 def _compound(word: str) -> tuple[str, str] | None:
     """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
-    lex = lexicon()
-    nouns = (*lex.nouns, *lex.adjectives)
-    known = {phrase for phrase in nouns if " " not in phrase}
+    lex, known = lexicon(), _pieces()
     for cut in range(3, len(word) - 2):
         second = lex.singular(word[cut:])
         if word[:cut] in known and second in known:
@@ -239,13 +248,20 @@ def _compound(word: str) -> tuple[str, str] | None:
     return None
 
 
+@cache
+def _spelt_with(first: str) -> tuple[str, ...]:
+    """Known words that begin with a letter, those apart that are too short to be misspelt."""
+    known = lexicon().vocabulary
+    return tuple(word for word in known if word[0] == first and len(word) >= TYPO_MIN_LETTERS and word.isalpha())
+
+
 @lru_cache(maxsize=4096)
 def _correct(word: str) -> tuple[str, int]:
     """The known word that a typing error was made in: one edit, two from nine letters; else the word itself."""
     allowed = 1 if len(word) < 9 else 2
     best = (allowed + 1, word)
-    for known in lexicon().vocabulary:
-        if len(known) >= TYPO_MIN_LETTERS and abs(len(known) - len(word)) <= allowed and known.isalpha():
+    for known in (*_spelt_with(word[0]), *_spelt_with(word[1])):
+        if abs(len(known) - len(word)) <= allowed:
             if known[0] != word[0] and known[:2] != word[1::-1]:
                 continue
             if word.startswith(known) and word[len(known) :] in ("ed", "d", "er", "r", "ly", "y", "al"):

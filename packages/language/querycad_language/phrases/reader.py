@@ -14,6 +14,9 @@ from .mention import Draft, Mention, replace_fields
 from .modifiers import modifiers
 from .sizes import size
 
+MAX_LEAD = 20
+"""Tokens of a phrase up to its noun; twice as many as people say."""
+
 
 class Phrases:
     """Reads the noun phrases of one text; each stretch once."""
@@ -61,7 +64,7 @@ class Phrases:
         text = self.text
         draft = Draft()
         at = start
-        while at < len(text):
+        while at < min(len(text), start + MAX_LEAD):
             after = before_noun(text, at, draft)
             if after == at:
                 break

@@ -16,6 +16,8 @@ from .question import Question
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
+MAX_OWNERS = 12
+"""Parts further away are hardly meant; no question that was collected names more."""
 
 
 class Owner(NamedTuple):
@@ -29,7 +31,8 @@ class Owner(NamedTuple):
 def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     """All that the measure may be asked of."""
     text = question.text
-    linked = [(mention, _link(question, asked, mention)) for mention in question.mentions]
+    near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
+    linked = [(mention, _link(question, asked, mention)) for mention in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
     pronoun = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
     owned = any(link in STRONG and not m.pronoun for m, link in linked)

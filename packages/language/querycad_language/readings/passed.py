@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 from querycad_language.tokens import Kind
 
 from .drafts import Draft, Reading
@@ -23,28 +26,42 @@ _CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-def finished(question: Question, draft: Draft) -> Reading:
-    """The reading with what it skips, by class; of other sentences than the asking one apart."""
+class Passable(NamedTuple):
+    """A word that counts where a reading passes over it."""
+
+    at: int
+    kind: str
+    raw: str
+    feature: str
+
+
+def passable(question: Question) -> list[Passable]:
+    """Which words count where a reading passes over them? Those of other sentences than the asking one apart."""
     text = question.text
-    features = dict(draft.features)
-    skipped: list[tuple[str, str]] = []
+    found: list[Passable] = []
     depth = 0
     aside = _axis_asides(question) | {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
     for at, token in enumerate(text.tokens):
         depth += text.is_word(at, "(") - text.is_word(at, ")")
-        if at in draft.used or token.kind is Kind.SYMBOL or at in aside:
+        if token.kind is Kind.SYMBOL or at in aside:
             continue
         kind = _class(question, at)
-        if kind in ("function", "courtesy"):
-            continue
-        skipped.append((kind, token.raw))
-        where = "skip" if question.in_question(at) and depth <= 0 else "aside"
-        name = f"{where}_{kind}"
-        features[name] = features.get(name, 0.0) + 1.0
-    edits = sum(token.corrected for at, token in enumerate(text.tokens) if at in draft.used)
+        if kind not in ("function", "courtesy"):
+            where = "skip" if question.in_question(at) and depth <= 0 else "aside"
+            found.append(Passable(at, kind, token.raw, f"{where}_{kind}"))
+    return found
+
+
+def finished(question: Question, draft: Draft, words: Sequence[Passable]) -> Reading:
+    """The reading with what it skips, by class. `words` are the passable ones."""
+    features = dict(draft.features)
+    skipped = [word for word in words if word.at not in draft.used]
+    for word in skipped:
+        features[word.feature] = features.get(word.feature, 0.0) + 1.0
+    edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in draft.used)
     if edits:
         features["corrected"] = float(edits)
-    return Reading(draft.form, features, tuple(skipped), frozenset(draft.used))
+    return Reading(draft.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(draft.used))
 
 
 def _axis_asides(question: Question) -> set[int]:

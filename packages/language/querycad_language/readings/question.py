@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import cached_property
 
 from querycad_language.phrases import Phrases
 from querycad_language.text import Text
@@ -23,7 +24,11 @@ class Question:
 
     def sentence_of(self, at: int) -> int:
         """Which sentence is the token in? -1 between two."""
-        return next((i for i, (start, end) in enumerate(self.text.sentences) if start <= at < end), -1)
+        return self._sentence_at.get(at, -1)
+
+    @cached_property
+    def _sentence_at(self) -> dict[int, int]:
+        return {at: i for i, sentence in enumerate(self.text.sentences) for at in range(*sentence)}
 
     def is_unit(self, at: int) -> bool:
         """Is it a unit of measure: 'how many millimetres'?"""

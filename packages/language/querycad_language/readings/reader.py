@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
+from itertools import islice
 
 from querycad_language.forms import Form
 
@@ -16,11 +17,13 @@ from .frames.overhangs import overhangs
 from .frames.parts import bare, parts
 from .frames.values import values
 from .frames.yes_no import yes_no
-from .passed import finished
+from .passed import finished, passable
 from .question import Question
 
 MAX_READINGS = 14
 """More are never looked at; those that the words link best come first."""
+MAX_DRAFTS = 150
+"""Drafts of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
     counts, distances, overhangs, angles, comparisons, yes_no, values, parts, exists,
 )  # fmt: skip
@@ -33,10 +36,11 @@ class Reader(Question):
     @cached_property
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
-        drafts = [draft for frame in FRAMES for draft in frame(self)] or list(bare(self))
+        drafts = [draft for frame in FRAMES for draft in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
+        words = passable(self)
         best: dict[Form, Reading] = {}
         for draft in drafts:
-            reading = finished(self, draft)
+            reading = finished(self, draft, words)
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading

@@ -108,9 +108,9 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     used: set[int] = set()
     start, end = question.asking
     for category, meaning in (("different", Reduce.DIFFERENT), ("mean", Reduce.MEAN), ("total", Reduce.TOTAL)):
-        for at in range(start, end):
+        for at in sorted(text.at_phrases(category)):
             span = text.find(at, category)
-            if span is None or text.is_word(at - 1, "i", "we", "you"):
+            if span is None or not start <= at < end or text.is_word(at - 1, "i", "we", "you"):
                 continue
             if meaning is Reduce.TOTAL and not (plural and asked.measures[0] in ADDITIVE):
                 used |= set(range(at, span.end))
@@ -118,7 +118,7 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
             return meaning, set(range(at, span.end))
     if target is None:
         return Reduce.ONE, used
-    each = {i for i in range(start, end) if text.find(i, "each")}
+    each = {i for i in text.at_phrases("each") if start <= i < end}
     if each or (target.plural and not target.sample):
         return Reduce.EACH, used | each
     named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
