@@ -47,7 +47,7 @@ from querycad_contracts import (
     working_for,
 )
 
-from .errors import FileProblem
+from .errors import DiskFull, FileProblem
 from .grounding.vision import Networks, networks_in
 from .ingest import IngestLimits, ingest
 from .local import LocalSegCad
@@ -281,6 +281,10 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
         return TaskOutcome[Any](value=work())
     except FileProblem as problem:
         failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(problem), retryable=problem.retryable)
+    except OSError as error:
+        if error.errno not in DiskFull.CODES:
+            raise
+        failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(DiskFull()), retryable=True)
     except KeyError as error:
         failure = TaskFailure(
             kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"
