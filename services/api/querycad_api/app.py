@@ -21,7 +21,9 @@ from starlette.middleware.cors import CORSMiddleware
 
 from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
 
+from .accounts.gate import Gate
 from .accounts.service import Access
+from .connections import limits
 from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
@@ -89,6 +91,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
     )
     app.state.registry = CollectorRegistry()
     app.add_middleware(BodyLimit, upload_path="/v1/models", max_bytes=settings.upload_mib * 2**20)
+    app.add_middleware(Gate)
     if settings.origins:
         app.add_middleware(
             CORSMiddleware,
@@ -158,6 +161,7 @@ def main() -> None:
         access_log=False,
         log_config=None,
         timeout_graceful_shutdown=GRACE_S,
+        **limits(settings.api_connections, settings.api_address_connections),
     )
 
 
