@@ -73,6 +73,12 @@ def said(connection: socket.socket) -> bytes:
     return bytes(found)
 
 
+def slowly(pause_s: float, count: int) -> Iterator[bytes]:
+    for _ in range(count):
+        time.sleep(pause_s)
+        yield b"a"
+
+
 def sent(connection: socket.socket, pieces: Iterator[bytes], most_s: float = 8.0) -> int:
     """How many bytes could be sent until the other end had enough?"""
     count, end = 0, time.monotonic() + most_s
@@ -98,8 +104,7 @@ def test_who_is_refused_cannot_go_on_sending(port: int) -> None:
     with connected(port) as connection:
         connection.sendall(head)
         assert connection.recv(65536).startswith(b"HTTP/1.1 401 ")
-        slow = (time.sleep(0.1) or b"x" for _ in range(200))
-        assert sent(connection, slow, most_s=15) < 120  # it is closed after some seconds
+        assert sent(connection, slowly(0.1, 200), most_s=15) < 120  # it is closed after some seconds
 
 
 @pytest.mark.parametrize(
@@ -135,8 +140,7 @@ def test_half_a_request_is_not_waited_for(port: int) -> None:
 
 def test_a_head_that_trickles_is_not_waited_for(port: int) -> None:
     with connected(port) as connection:
-        trickle = (time.sleep(0.2) or b"a" for _ in range(60))
-        assert sent(connection, trickle, most_s=15) < 20
+        assert sent(connection, slowly(0.2, 60), most_s=15) < 20
 
 
 def test_one_address_has_so_many_connections_and_others_are_told_to_come_again(port: int) -> None:

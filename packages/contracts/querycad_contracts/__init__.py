@@ -40,7 +40,7 @@ from .logs import LogFormat, current_request, start_logging, working_for
 from .processes import end_with_parent
 from .queries import Grounded, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
+from .runs import Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
 from .services import (
     NO_ACCOUNTS,
     DistanceTask,
@@ -195,6 +195,7 @@ __all__ = [
     "Vector",
     "ViewName",
     "ViewTask",
+    "WallsMissing",
     "WorkerSettings",
     "alive_key",
     "carried_trace",

@@ -6,6 +6,8 @@ import argparse
 import sys
 from collections.abc import Sequence
 
+from querycad_contracts import WallsMissing
+
 from .bench import add_bench
 
 
@@ -31,6 +33,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("querycad: interrupted", file=sys.stderr)
         return 130
+    except WallsMissing as error:
+        print(f"querycad: {error}", file=sys.stderr)
+        return 1
     except BrokenPipeError:
         sys.stderr.close()
         return 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from importlib.resources import files
 from threading import Lock
 from time import perf_counter
@@ -10,7 +11,7 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad
+from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError
@@ -18,9 +19,12 @@ from .guest import Guest
 from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
 from .run import Run
+from .settings import Walls, WallSettings
 from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
+
+log = logging.getLogger(__name__)
 
 
 class Sandbox:
@@ -30,8 +34,10 @@ class Sandbox:
     the first run (or `warm`) and end with `close`, or at the end of a `with` block. Start it after forking, not before.
     """
 
-    def __init__(self, workers: int = 2) -> None:
+    def __init__(self, workers: int = 2, walls: Walls | None = None) -> None:
+        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_SANDBOX_WALLS says."""
         self._workers = workers
+        self._walls = walls or WallSettings.read().sandbox_walls
         self._prelude = files(__package__).joinpath("prelude.py").read_text(encoding="utf-8")
         self._lock = Lock()
         self._confinement: Confinement | None = None
@@ -57,6 +63,11 @@ class Sandbox:
         """Which walls stand around the interpreter's processes? Empty before the first is started."""
         return {} if self._confinement is None else self._confinement.layers
 
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Which walls are not up? Programs run without them only where the setting says so."""
+        return () if self._confinement is None else self._confinement.missing
+
     def close(self) -> None:
         """Ends the worker processes; a closed sandbox runs nothing more."""
         with self._lock:
@@ -79,7 +90,8 @@ class Sandbox:
     ) -> RunOutcome:
         """What comes of `code`, run against the model behind `segcad`?
 
-        The program's own failures are outcomes. A failure of `segcad` is raised as it is: it is not the program's.
+        Raises WallsMissing, and runs nothing, where walls are required that are not up. The program's own failures are
+        outcomes. A failure of `segcad` is raised as it is: it is not the program's.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
         the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
         exist is missed when the program gets there; no wall depends on it.
@@ -105,7 +117,8 @@ class Sandbox:
             run.ending = ending_of(error, run.guest)
             if control.cancelled:
                 run.ending = Ending(RunStatus.CANCELLED, CANCELLED)
-        return run.outcome((perf_counter() - started) * 1e3)
+        outcome = run.outcome((perf_counter() - started) * 1e3)
+        return outcome.model_copy(update={"walls_missing": self.missing}) if self.missing else outcome
 
     def _start(self) -> tuple[Interpreters, TypeChecker]:
         with self._lock:
@@ -113,6 +126,14 @@ class Sandbox:
                 raise RuntimeError("the sandbox is closed")
             if self._confinement is None:
                 self._confinement = Confinement.strongest()
+                for name in self._confinement.missing:
+                    log.warning("wall %s is not up; walls: %s", name, self._walls)
+            if self._confinement.missing and self._walls is Walls.REQUIRED:
+                without = f"{WallSettings.variable('sandbox_walls')}={Walls.AVAILABLE}"
+                raise WallsMissing(
+                    "no program is run: these walls around the interpreter are not up: "
+                    f"{', '.join(self._confinement.missing)}; {without} runs programs without them"
+                )
             if self._interpreters is None or self._checker is None:
                 self._interpreters = Interpreters(self._workers, self._confinement.binary)
                 self._interpreters.start()
