@@ -6,6 +6,7 @@ import asyncio
 import logging
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -70,6 +71,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
         state = State(redis, settings.answers_days)
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
+        app.state.streams = Counter()
         beside = [asyncio.create_task(each) for each in (redeliver(app.state.application), expire_files(settings))]
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield

@@ -42,6 +42,8 @@ DESCRIPTION_CHARS: Final = 300
 """Longest description of a part; a phrase of a question has a few dozen characters."""
 ATTRIBUTE_CHARS: Final = 100
 """Of the name of a measure that is not there, which is the program's to choose."""
+OBJECT_BYTES, ID_BYTES = 6000, 40
+"""Of a part or face with what a program sees of it, and of each of its faces' numbers: measured with tracemalloc."""
 DESCRIPTIONS: Final = 100
 """Most different find_parts calls of a run; each may render and segment, and its time is not the program's."""
 
@@ -109,9 +111,11 @@ class PartView(View):
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(self, segcad: SegCad, control: RunControl) -> None:
+    def __init__(self, segcad: SegCad, control: RunControl, memory_bytes: int) -> None:
+        """`memory_bytes`: what the model's objects may take here, outside the interpreter's heap."""
         self._segcad = segcad
         self._control = control
+        self._memory_bytes = memory_bytes
         self.views: dict[UUID, View] = {}
         """Every object that the program was given, by the id that the interpreter knows it by."""
         self._found: dict[tuple[str | PartQuery, tuple[Side, ...] | None], list[PartView]] = {}
@@ -150,6 +154,7 @@ class Guest:
     def faces(self, part: Part) -> list[View]:
         """A part's attribute `faces`."""
         if part.id not in self._faces:
+            self._takes(len(part.faces), 0)
             faces = self._ask(lambda: self._segcad.faces(part.faces))
             self._faces[part.id] = [View(self, face, face_measures(face)) for face in faces]
         return self._faces[part.id]
@@ -219,12 +224,19 @@ class Guest:
         if len(self.groundings) >= DESCRIPTIONS:
             self._end(RunEndedError(RunStatus.REFUSED, f"the program asked for more than {DESCRIPTIONS} descriptions"))
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
+        self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
         self.groundings.append(grounding)
         if not grounding.understood:
             nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
             reason = f": {grounding.message.rstrip('.')}" if grounding.message else ""
             self._end(RunEndedError(RunStatus.RAISED, f"not grounded: {grounding.description!r}{reason}{nearest}"))
         return grounding
+
+    def _takes(self, objects: int, ids: int) -> None:
+        """Counts what a reply keeps in this process towards the run's memory."""
+        self._memory_bytes -= objects * OBJECT_BYTES + ids * ID_BYTES
+        if self._memory_bytes < 0:
+            self._end(RunEndedError(RunStatus.OUT_OF_MEMORY, "the program asked for more parts than its memory holds"))
 
     def _ask(self, call: Callable[[], T]) -> T:
         try:

@@ -23,6 +23,8 @@ from .settings import Walls, WallSettings
 from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
+HOST_SHARE: Final = 4
+"""What a run's objects of the model may take here, for each byte of its heap: 40,000 parts as a rule."""
 
 log = logging.getLogger(__name__)
 
@@ -100,7 +102,7 @@ class Sandbox:
         control = control or RunControl()
         control.begin(limits)
         interpreters, checker = self._start()
-        run = Run(Guest(segcad, control), limits, control)
+        run = Run(Guest(segcad, control, HOST_SHARE * limits.memory_bytes), limits, control)
         try:
             _check_text(code, limits)
             if check and (problems := checker.problems(code)):

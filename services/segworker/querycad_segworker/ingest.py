@@ -37,7 +37,7 @@ class IngestLimits:
 
     duration_s: float = 180.0
     """The largest of 201 ugly files needs some 10 s; a kernel that takes longer is hanging."""
-    memory_bytes: int = 8 * 2**30
+    memory_bytes: int = 4 * 2**30
     """Address space of the child: the kernel's libraries alone map about 1 GiB."""
 
 

@@ -85,7 +85,7 @@ class ModelCache:
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
-        limits = IngestLimits(duration_s=float(self._settings.ingest_s))
+        limits = IngestLimits(float(self._settings.ingest_s), self._settings.ingest_memory_mib * 2**20)
         try:
             made = ingest(upload, self._store, limits, file_name=file_name)
         except FileProblem:
