@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import psutil
 import pytest
 
+from querycad_segworker.errors import UnreadableFile
 from querycad_segworker.ingest import IngestLimits, ingest
 from querycad_segworker.kernel_process import _host, start_host
 from querycad_segworker.model import ModelStore
@@ -39,3 +41,32 @@ def test_control_characters_of_a_name_are_left_behind(tmp_path: Path) -> None:
 def test_memory_of_the_kernels_process_is_limited_as_a_rule(tmp_path: Path) -> None:
     assert IngestLimits().memory_bytes == 4 * 2**30
     assert ingest(EXAMPLE, ModelStore(tmp_path)).model.is_file()
+
+
+@pytest.mark.parametrize("number", ["1.E300", "NaN", "-1.E400", "INF", "1.E150", "1.E+0300"])
+@pytest.mark.parametrize("entity", ["CARTESIAN_POINT", "CYLINDRICAL_SURFACE"])
+def test_a_number_that_is_none_is_refused_with_its_entity(number: str, entity: str, tmp_path: Path) -> None:
+    """They hung the kernel, were written as null, or became lengths of 1E297 m."""
+    places = list(
+        re.finditer(rf"#(\d+) ?= ?{entity}\('',.*?([\d.Ee+-]+)\){{1,2}};", EXAMPLE.read_text(encoding="utf-8"))
+    )
+    place = places[len(places) // 2]
+    text = EXAMPLE.read_text(encoding="utf-8")
+    (tmp_path / "a.step").write_text(text[: place.start(2)] + number + text[place.end(2) :], encoding="utf-8")
+    with pytest.raises(UnreadableFile, match=rf"#{place[1]} holds {re.escape(number)}"):
+        ingest(tmp_path / "a.step", ModelStore(tmp_path / "store"))
+
+
+def test_a_measure_beyond_all_bounds_is_refused(tmp_path: Path) -> None:
+    text = EXAMPLE.read_text(encoding="utf-8")
+    place = list(re.finditer(r"CARTESIAN_POINT\('',\(([^,]*),", text))[5]
+    (tmp_path / "a.step").write_text(text[: place.start(1)] + "1.E90" + text[place.end(1) :], encoding="utf-8")
+    with pytest.raises(UnreadableFile, match="beyond all bounds"):
+        ingest(tmp_path / "a.step", ModelStore(tmp_path / "store"))
+
+
+def test_a_name_may_hold_such_a_number(tmp_path: Path) -> None:
+    text = EXAMPLE.read_text(encoding="utf-8")
+    name = text.split("PRODUCT('", 1)[1].split("'", 1)[0]
+    (tmp_path / "a.step").write_text(text.replace(f"'{name}'", "'a(1.E300,NaN)'"), encoding="utf-8")
+    assert ingest(tmp_path / "a.step", ModelStore(tmp_path / "store")).model.is_file()

@@ -19,6 +19,11 @@ _ENTITY = re.compile(rb"#\s{0,80}\d{1,20}\s{0,80}=")
 _LENGTH_UNITS = (b"LENGTH_UNIT", b"LENGTH_MEASURE_WITH_UNIT", b".METRE.")
 _SURFACES = (re.compile(rb"_FACE\w{0,60}\s{0,80}\("), re.compile(rb"SURFACE\w{0,60}\s{0,80}\("))
 """What every face or surface entity has in its name. Each begins with plain letters, which makes the search fast."""
+_POWER = re.compile(
+    rb"[(,]\s{0,20}+([+-]?(?:\d{1,400}+(?:\.\d{0,400}+)?E\+?\d{2,9}+|NAN|INF))\s{0,20}+(?=[,)])", re.IGNORECASE
+)
+LARGEST = 2e100
+"""What the kernel takes for infinite, and some programs write for a line without end."""
 _IGES = re.compile(rb"[^\r\n]{72}S[ 0]{6}1")
 """The first line of an IGES file: 72 columns of text, the letter of the start section, a number of seven places."""
 
@@ -58,6 +63,24 @@ def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
     if not any(data.find(unit, start) >= 0 for unit in _LENGTH_UNITS):
         raise NoLengthUnit("the file declares no length unit, so its lengths could be millimetres, metres or inches")
     return data[start:] if start else None
+
+
+def strange_number(path: Path) -> str | None:
+    """Which number of the file is none, or out of all bounds? Its entity and its text; None where all are fine."""
+    data = path.read_bytes()
+    if not any(_is_strange(found[1]) for found in _POWER.finditer(data)):
+        return None
+    data = re.sub(rb"'[^']*'", b"''", data)
+    for found in _POWER.finditer(data):
+        if _is_strange(found[1]):
+            entity = re.match(rb"\s{0,80}(#\d{1,18})", data[data.rfind(b";", 0, found.start()) + 1 : found.start()])
+            return f"{entity[1].decode() if entity else 'an entity'} holds {found[1][:40].decode()}"
+    return None
+
+
+def _is_strange(number: bytes) -> bool:
+    value = float(number)
+    return not abs(value) <= LARGEST  # no comparison holds for what is no number
 
 
 def missing_entities(path: Path) -> list[int]:
