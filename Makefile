@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test parity check format serve bench fit openapi examples lock clean
+.PHONY: help setup demo test attack parity check format serve bench fit openapi examples lock clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -20,6 +20,9 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 
 test: setup ## run all tests; arguments for pytest in ARGS
 	$(BIN)/python -m pytest $(ARGS)
+
+attack: setup ## attack what takes text, files, requests and programs; a few minutes
+	$(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
 
 parity: setup ## compare the vision networks with the public references: installs PyTorch, takes minutes
 	@scripts/parity.sh $(ARGS)

@@ -375,7 +375,7 @@ def test_faces_come_as_values_and_enums_as_their_words() -> None:
 
 def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(segcad: FakeSegCad) -> None:
     circle = make_part("pattern-1", children=("hole-1",), extents=(0.1, 0.1, 0.01))
-    guest = Guest(segcad, RunControl())
+    guest = Guest(segcad, RunControl(), 2**20)
     assert guest.is_in(make_part("hole-1"), circle)
     assert not guest.is_in(make_part("hole-2"), circle)
     assert guest.is_in(make_part("boss-1"), circle)
@@ -383,6 +383,6 @@ def test_in_a_pattern_is_what_belongs_to_it_and_not_what_lies_within(segcad: Fak
 
 def test_teeth_that_mesh_are_each_in_their_own_gear(segcad: FakeSegCad) -> None:
     wheel = make_part("gear-1", kind="gear", children=("tooth-1.1",), extents=(0.1, 0.1, 0.01))
-    guest = Guest(segcad, RunControl())
+    guest = Guest(segcad, RunControl(), 2**20)
     assert guest.is_in(make_part("tooth-1.1", kind="tooth"), wheel)
     assert not guest.is_in(make_part("tooth-2.1", kind="tooth"), wheel)

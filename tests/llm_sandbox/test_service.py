@@ -105,7 +105,8 @@ def test_a_file_that_cannot_be_measured_is_not_the_service_s_fault(client: httpx
 def test_it_is_ready_with_its_broker(client: httpx.Client) -> None:
     assert client.get("/livez").status_code == 200
     health = client.get("/readyz").json()
-    assert (health["ready"], health["checks"]) == (True, {"broker": True, "interpreter": True})
+    assert (health["ready"], health["checks"]) == (True, {"broker": True, "interpreter": True, "walls": True})
+    assert (health["walls"], health["missing"]) == ("required", [])
 
 
 def test_it_says_which_layers_hold(client: httpx.Client) -> None:
@@ -120,4 +121,4 @@ def test_it_is_alive_but_not_ready_without_its_broker(serving: Any) -> None:
         assert client.get("/livez").status_code == 200
         response = client.get("/readyz")
     assert response.status_code == 503
-    assert response.json()["checks"] == {"broker": False, "interpreter": True}
+    assert response.json()["checks"] == {"broker": False, "interpreter": True, "walls": True}

@@ -139,6 +139,8 @@ def _warnings(program: Program, outcome: RunOutcome) -> tuple[str, ...]:
         warnings.extend(grounding.warnings)
         if grounding.understood and not grounding.parts:
             warnings.append(grounding.message)
+    if outcome.walls_missing:
+        warnings.append(f"the program ran without these walls: {', '.join(outcome.walls_missing)}")
     return tuple(dict.fromkeys(warnings))
 
 

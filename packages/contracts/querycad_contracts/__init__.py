@@ -43,7 +43,7 @@ from .logs import LogFormat, current_request, start_logging, working_for
 from .processes import end_with_parent
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad
+from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
 from .services import (
     NO_ACCOUNTS,
     DescribeTask,
@@ -220,6 +220,7 @@ __all__ = [
     "Vector",
     "ViewName",
     "ViewTask",
+    "WallsMissing",
     "WorkerSettings",
     "alive_key",
     "carried_trace",

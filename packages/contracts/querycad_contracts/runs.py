@@ -92,6 +92,10 @@ class RunStatus(StrEnum):
     CRASHED = "crashed"
 
 
+class WallsMissing(RuntimeError):
+    """No program is run: walls around the interpreter are not up, and nobody said that it may do without."""
+
+
 class RunLimits(Frozen):
     """What one program may use."""
 
@@ -129,3 +133,4 @@ class RunOutcome(Frozen):
         (), description="Ids of parts whose measures the program read or returned, in order."
     )
     duration_ms: float = 0.0
+    walls_missing: tuple[str, ...] = Field((), description="Walls of the sandbox that were not up.")

@@ -8,6 +8,8 @@ import os
 import sys
 from collections.abc import Sequence
 
+from querycad_contracts import WallsMissing
+
 from .commands.arguments import make_parser
 
 
@@ -26,6 +28,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("querycad: interrupted", file=sys.stderr)
         return 130
+    except WallsMissing as error:
+        print(f"querycad: {error}", file=sys.stderr)
+        return 1
     except BrokenPipeError:
         sys.stderr.close()
         return 1

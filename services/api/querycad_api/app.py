@@ -6,6 +6,7 @@ import asyncio
 import logging
 import sys
 import tempfile
+from collections import Counter
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from typing import Any
@@ -21,7 +22,9 @@ from starlette.middleware.cors import CORSMiddleware
 
 from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
 
+from .accounts.gate import Gate
 from .accounts.service import Access
+from .connections import limits
 from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
@@ -68,6 +71,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
         state = State(redis, settings.answers_days)
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
+        app.state.streams = Counter()
         beside = [asyncio.create_task(each) for each in (redeliver(app.state.application), expire_files(settings))]
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield
@@ -89,6 +93,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
     )
     app.state.registry = CollectorRegistry()
     app.add_middleware(BodyLimit, upload_path="/v1/models", max_bytes=settings.upload_mib * 2**20)
+    app.add_middleware(Gate)
     if settings.origins:
         app.add_middleware(
             CORSMiddleware,
@@ -158,6 +163,7 @@ def main() -> None:
         access_log=False,
         log_config=None,
         timeout_graceful_shutdown=GRACE_S,
+        **limits(settings.api_connections, settings.api_address_connections),
     )
 
 

@@ -8,6 +8,7 @@ ApiProblem
 ├── JobNotFound          404
 ├── PictureNotFound      404
 ├── JobIsDone            409
+├── TooSlow              408
 ├── KeyReused            422
 ├── TooManyRequests      429
 ├── TooLarge             413
@@ -71,6 +72,14 @@ class TooLarge(ApiProblem):
 
     status = HTTPStatus.REQUEST_ENTITY_TOO_LARGE
     title = "Request too large"
+
+
+class TooSlow(ApiProblem):
+    """The body of the request comes too slowly."""
+
+    status = HTTPStatus.REQUEST_TIMEOUT
+    title = "Request too slow"
+    retryable = True
 
 
 class NotAuthenticated(ApiProblem):

@@ -36,6 +36,7 @@ from querycad_contracts import (
     RunRequest,
     RunStarted,
     TaskFailureKind,
+    WallsMissing,
     carry_trace,
     working_for,
 )
@@ -43,7 +44,7 @@ from querycad_contracts import (
 from .control import RunControl
 from .remote import Caller, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from .sandbox import Sandbox
-from .settings import SandboxSettings
+from .settings import SandboxSettings, Walls
 
 BODY_BYTES = 2 * 2**20
 """Over the longest program that any limit lets run, as JSON."""
@@ -60,6 +61,9 @@ class SandboxHealth(Health):
     """The service's health, and which walls stand around what it runs."""
 
     layers: dict[str, bool]
+    walls: Walls
+    missing: tuple[str, ...]
+    """Walls that are not up; with `walls` available, programs run without them."""
 
 
 class NotRun(Exception):
@@ -88,7 +92,7 @@ class _Runs:
     def __init__(self, settings: SandboxSettings, call: Caller | None, service_layers: dict[str, bool]) -> None:
         self._settings = settings
         self._call = call or QueueCaller(settings.redis_url)
-        self._sandbox = Sandbox(workers=settings.sandbox_processes)
+        self._sandbox = Sandbox(settings.sandbox_processes, settings.sandbox_walls)
         self._threads = ThreadPoolExecutor(settings.sandbox_runs, thread_name_prefix="run")
         self._redis = Redis.from_url(settings.redis_url, socket_timeout=REDIS_S, socket_connect_timeout=REDIS_S)
         self._service_layers = service_layers
@@ -98,8 +102,11 @@ class _Runs:
     @asynccontextmanager
     async def lifespan(self, _: Starlette) -> AsyncIterator[None]:
         """Starts the interpreter's processes, and ends them."""
-        await asyncio.to_thread(self._sandbox.warm)
-        self._warm = True
+        try:
+            await asyncio.to_thread(self._sandbox.warm)
+            self._warm = self._walled()
+        except WallsMissing as error:
+            log.error("%s", error)
         for name, holds in self._layers().items():
             log.log(logging.INFO if holds else logging.WARNING, "layer %s: %s", name, "holds" if holds else "missing")
         yield
@@ -123,6 +130,9 @@ class _Runs:
             lines = tuple(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
             return _problem(Problem(title="Not a run request", status=422, errors=lines))
         carry_trace(request.headers)
+        if not self._walled():
+            detail = f"walls are not up: {', '.join(self._missing())}"
+            return _problem(Problem(title="Walls missing", status=503, detail=detail, retryable=True))
         if asked.run in self._under_way:
             return _problem(Problem(title="Run exists", status=409, detail=f"run {asked.run} is under way"))
         if len(self._under_way) >= (1 + QUEUED) * self._settings.sandbox_runs:
@@ -215,14 +225,29 @@ class _Runs:
     def _layers(self) -> dict[str, bool]:
         return {**self._sandbox.layers, **{f"service_{name}": holds for name, holds in self._service_layers.items()}}
 
+    def _missing(self) -> tuple[str, ...]:
+        """Walls that are not up. Of the service's own, Landlock: its interpreters become nobody where it stays root."""
+        own = () if self._service_layers.get("landlock", True) else ("service_landlock",)
+        return (*self._sandbox.missing, *own)
+
+    def _walled(self) -> bool:
+        """May programs be run?"""
+        return self._settings.sandbox_walls is Walls.AVAILABLE or not self._missing()
+
     async def ready(self, _: Request) -> Response:
         """`GET /readyz`: can programs be run now, and behind which walls?"""
         try:
             broker = bool(await self._redis.ping())
         except (RedisError, OSError):
             broker = False
-        checks = {"broker": broker, "interpreter": self._warm}
-        health = SandboxHealth(ready=all(checks.values()), checks=checks, layers=self._layers())
+        checks = {"broker": broker, "interpreter": self._warm, "walls": self._walled()}
+        health = SandboxHealth(
+            ready=all(checks.values()),
+            checks=checks,
+            layers=self._layers(),
+            walls=self._settings.sandbox_walls,
+            missing=self._missing(),
+        )
         return Response(health.model_dump_json(), 200 if health.ready else 503, media_type="application/json")
 
 

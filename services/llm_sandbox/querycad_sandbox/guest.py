@@ -76,6 +76,8 @@ SAID_CHARS: Final = 300
 """Of a call of parts or faces, where it stands for what was asked."""
 ATTRIBUTE_CHARS: Final = 100
 """Of the name of a measure that is not there, which is the program's to choose."""
+OBJECT_BYTES, ID_BYTES = 6000, 40
+"""Of a part or face with what a program sees of it, and of each of its faces' numbers: measured with tracemalloc."""
 DESCRIPTIONS: Final = 100
 """Most different find_parts, parts and faces calls of a run; each may take long, and its time is not the program's."""
 
@@ -153,11 +155,15 @@ class PartView(View):
 class Guest:
     """Answers one program's calls from one model, and keeps the groundings."""
 
-    def __init__(self, segcad: SegCad, control: RunControl, absence_raises: bool = False) -> None:
-        """`absence_raises`: a measure that is not there is an AttributeError, as programs expect that catch it."""
+    def __init__(self, segcad: SegCad, control: RunControl, memory_bytes: int, absence_raises: bool = False) -> None:
+        """`memory_bytes`: what the model's objects may take here, outside the interpreter's heap.
+
+        `absence_raises`: a measure that is not there is an AttributeError, as programs expect that catch it.
+        """
         self.absence_raises = absence_raises
         self._segcad = segcad
         self._control = control
+        self._memory_bytes = memory_bytes
         self.views: dict[UUID, View] = {}
         """Every object that the program was given, by the id that the interpreter knows it by."""
         self._found: dict[tuple[str | PartQuery, tuple[Side, ...] | None], list[PartView]] = {}
@@ -250,6 +256,7 @@ class Guest:
         if said not in self._chosen:
             self._count()
             found = self._ask(lambda: self._segcad.find_faces(query))
+            self._takes(len(found.faces), sum(len(face.neighbours) for face in found.faces))
             if len(found.faces) > FACES:
                 raise ValueError(f"more than {FACES:,} faces are so: say more of those that are meant")
             if found.part is not None:
@@ -276,6 +283,7 @@ class Guest:
         if name == "openings":
             return [self._plain_view(one) for one in openings_of(part)] or None
         faces = self._faces_of(part)
+        self._takes(len(faces), sum(len(face.neighbours) for face in faces))
         if name == "faces":
             return [self._face_view(face) for face in faces]
         frame = part_frame(part, faces)
@@ -360,6 +368,7 @@ class Guest:
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         self._count()
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
+        self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
         self.groundings.append(grounding)
         if not grounding.understood:
             nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
@@ -375,6 +384,7 @@ class Guest:
         """All parts of the model, fetched once."""
         if self._parts is None:
             self._parts = self._ask(self._segcad.parts)
+            self._takes(len(self._parts), sum(len(part.faces) for part in self._parts))
             self._by_id = {part.id: part for part in self._parts}
         return self._parts
 
@@ -400,6 +410,12 @@ class Guest:
         if isinstance(value, Part):
             return self._ask(lambda: self._segcad.faces(value.faces)) if value.faces else ()
         raise TypeError("adjacent() takes two parts or faces")
+
+    def _takes(self, objects: int, ids: int) -> None:
+        """Counts what a reply keeps in this process towards the run's memory."""
+        self._memory_bytes -= objects * OBJECT_BYTES + ids * ID_BYTES
+        if self._memory_bytes < 0:
+            self._end(RunEndedError(RunStatus.OUT_OF_MEMORY, "the program asked for more parts than its memory holds"))
 
     def _ask(self, call: Callable[[], T]) -> T:
         try:

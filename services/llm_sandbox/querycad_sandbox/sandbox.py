@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import logging
 import re
 from importlib.resources import files
 from threading import Lock
@@ -12,7 +13,7 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad
+from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError
@@ -21,9 +22,14 @@ from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
 from .rewriting import ATTRIBUTES
 from .run import Run
+from .settings import Walls, WallSettings
 from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
+HOST_SHARE: Final = 4
+"""What a run's objects of the model may take here, for each byte of its heap: 40,000 parts as a rule."""
+
+log = logging.getLogger(__name__)
 
 
 class Sandbox:
@@ -33,8 +39,10 @@ class Sandbox:
     the first run (or `warm`) and end with `close`, or at the end of a `with` block. Start it after forking, not before.
     """
 
-    def __init__(self, workers: int = 2) -> None:
+    def __init__(self, workers: int = 2, walls: Walls | None = None) -> None:
+        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_SANDBOX_WALLS says."""
         self._workers = workers
+        self._walls = walls or WallSettings.read().sandbox_walls
         self._prelude, self._relations = (
             files(__package__).joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
         )
@@ -63,6 +71,11 @@ class Sandbox:
         """Which walls stand around the interpreter's processes? Empty before the first is started."""
         return {} if self._confinement is None else self._confinement.layers
 
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Which walls are not up? Programs run without them only where the setting says so."""
+        return () if self._confinement is None else self._confinement.missing
+
     def close(self) -> None:
         """Ends the worker processes; a closed sandbox runs nothing more."""
         with self._lock:
@@ -85,7 +98,8 @@ class Sandbox:
     ) -> RunOutcome:
         """What comes of `code`, run against the model behind `segcad`?
 
-        The program's own failures are outcomes. A failure of `segcad` is raised as it is: it is not the program's.
+        Raises WallsMissing, and runs nothing, where walls are required that are not up. The program's own failures are
+        outcomes. A failure of `segcad` is raised as it is: it is not the program's.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
         the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
         exist is missed when the program gets there; no wall depends on it.
@@ -94,7 +108,8 @@ class Sandbox:
         control = control or RunControl()
         control.begin(limits)
         interpreters, checker = self._start()
-        run = Run(Guest(segcad, control, absence_raises="AttributeError" in code), limits, control)
+        memory_bytes = HOST_SHARE * limits.memory_bytes
+        run = Run(Guest(segcad, control, memory_bytes, "AttributeError" in code), limits, control)
         try:
             _check_text(code, limits)
             if check and (problems := checker.problems(code)):
@@ -111,7 +126,8 @@ class Sandbox:
             run.ending = ending_of(error, run.guest)
             if control.cancelled:
                 run.ending = Ending(RunStatus.CANCELLED, CANCELLED)
-        return run.outcome((perf_counter() - started) * 1e3)
+        outcome = run.outcome((perf_counter() - started) * 1e3)
+        return outcome.model_copy(update={"walls_missing": self.missing}) if self.missing else outcome
 
     def _before(self, code: str) -> str:
         """What runs ahead of the program: reading what it does not name would take longer than most programs."""
@@ -123,6 +139,14 @@ class Sandbox:
                 raise RuntimeError("the sandbox is closed")
             if self._confinement is None:
                 self._confinement = Confinement.strongest()
+                for name in self._confinement.missing:
+                    log.warning("wall %s is not up; walls: %s", name, self._walls)
+            if self._confinement.missing and self._walls is Walls.REQUIRED:
+                without = f"{WallSettings.variable('sandbox_walls')}={Walls.AVAILABLE}"
+                raise WallsMissing(
+                    "no program is run: these walls around the interpreter are not up: "
+                    f"{', '.join(self._confinement.missing)}; {without} runs programs without them"
+                )
             if self._interpreters is None or self._checker is None:
                 self._interpreters = Interpreters(self._workers, self._confinement.binary)
                 self._interpreters.start()

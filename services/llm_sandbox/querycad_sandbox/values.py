@@ -21,10 +21,11 @@ MAX_INT: Final = 2**63 - 1
 _STAND_IN: Final = re.compile(
     r"""<(?:function|class|module|bound\ method|coroutine|[\w.]+\ object|deeply\ nested)\b.*>
     | range\(.*\) | slice\(.*\) | dict_(?:keys|values|items)\(.*\) | re\.compile\(.*\) | functools\.partial\(.*\)
-    | \[\.\.\.\] | \{\.\.\.\} | \(\.\.\.\) | \.\.\.""",
+    | find_parts | \[\.\.\.\] | \{\.\.\.\} | \(\.\.\.\) | \.\.\.""",
     re.VERBOSE | re.DOTALL,
 )
-"""What the interpreter hands out in place of what cannot leave it, and of the inside of a cycle: its printed form."""
+"""What the interpreter hands out in place of what cannot leave it, and of the inside of a cycle: its printed form;
+of a function of the host, its name."""
 
 
 class UnfitError(Exception):

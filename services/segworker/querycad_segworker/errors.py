@@ -8,10 +8,13 @@ FileProblem
 ├── FileTooLarge       over the size limit
 ├── KernelDied         the kernel crashed, hung or ran out of memory on it
 ├── KernelKilled       the kernel's process was killed by somebody else
-└── NoPlace            what is read of it cannot be kept anywhere
+├── NoPlace            what is read of it cannot be kept anywhere
+└── DiskFull           there is no space for what is read
 """
 
 from __future__ import annotations
+
+import errno
 
 
 class FileProblem(Exception):
@@ -42,6 +45,16 @@ class FileTooLarge(FileProblem):
 
 class KernelDied(FileProblem):
     """The kernel's process crashed, ran out of time or out of memory."""
+
+
+class DiskFull(FileProblem):
+    """There is no space left for what was read; the file may be sound."""
+
+    retryable = True
+    CODES = (errno.ENOSPC, errno.EDQUOT)
+
+    def __init__(self) -> None:
+        super().__init__("the disk of the service is full; the file may be sound: try again when there is space")
 
 
 class KernelKilled(FileProblem):

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import errors
-from .errors import FileProblem, KernelDied, KernelKilled
+from .errors import DiskFull, FileProblem, KernelDied, KernelKilled, NotStep
 from .kernel_process import KernelProcess, start_host
 from .model import Artefacts, ModelStore, file_sha256
 from .sniff import check_step, missing_entities
@@ -37,7 +37,7 @@ class IngestLimits:
 
     duration_s: float = 180.0
     """The largest of 201 ugly files needs some 10 s; a kernel that takes longer is hanging."""
-    memory_bytes: int = 8 * 2**30
+    memory_bytes: int = 4 * 2**30
     """Address space of the child: the kernel's libraries alone map about 1 GiB."""
 
 
@@ -52,21 +52,30 @@ def ingest(
 
     `file_name` is the name that the user knows the file by, where `path` has another.
     """
-    sha256 = file_sha256(path) if path.is_file() and os.access(path, os.R_OK) else ""
+    try:
+        sha256 = file_sha256(path) if path.is_file() and os.access(path, os.R_OK) else ""
+    except OSError as error:
+        raise NotStep(f"{path} cannot be read: {error.strerror}") from error
     known = store.find(sha256) if sha256 else None
     if known is not None:
         return known
     cleaned = check_step(path)
-    scratch = store.scratch()
+    scratch: Path | None = None
     try:
+        scratch = store.scratch()
         source = path.resolve()
         if cleaned is not None:
             source = scratch / "cleaned.step"
             source.write_bytes(cleaned)
         _run_child(source, file_name or path.name, sha256, scratch, limits or IngestLimits(), progress)
         return store.keep(sha256, scratch)
+    except OSError as error:
+        if error.errno in DiskFull.CODES:
+            raise DiskFull from error
+        raise
     finally:
-        shutil.rmtree(scratch, ignore_errors=True)
+        if scratch is not None:
+            shutil.rmtree(scratch, ignore_errors=True)
 
 
 def _run_child(
@@ -97,6 +106,8 @@ def _run_child(
         last = (said.strip().splitlines() or ["it said nothing"])[-1]
         _log.warning("the kernel's process ended with code %s on %s: %s", code, file_name, last)
         _log.debug("it said: %s", said)
+        if any(os.strerror(code) in said for code in DiskFull.CODES):
+            raise DiskFull
         if code == -signal.SIGKILL and not timed_out:
             raise KernelKilled("the process that read this file was killed, as a system does that runs out of memory")
         raise KernelDied(_death(code, timed_out, said, source, limits))

@@ -13,21 +13,26 @@ from pathlib import Path
 
 import numpy as np
 
+from querycad_contracts import Face, Part, Shape
+
 from .brep.extract import extract
 from .brep.measure import save_faces
 from .brep.step import read_step
 from .brep.tessellate import tessellate
-from .errors import FileProblem
+from .errors import FileProblem, UnreadableFile
 from .features.faces import faces_of
 from .features.recognise import recognise
 from .features.sheet.material_thickness import material_thickness
 from .model import Artefacts, Model
 from .orientation import outward
+from .sniff import strange_number
 from .vectors import dist
 from .visibility.faces import shows_backs, visible_pixels
 from .visibility.raycast import Scene
 from .visibility.sides import with_sides
 
+LARGEST_SI = 1e12
+"""Metres, square or cubic metres: a cube of ten kilometres."""
 LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""
 
@@ -64,6 +69,8 @@ def _limit_memory(memory_bytes: int) -> None:
 def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> None:
     clock = _Clock()
     clock.begin("read")
+    if strange := strange_number(source):
+        raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
     content = read_step(source)
     clock.begin("measure")
     extracted = extract(content)
@@ -78,6 +85,10 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
     visibility = visible_pixels(scene, len(brep.faces))
     clock.begin("recognise")
     found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene), mesh)
+    faces = faces_of(brep)
+    measured: list[Shape | Part | Face] = [found.shape, *found.parts, *faces]
+    for what in measured:
+        _must_be_bounded(what)
     parts = with_sides(found.parts, brep, scene, visibility)
     clock.end()
     model = Model(
@@ -89,7 +100,16 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
         warnings=brep.warnings,
         timings_ms=clock.timings_ms,
     )
-    artefacts.save(model, faces_of(brep), found.refused)
+    artefacts.save(model, faces, found.refused)
+
+
+def _must_be_bounded(what: Shape | Part | Face) -> None:
+    """Raises UnreadableFile for a measure that is not finite, or larger than anything that is made."""
+    for name, value in what:
+        numbers = value if isinstance(value, tuple) else (value,)
+        if any(isinstance(number, float) and not abs(number) <= LARGEST_SI for number in numbers):
+            which = f"{type(what).__name__.lower()} {getattr(what, 'id', '')}".strip()
+            raise UnreadableFile(f"the file is damaged: the {name} of {which} is not finite, or beyond all bounds")
 
 
 class _Clock:

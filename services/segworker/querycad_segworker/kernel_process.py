@@ -21,6 +21,10 @@ ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """NumPy's linear algebra starts threads when it is imported. They do not come along in a fork; and waiting for one
 another over arrays as small as ours, two of them use 1.4 times the processor time of one."""
 
+KEPT = frozenset(("PATH", "HOME", "LANG", "TZ", "VIRTUAL_ENV", "TMPDIR", "USER", "LOGNAME", "XDG_CACHE_HOME"))
+KEPT_STARTS = ("PYTHON", "LC_", "LD_", "CSF_", "COVERAGE_")
+"""Variables of Python, of the system and of the kernel (CSF_: Open CASCADE's resources)."""
+
 
 class KernelProcess:
     """One piece of work in a process of its own. Use it as a context manager: it does not outlive the block."""
@@ -81,6 +85,12 @@ class KernelProcess:
         self._line.close()
 
 
+def _environment() -> dict[str, str]:
+    """Variables for a process that a file may take over: no password or key of the services."""
+    kept = {name: value for name, value in os.environ.items() if name in KEPT or name.startswith(KEPT_STARTS)}
+    return {**kept, **ONE_THREAD}
+
+
 class _Host:
     """The host of this process. Thread safe; a forked process has a host of its own."""
 
@@ -122,7 +132,7 @@ class _Host:
             with theirs:
                 self._process = subprocess.Popen(
                     [sys.executable, "-m", "querycad_segworker.kernel_host", str(theirs.fileno())],
-                    env={**os.environ, **ONE_THREAD},
+                    env=_environment(),
                     stdin=subprocess.DEVNULL,
                     stdout=subprocess.DEVNULL,
                     pass_fds=[theirs.fileno()],

@@ -18,4 +18,5 @@ class SegworkerSettings(WorkerSettings, StorageSettings):
         1024, ge=128, description="Resident memory after which a segworker's process is replaced, between two tasks."
     )
     segworker_models: int = Field(64, ge=1, description="Recognised models that each process keeps in memory.")
+    ingest_memory_mib: int = Field(4096, ge=1024, description="Address space of the process that reads a file.")
     ingest_s: int = Field(180, ge=1, description="Seconds that reading one file may take.")

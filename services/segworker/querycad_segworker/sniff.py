@@ -12,11 +12,18 @@ MAX_FILE_BYTES = 512 * 2**20
 
 _BOM = b"\xef\xbb\xbf"
 _MAGIC = b"ISO-10303-21"
-_DATA = re.compile(rb"\bDATA\s*(\([^;]*\))?\s*;")
-_ENTITY = re.compile(rb"#\s*\d+\s*=")
+# A repetition in a pattern has an upper limit: with none, text that almost fits is searched again from each start.
+_BLANK = re.compile(rb"\s*")
+_DATA = re.compile(rb"\bDATA\s{0,80}[(;]")
+_ENTITY = re.compile(rb"#\s{0,80}\d{1,20}\s{0,80}=")
 _LENGTH_UNITS = (b"LENGTH_UNIT", b"LENGTH_MEASURE_WITH_UNIT", b".METRE.")
-_SURFACES = (re.compile(rb"_FACE\w*\s*\("), re.compile(rb"SURFACE\w*\s*\("))
+_SURFACES = (re.compile(rb"_FACE\w{0,60}\s{0,80}\("), re.compile(rb"SURFACE\w{0,60}\s{0,80}\("))
 """What every face or surface entity has in its name. Each begins with plain letters, which makes the search fast."""
+_POWER = re.compile(
+    rb"[(,]\s{0,20}+([+-]?(?:\d{1,400}+(?:\.\d{0,400}+)?E\+?\d{2,9}+|NAN|INF))\s{0,20}+(?=[,)])", re.IGNORECASE
+)
+LARGEST = 2e100
+"""What the kernel takes for infinite, and some programs write for a line without end."""
 _IGES = re.compile(rb"[^\r\n]{72}S[ 0]{6}1")
 """The first line of an IGES file: 72 columns of text, the letter of the start section, a number of seven places."""
 
@@ -58,21 +65,38 @@ def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
     return data[start:] if start else None
 
 
+def strange_number(path: Path) -> str | None:
+    """Which number of the file is none, or out of all bounds? Its entity and its text; None where all are fine."""
+    data = path.read_bytes()
+    if not any(_is_strange(found[1]) for found in _POWER.finditer(data)):
+        return None
+    data = re.sub(rb"'[^']*'", b"''", data)
+    for found in _POWER.finditer(data):
+        if _is_strange(found[1]):
+            entity = re.match(rb"\s{0,80}(#\d{1,18})", data[data.rfind(b";", 0, found.start()) + 1 : found.start()])
+            return f"{entity[1].decode() if entity else 'an entity'} holds {found[1][:40].decode()}"
+    return None
+
+
+def _is_strange(number: bytes) -> bool:
+    value = float(number)
+    return not abs(value) <= LARGEST  # no comparison holds for what is no number
+
+
 def missing_entities(path: Path) -> list[int]:
     """Which entities does the file refer to without holding them? Their numbers, sorted.
 
     Slower than `check_step`, and kernels forgive many of them: it is asked when a file made the kernel crash.
     """
     data = re.sub(rb"'[^']*'", b"", path.read_bytes())
-    held = {int(number) for number in re.findall(rb"#(\d+)\s*=", data)}
-    return sorted({int(number) for number in re.findall(rb"#(\d+)", data)} - held)
+    held = {int(number) for number in re.findall(rb"#(\d{1,18})\s{0,80}=", data)}
+    return sorted({int(number) for number in re.findall(rb"#(\d{1,18})(?!\d)", data)} - held)
 
 
 def _start(data: bytes) -> int:
     """Where does the STEP text begin? Raises NotStep with what the file looks like instead."""
-    start = len(_BOM) if data.startswith(_BOM) else 0
-    while start < len(data) and data[start : start + 1].isspace():
-        start += 1
+    blank = _BLANK.match(data, len(_BOM) if data.startswith(_BOM) else 0)
+    start = blank.end() if blank else 0
     if data.startswith(_MAGIC, start):
         return start
     raise NotStep(f"not a STEP file: {_looks_like(data)}")

@@ -50,7 +50,7 @@ from querycad_contracts import (
     working_for,
 )
 
-from .errors import FileProblem
+from .errors import DiskFull, FileProblem
 from .grounding.vision import Networks, networks_in
 from .ingest import IngestLimits, ingest
 from .local import LocalSegCad
@@ -88,7 +88,7 @@ class ModelCache:
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
-        limits = IngestLimits(duration_s=float(self._settings.ingest_s))
+        limits = IngestLimits(float(self._settings.ingest_s), self._settings.ingest_memory_mib * 2**20)
         try:
             made = ingest(upload, self._store, limits, file_name=file_name)
         except FileProblem:
@@ -294,6 +294,10 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
         return TaskOutcome[Any](value=work())
     except FileProblem as problem:
         failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(problem), retryable=problem.retryable)
+    except OSError as error:
+        if error.errno not in DiskFull.CODES:
+            raise
+        failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(DiskFull()), retryable=True)
     except KeyError as error:
         failure = TaskFailure(
             kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"

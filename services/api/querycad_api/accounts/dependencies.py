@@ -7,6 +7,7 @@ from typing import Annotated, cast
 from fastapi import Depends, Request
 from fastapi.security import HTTPAuthorizationCredentials, HTTPBearer
 
+from .gate import admitted
 from .schemas import Caller, Scope
 from .service import Access
 
@@ -17,20 +18,14 @@ _bearer = HTTPBearer(
 Credentials = Annotated[HTTPAuthorizationCredentials | None, Depends(_bearer)]
 
 
-async def caller(request: Request, credentials: Credentials) -> Caller:
-    """Who asks about models?"""
-    return await _admit(request, credentials, Scope.ASK)
+async def caller(request: Request, _: Credentials) -> Caller:
+    """Who asks about models? `Gate` has found out."""
+    return cast("Caller", request.state.caller)
 
 
-async def operator(request: Request, credentials: Credentials) -> Caller:
+async def operator(request: Request, _: Credentials) -> Caller:
     """Who reads the metrics?"""
-    return await _admit(request, credentials, Scope.METRICS)
-
-
-async def _admit(request: Request, credentials: HTTPAuthorizationCredentials | None, scope: Scope) -> Caller:
-    access = cast("Access", request.app.state.access)
-    presented = credentials.credentials if credentials is not None else None
-    return await access.caller(presented, request.headers, scope)
+    return await admitted(cast("Access", request.app.state.access), request.headers, Scope.METRICS)
 
 
 CallerDep = Annotated[Caller, Depends(caller)]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import AsyncIterator
 from typing import Annotated
 
-from fastapi import APIRouter, Depends, Header
+from fastapi import APIRouter, Depends, Header, Request
 from fastapi.responses import Response
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 from redis.exceptions import RedisError
@@ -19,6 +20,7 @@ from querycad_api.problems import (
     ModelUnreadable,
     PictureNotFound,
     ServiceUnavailable,
+    TooManyRequests,
     responses,
 )
 from querycad_contracts import Job, JobId, ModelId, PictureTask, TaskName, picture_name
@@ -26,6 +28,8 @@ from querycad_contracts import Job, JobId, ModelId, PictureTask, TaskName, pictu
 from .service import answered, cancel, followed
 
 RECONNECT_MS = 1000
+JOB_STREAMS, KEY_STREAMS = 8, 128
+"""Streams open at the same time, of one process of the api: a page holds one for each question that it waits for."""
 
 router = APIRouter(prefix="/v1", tags=["jobs"])
 
@@ -45,9 +49,26 @@ LastEventDep = Annotated[
 ]
 
 
-async def _followed(job_id: JobId, services: ServicesDep, last_event_id: LastEventDep = "") -> Job:
-    """The job, looked up before the response begins. Raises NothingMore to who was told all."""
-    return await followed(services, job_id, last_event_id)
+async def _followed(
+    job_id: JobId, services: ServicesDep, request: Request, last_event_id: LastEventDep = ""
+) -> AsyncIterator[Job]:
+    """The job, looked up before the response begins, while its stream lasts.
+
+    Raises NothingMore to who was told all, and TooManyRequests where too many streams are open.
+    """
+    job = await followed(services, job_id, last_event_id)
+    open_streams: Counter[str] = request.app.state.streams
+    names = {f"job {job_id}": JOB_STREAMS, f"key {services.caller.key}": KEY_STREAMS}
+    if any(open_streams[name] >= most for name, most in names.items()):
+        raise TooManyRequests(f"at most {JOB_STREAMS} streams of one job, and {KEY_STREAMS} of one API key")
+    open_streams.update(names.keys())
+    try:
+        yield job
+    finally:
+        open_streams.subtract(names.keys())
+        for name in names:
+            if not open_streams[name]:
+                del open_streams[name]
 
 
 @router.get(

@@ -1,11 +1,14 @@
-"""Stops a request that is too large while it arrives, before it fills memory or disk."""
+"""Stops a request that is too large or too slow while it arrives, before it fills memory, disk or connections."""
 
 from __future__ import annotations
+
+import asyncio
+import time
 
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from querycad_api.problems import ApiProblem, FileTooLarge, TooLarge, problem_response
+from querycad_api.problems import ApiProblem, FileTooLarge, TooLarge, TooSlow, problem_response
 
 FORM_BYTES = 64 * 1024
 """What a multipart form adds to its file, generously."""
@@ -13,9 +16,15 @@ FORM_BYTES = 64 * 1024
 OTHER_BYTES = 1024 * 1024
 """Of what is no upload: a question has some dozen bytes."""
 
+PAUSE_S = 20.0
+"""Longest silence in the middle of a body."""
+
+BYTES_PER_S = 4096
+"""What a body must bring on average, but for one pause."""
+
 
 class BodyLimit:
-    """ASGI middleware: an upload has at most `max_bytes`, any other request's body `OTHER_BYTES`."""
+    """ASGI middleware: an upload, a multipart form, has at most `max_bytes`, any other body `OTHER_BYTES`."""
 
     def __init__(self, app: ASGIApp, upload_path: str, max_bytes: int) -> None:
         self._app = app
@@ -27,21 +36,31 @@ class BodyLimit:
         if scope["type"] != "http":
             await self._app(scope, receive, send)
             return
-        is_upload = scope["path"] == self._upload_path
+        headers = dict(scope["headers"])
+        form = headers.get(b"content-type", b"").lstrip().lower().startswith(b"multipart/form-data")
+        is_upload = scope["path"] == self._upload_path and form
         accepted = self._upload_bytes if is_upload else OTHER_BYTES
         max_bytes = accepted + FORM_BYTES
         kind: type[ApiProblem] = FileTooLarge if is_upload else TooLarge
         problem = kind(f"at most {accepted // 2**20} MiB are accepted")
-        declared = next((value for name, value in scope["headers"] if name == b"content-length"), b"0")
+        declared = headers.get(b"content-length", b"0")
         if declared.isdigit() and int(declared) > max_bytes:
             await problem_response(problem.problem())(scope, receive, send)
             return
-        arrived = 0
+        arrived, complete, start = 0, False, time.monotonic()
 
         async def counted() -> Message:
-            nonlocal arrived
-            message = await receive()
+            nonlocal arrived, complete
+            if complete:
+                return await receive()  # it waits for the client to go
+            left_s = PAUSE_S + arrived / BYTES_PER_S - (time.monotonic() - start)
+            try:
+                message = await asyncio.wait_for(receive(), min(PAUSE_S, max(left_s, 0.0)))
+            except TimeoutError:
+                slow = TooSlow(f"a body must bring {BYTES_PER_S} bytes a second")
+                raise HTTPException(408, str(slow)) from slow
             arrived += len(message.get("body", b""))
+            complete = not message.get("more_body", False)
             if arrived > max_bytes:
                 raise HTTPException(413, str(problem)) from problem  # no other kind gets out of FastAPI's reading
             return message

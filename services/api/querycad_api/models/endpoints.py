@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from fastapi import APIRouter, File, Request, Response, UploadFile
 
@@ -13,6 +13,7 @@ from querycad_api.problems import (
     ModelNotFound,
     NotStepFile,
     ServiceUnavailable,
+    TooSlow,
     responses,
 )
 from querycad_contracts import ModelId, ModelResource, ModelsPage, ModelStatus
@@ -20,14 +21,17 @@ from querycad_contracts import ModelId, ModelResource, ModelsPage, ModelStatus
 from .service import add, delete
 
 router = APIRouter(prefix="/v1/models", tags=["models"])
+FORM: Any = {"max_files": 2, "max_fields": 2, "max_part_size": 1024}
+"""Of an upload: one file. The second of each lets a client be told what is wrong."""
 
 
 @router.post(
     "",
     status_code=202,
     response_model=ModelResource,
+    form_limits=FORM,
     responses={
-        **responses(Malformed, ModelNotFound, FileTooLarge, NotStepFile, ServiceUnavailable),
+        **responses(Malformed, ModelNotFound, TooSlow, FileTooLarge, NotStepFile, ServiceUnavailable),
         200: {"description": "The file was there already; it has been read.", "model": ModelResource},
         201: {"description": "The file has been read within the wait that was preferred.", "model": ModelResource},
         202: {"description": "The file was accepted and is being read.", "model": ModelResource},

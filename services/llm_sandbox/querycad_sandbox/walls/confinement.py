@@ -57,6 +57,7 @@ class Confinement:
     """How processes are shut in. `binary` is what the pool starts: a file in memory that shuts itself in first."""
 
     layers: dict[str, bool]
+    """Which walls hold, by name; one that is down is in `missing`."""
     binary: str | None
     _files: tuple[int, ...]
 
@@ -80,19 +81,28 @@ class Confinement:
     @classmethod
     def _made(cls, *, landlock: bool, seccomp: bool) -> Self:
         monty = interpreter()
+        python = os.open(sys.executable, os.O_RDONLY | os.O_CLOEXEC)
         user = NOBODY if os.geteuid() == 0 else None
-        ruleset = landlock_ruleset(monty) if landlock else None
+        ruleset: int | None = None
         try:
+            ruleset = landlock_ruleset(monty) if landlock else None
             program = seccomp_program() if seccomp else None
             call = f"launch({monty!r}, {LIMITS!r}, {user!r}, {ruleset!r}, {program!r})"
             source = files(__package__).joinpath("launcher.py").read_text(encoding="utf-8")
-            script = _executable(f"#!{sys.executable} -IS\n{source}\n{call}\n")
+            # the kernel takes no path with a space, and none over some 250 letters, from a script's first line
+            script = _executable(f"#!/proc/{os.getpid()}/fd/{python} -IS\n{source}\n{call}\n")
         except BaseException:
             _close(ruleset)
+            _close(python)
             raise
         walls = {"landlock": landlock, "seccomp": seccomp, "unprivileged_user": user is not None or os.getuid() != 0}
-        opened = tuple(each for each in (script, ruleset) if each is not None)
+        opened = tuple(each for each in (script, ruleset, python) if each is not None)
         return cls(_layers(resource_limits=True, **walls), f"/proc/{os.getpid()}/fd/{script}", opened)
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """The walls that are not up."""
+        return tuple(name for name, holds in self.layers.items() if not holds)
 
     def close(self) -> None:
         """Closes what the processes were started from; no more can be started."""
@@ -127,7 +137,7 @@ def _layers(
     """Which walls hold, by name."""
     return {
         "own_process": True,
-        "empty_environment": True,
+        "empty_environment": resource_limits,
         "resource_limits": resource_limits,
         "no_new_privileges": resource_limits,
         "unprivileged_user": unprivileged_user,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,6 +25,9 @@ from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 from OCP.XCAFDoc import XCAFDoc_ColorTool, XCAFDoc_ColorType, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
 from querycad_segworker.errors import UnreadableFile
+
+NAME_CHARS = 1000
+"""Of a product's name; control characters in it are spaces, for it is shown on terminals."""
 
 _GENERATED_NAME = "Open CASCADE STEP translator"
 """What the kernel's own writer puts where a shape has no name."""
@@ -136,7 +140,8 @@ def _name(label: TDF_Label) -> str:
     """The label's name; asking for an attribute that is not there breaks the binding, hence the test first."""
     attribute = TDataStd_Name()
     if label.IsAttribute(TDataStd_Name.GetID_s()) and label.FindAttribute(TDataStd_Name.GetID_s(), attribute):
-        name = str(attribute.Get().ToExtString()).strip()
+        said = str(attribute.Get().ToExtString())
+        name = "".join(char if unicodedata.category(char)[0] != "C" else " " for char in said[:NAME_CHARS]).strip()
         return "" if name.startswith(_GENERATED_NAME) else name
     return ""
 
