@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
@@ -138,7 +139,9 @@ def test_what_a_family_has_is_no_region_besides(shape: TopoDS_Shape) -> None:
 
 
 @pytest.mark.parametrize("move", [lambda s: turned(s, (1, 2, 3), 37), lambda s: scaled(s, 100.0), halved])
-def test_a_region_does_not_hang_on_how_the_model_lies_or_is_stored(move) -> None:  # type: ignore[no-untyped-def]
+def test_a_region_does_not_hang_on_how_the_model_lies_or_is_stored(
+    move: Callable[[TopoDS_Shape], TopoDS_Shape],
+) -> None:
     plain, moved = only(cut(plate(), pyramid(-8))), only(move(cut(plate(), pyramid(-8))))
     assert (moved.kind, moved.bottom) == (plain.kind, plain.bottom)
     assert {"rectangular", "closed"} <= set(moved.tags)
