@@ -9,7 +9,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -77,6 +77,19 @@ class Service:
             ours = f"QUERYCAD_HOME={self.home}".encode() in environment or folder_of.is_relative_to(self.home)
             wanted = queue is None or f"QUERYCAD_SEGWORKER_QUEUES={queue}".encode() in environment
             if ours and wanted and state != "Z" and module in arguments:
+                found[int(folder.name)] = int(parent)
+        return found
+
+    def kernels(self, parents: Iterable[int]) -> dict[int, int]:
+        """The kernel's processes that these have started, and the parent of each; nothing in them tells the service."""
+        found = {}
+        for folder in Path("/proc").glob("[0-9]*"):
+            try:
+                arguments = (folder / "cmdline").read_bytes().replace(b"\0", b" ").decode()
+                state, parent = (folder / "stat").read_text().rpartition(")")[2].split()[:2]
+            except OSError:
+                continue
+            if "querycad_segworker.kernel_host" in arguments and state != "Z" and int(parent) in parents:
                 found[int(folder.name)] = int(parent)
         return found
 
@@ -265,9 +278,8 @@ def test_a_file_whose_workers_die_is_given_up_after_two_of_them(
 
     def reading() -> list[int]:
         """The ingest worker's children that have the file read: their kernel's host has forked a process for it."""
-        worker = service.pids(queue="ingest", module="querycad_segworker.worker")
-        kernels = service.pids(queue="ingest", module="querycad_segworker.kernel_host")
-        return [kernels[host] for host in kernels.values() if kernels.get(host) in worker]
+        hosts = service.kernels(service.pids(queue="ingest", module="querycad_segworker.worker"))
+        return [hosts[host] for host in service.kernels(hosts).values()]
 
     killed: set[int] = set()
     for _ in range(2):

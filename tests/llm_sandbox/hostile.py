@@ -153,7 +153,7 @@ FORGERIES: list[Claim] = [
     (hidden("class P:\n    def __init__(self):\n        self.id = 'hole-9'\n"
             "solution = find_parts('hole')[0].distance_to(P())"), RAISED),
     ("solution = lambda: 1", REFUSED),
-    ("solution = find_parts", OK),
+    ("solution = find_parts", REFUSED),
     ("solution = print", REFUSED),
     ("import math\nsolution = math", REFUSED),
     ("solution = shape", REFUSED),
@@ -206,7 +206,7 @@ TEXTS: list[Claim] = [
     ("solution = 1 + '" + "Literal[" * 7000 + "'", REFUSED),
     ("solution = '<" + "object " * 8000 + "'", OK),
     ("raise AttributeError(\"'\" + 'a' * 10**6)", RAISED),
-    ("solution = 𝔣ind_parts", OK),
+    ("solution = 𝔣ind_parts", REFUSED),
     ("def f():\n    yield 1\nsolution = list(f())", RAISED),
 ]  # fmt: skip
 

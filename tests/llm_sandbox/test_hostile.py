@@ -38,7 +38,7 @@ def test_the_families_are_large() -> None:
 
 def test_after_all_of_them_it_is_the_same_process_and_asked_for_one_model(service: Service) -> None:
     assert service.process.poll() is None
-    assert service.client.get("/readyz").json()["checks"] == {"broker": True, "interpreter": True}
+    assert service.client.get("/readyz").json()["checks"] == {"broker": True, "interpreter": True, "walls": True}
     service.run("solution = len(find_parts('hole'))")
     assert service.segworker.models == {MODEL}
 

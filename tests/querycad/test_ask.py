@@ -142,7 +142,7 @@ def test_what_is_printed_can_be_asked_for_and_is_certain(
     code, out, _ = run(capsys, FLANGE, question, "--json")
     record = json.loads(out)
     assert (code, record["status"]) == (0, "answered")
-    assert record["confidence"] >= 0.9
+    assert record["confidence"] >= 0.8
     assert record["answer"]["value"] == pytest.approx(value, rel=1e-3)
 
 

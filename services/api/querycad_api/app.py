@@ -124,6 +124,7 @@ def _openapi(app: FastAPI, asks_for_keys: bool) -> dict[str, Any]:
         _, described = models_json_schema(wanted, ref_template="#/components/schemas/{model}")  # type: ignore[arg-type]
         for name, described_schema in described["$defs"].items():
             schemas.setdefault(name, described_schema)
+        schemas["Body_upload_model"]["additionalProperties"] = False  # a form with many fields is refused unread
         for path in schema["paths"].values():
             for operation in path.values():
                 _document_problems(operation["responses"])
