@@ -1,1 +1,1 @@
-"""Two hands on twenty models of their own: sealed before the reader was written, looked at once, at the end."""
+"""Models and questions of four hands that were sealed until the reader of questions was done, and looked at once."""

@@ -254,7 +254,13 @@ def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
             _plain(lex, "scale", phrases, Scale(Measure(name), degree))
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():
-            _plain(lex, category, phrases, Measure(name))
+            _plain(lex, category, [*phrases, *map(_gerund, phrases)], Measure(name))
+
+
+def _gerund(phrase: str) -> str:
+    """'sticking out' of 'stick out'."""
+    verb, *rest = phrase.split()
+    return " ".join([verb.removesuffix("e") + "ing", *rest])
 
 
 def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:

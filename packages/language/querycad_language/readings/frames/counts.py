@@ -43,12 +43,9 @@ def counts(question: Question) -> Iterator[Draft]:
 
 
 def _counts(question: Question, span: Span) -> bool:
-    """Does the phrase ask for a number: not 'how much longer', 'how many millimetres', 'by how much'?"""
+    """Does the phrase ask for a number of parts: not 'how many millimetres'?"""
     text = question.text
-    much = text.is_word(span.start + 1, "much")
-    if text.is_word(span.start, "how") and much and text.find(span.end, "scale", "stuff"):
-        return False
-    if question.is_unit(span.end) or (much and text.is_word(span.start - 1, "by")):
+    if question.is_unit(span.end):
         return False
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
