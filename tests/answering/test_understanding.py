@@ -170,6 +170,6 @@ def test_the_programs_run_in_the_sandbox_on_the_same_query() -> None:
             ("How many slots are there?", 0),
         ):
             record = ask(question, lambda program: sandbox.run(program.code, Made(), expects=program.expects), model)  # type: ignore[arg-type]
-            assert record.status is Status.ANSWERED
+            assert record.status in (Status.ANSWERED, Status.UNSURE)  # few were asked whether there is one
             assert record.answer is not None
             assert record.answer.value == value

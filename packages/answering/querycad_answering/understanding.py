@@ -35,7 +35,7 @@ from .ranking import SHOWN, Value, softmax, values
 from .refusing import TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 from .typed import is_like
 
-UNTRIED = 0.2
+UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
 SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
