@@ -15,7 +15,7 @@ MAX_MODULES = 20
 MIN_WORDS = 3
 """Shorter ones, 'bbox' say, are words of the language."""
 ENTRIES = ("__init__.py", "__main__.py")
-ONE_A_MODEL = "benchmark/models"
+ONE_A_MODEL = ("benchmark/models", "benchmark/last_look/models")
 READERS = (
     "packages/language",
     "services/segworker/querycad_segworker/grounding",
@@ -40,7 +40,7 @@ def test_no_module_is_longer_than_500_lines() -> None:
 def test_no_folder_holds_more_than_20_modules() -> None:
     modules = (path for path in sources("packages", "services", "benchmark") if path.name not in ENTRIES)
     counts = Counter(str(path.parent.relative_to(ROOT)) for path in modules)
-    assert {name: count for name, count in counts.items() if count > MAX_MODULES and name != ONE_A_MODEL} == {}
+    assert {name: count for name, count in counts.items() if count > MAX_MODULES and name not in ONE_A_MODEL} == {}
 
 
 def questions(data: Any) -> Iterator[str]:

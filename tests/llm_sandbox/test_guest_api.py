@@ -41,7 +41,8 @@ if TYPE_CHECKING:
 STUB = ast.parse(files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8"))
 PRELUDE = ast.parse(
     "\n".join(
-        files("querycad_sandbox").joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
+        files("querycad_sandbox.inside").joinpath(name).read_text(encoding="utf-8")
+        for name in ("prelude.py", "relations.py")
     )
 )
 UP = (0.0, 0.0, 1.0)

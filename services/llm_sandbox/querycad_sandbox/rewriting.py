@@ -11,7 +11,7 @@ from typing import Final
 
 ATTRIBUTES: Final = ("ignored_words", "not_checked")
 WORDS_LEFT: Final = "_words_left"
-"""The host function that `_noted` of prelude.py asks right after a find_parts call."""
+"""The host function that `_noted` of inside/prelude.py asks right after a find_parts call."""
 
 
 def rewritten(code: str) -> str:

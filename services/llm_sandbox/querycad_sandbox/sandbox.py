@@ -44,7 +44,8 @@ class Sandbox:
         self._workers = workers
         self._walls = walls or WallSettings.read().sandbox_walls
         self._prelude, self._relations = (
-            files(__package__).joinpath(name).read_text(encoding="utf-8") for name in ("prelude.py", "relations.py")
+            files(__package__).joinpath("inside", name).read_text(encoding="utf-8")
+            for name in ("prelude.py", "relations.py")
         )
         self._names_relations = re.compile(rf"\b(?:{'|'.join((*ATTRIBUTES, *_functions(self._relations)))})\b")
         self._lock = Lock()
