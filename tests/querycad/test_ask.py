@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from querycad.cli import main
+from querycad_answering.answering import SURE
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FLANGE = str(EXAMPLES / "flange.step")
@@ -142,7 +143,7 @@ def test_what_is_printed_can_be_asked_for_and_is_certain(
     code, out, _ = run(capsys, FLANGE, question, "--json")
     record = json.loads(out)
     assert (code, record["status"]) == (0, "answered")
-    assert record["confidence"] >= 0.8
+    assert record["confidence"] >= SURE
     assert record["answer"]["value"] == pytest.approx(value, rel=1e-3)
 
 

@@ -24,7 +24,7 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
-from querycad_language.forms import Get
+from querycad_language.forms import Count, Exists, Get
 from querycad_language.lexicon import lexicon
 
 from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
@@ -203,11 +203,15 @@ class Understanding:
         )
 
     def _missing(self, best: Value, least: float) -> Failure | None:
-        """The part that the words name and the model lacks, where the whole model stands in for it too boldly."""
+        """The part that the words name and the model lacks, where the whole model stands in for it too boldly.
+
+        Whoever counts parts, or asks whether there are any, does not mean the whole by them.
+        """
+        counts = isinstance(best.candidate.reading.form, Count | Exists)
         for query, taken in best.candidate.grounds.items():
             if any(taken.features.get(name) for name in TAKEN_FOR_WHOLE):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
-                if empty is not None and best.confidence < self._asked.instead_of(query, least):
+                if empty is not None and (counts or best.confidence < self._asked.instead_of(query, least)):
                     return self._asked.absent(query, empty)
         return None
 
