@@ -9,18 +9,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, fields, is_dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Any
+from typing import TypeVar, cast
 
 from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
-from querycad_language.forms import Distance, Every, Form, Get, Reduce, queries
+from querycad_language.forms import Distance, Every, Form, Get, Reduce, mapped, queries
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
 from querycad_language.text import Text
 
 from .drawing.callouts import ids_text
 from .drawing.describing import SURFACES
+
+T = TypeVar("T")
 
 FIRST_ALIAS = 9001
 """Numbers from here on are names that only the question knows; no model numbers its parts so high in one kind."""
@@ -275,21 +277,24 @@ def _noun_name(word: str) -> str | None:
     return span.value.name if span is not None and span.end == 1 else None
 
 
-def _with_ids(value: Any, names: Mapping[int, tuple[str, ...]]) -> Any:
-    """The form, or what it is made of, with the model's ids for names."""
+def _with_ids(form: Form, names: Mapping[int, tuple[str, ...]]) -> Form:
+    """The form with the model's ids for names."""
+    found = mapped(form, lambda query: _named(query, names))
+    if isinstance(found, Every):  # 'is hole 4 counterbored': among all that are, not among itself
+        return replace(found, among=found.among.model_copy(update={"ids": ()}))
+    return found
+
+
+def _named(value: T, names: Mapping[int, tuple[str, ...]]) -> T:
+    """A query, or what it is made of, with the model's ids for names."""
     if isinstance(value, tuple):
-        return tuple(_with_ids(each, names) for each in value)
-    if isinstance(value, Frozen):
-        changed = {name: _with_ids(getattr(value, name), names) for name in type(value).model_fields}
-        if isinstance(value, PartQuery):
-            changed["ids"] = tuple(_own(value.ids, names))
-        return value.model_copy(update=changed)
-    if isinstance(value, Every):  # 'is hole 4 counterbored': among all that are, not among itself
-        among = _with_ids(value.among, names)
-        return Every(_with_ids(value.target, names), among.model_copy(update={"ids": ()}))
-    if is_dataclass(value) and not isinstance(value, type):
-        return replace(value, **{each.name: _with_ids(getattr(value, each.name), names) for each in fields(value)})
-    return value
+        return cast("T", tuple(_named(each, names) for each in value))
+    if not isinstance(value, Frozen):
+        return value
+    changed = {name: _named(getattr(value, name), names) for name in type(value).model_fields}
+    if isinstance(value, PartQuery):
+        changed["ids"] = tuple(_own(value.ids, names))
+    return cast("T", value.model_copy(update=changed))
 
 
 def _own(ids: Sequence[str], names: Mapping[int, tuple[str, ...]]) -> Iterator[str]:

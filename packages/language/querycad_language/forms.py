@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, fields, is_dataclass, replace
 from enum import StrEnum
 from typing import Literal, TypeAlias, TypeVar, cast
@@ -201,12 +201,12 @@ def _queries(form: object) -> Iterator[PartQuery]:
 F = TypeVar("F")
 
 
-def with_query(form: F, old: PartQuery, new: PartQuery) -> F:
-    """The form with another query in place of one."""
-    if form == old:
-        return cast("F", new)
+def mapped(form: F, change: Callable[[PartQuery], PartQuery]) -> F:
+    """The form with every part query changed."""
+    if isinstance(form, PartQuery):
+        return cast("F", change(form))
     if isinstance(form, tuple):
-        return cast("F", tuple(with_query(one, old, new) for one in form))
+        return cast("F", tuple(mapped(one, change) for one in form))
     if not is_dataclass(form) or isinstance(form, type):
         return form
-    return replace(form, **{field.name: with_query(getattr(form, field.name), old, new) for field in fields(form)})
+    return replace(form, **{field.name: mapped(getattr(form, field.name), change) for field in fields(form)})

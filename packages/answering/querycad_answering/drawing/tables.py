@@ -222,13 +222,13 @@ _AXIS = (
 )
 _COLOR = _text("color", lambda part: part.color)
 
+_NAMED = (_TAG, _IDS)
+_PLACE = (_at(0), _at(1), _at(2))
+
 _CELLS: Mapping[TableKind, _Cells] = {
     TableKind.HOLES: (
-        _TAG,
-        _IDS,
-        _at(0),
-        _at(1),
-        _at(2),
+        *_NAMED,
+        *_PLACE,
         _AXIS,
         _size("diameter", lambda part: part.diameter),
         _size("depth", lambda part: part.depth),
@@ -239,11 +239,8 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _COUNT,
     ),
     TableKind.SLOTS: (
-        _TAG,
-        _IDS,
-        _at(0),
-        _at(1),
-        _at(2),
+        *_NAMED,
+        *_PLACE,
         _AXIS,
         _size("width", lambda part: _outline(part)[0]),
         _size("length", lambda part: _outline(part)[1]),
@@ -253,11 +250,8 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _COUNT,
     ),
     TableKind.BOSSES: (
-        _TAG,
-        _IDS,
-        _at(0),
-        _at(1),
-        _at(2),
+        *_NAMED,
+        *_PLACE,
         _AXIS,
         _size("diameter", lambda part: part.diameter),
         _size("height", lambda part: part.height),
@@ -268,8 +262,7 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _COUNT,
     ),
     TableKind.EDGES: (
-        _TAG,
-        _IDS,
+        *_NAMED,
         _text("type", lambda part: part.kind.value),
         _size("size", lambda part: part.chamfer_size if part.kind is PartKind.CHAMFER else part.radius),
         _size("angle", lambda part: part.angle, Quantity.ANGLE),
@@ -277,28 +270,22 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _COUNT,
     ),
     TableKind.BENDS: (
-        _TAG,
-        _IDS,
+        *_NAMED,
         _size("inside radius", lambda part: part.bend_radius),
         _size("angle", lambda part: part.bend_angle, Quantity.ANGLE),
         _size("length", lambda part: part.length),
         _size("thickness", lambda part: part.thickness),
         _AXIS,
-        _at(0),
-        _at(1),
-        _at(2),
+        *_PLACE,
         _COUNT,
     ),
     TableKind.PATTERNS: (
-        _TAG,
-        _IDS,
+        *_NAMED,
         _size("members", lambda part: part.count, Quantity.COUNT),
         _size("diameter", lambda part: part.diameter),
         _size("pitch", lambda part: part.pitch),
         _CALLOUT,
-        _at(0),
-        _at(1),
-        _at(2),
+        *_PLACE,
     ),
     TableKind.FASTENERS: (
         _TAG,

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 from itertools import islice
 
-from querycad_language.forms import Distance, Form, Several, queries, with_query
+from querycad_language.forms import Distance, Form, Several, mapped, queries
 from querycad_language.phrases import Mention
 from querycad_language.weights import weights
 
@@ -59,7 +59,7 @@ def _viewed(draft: Draft, view: Mention) -> Iterator[Draft]:
         return
     if draft.used & view.used:
         return  # the part is named in the side: 'on the underside of the foot'
-    form = with_query(draft.form, target, seen_from(target, view))
+    form = mapped(draft.form, lambda query: seen_from(query, view) if query == target else query)
     yield Draft(form, {**draft.features, "view_apart": 1.0}, draft.used | view.used)
 
 

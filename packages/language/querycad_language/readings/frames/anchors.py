@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
 
 from querycad_contracts import PartQuery, Place
 from querycad_language.forms import Anchor, Boundary, Origin, Plane
@@ -14,6 +15,14 @@ from querycad_language.text import Text
 def without(query: PartQuery, place: Place) -> PartQuery:
     """The part without that place."""
     return replace_fields(query, places=tuple(one for one in query.places if one is not place))
+
+
+def ends_between(query: PartQuery) -> Iterator[tuple[PartQuery, PartQuery | Literal["each other"]]]:
+    """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
+    for place in query.places:
+        if place.relation == "between" and place.what is not None:
+            first, *others = place.what, *place.what.also
+            yield replace_fields(first, also=(), plural=first.plural or not others), next(iter(others), "each other")
 
 
 class Spot(NamedTuple):

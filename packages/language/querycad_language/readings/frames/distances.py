@@ -13,7 +13,7 @@ from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
-from .anchors import Spot, anchors_of, plane_of, without
+from .anchors import Spot, anchors_of, ends_between, plane_of, without
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "usual"]
@@ -139,9 +139,9 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
 def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     """Every two parts of a plural one; two that are named; one from the middle or the outside of the model."""
     named = _ends(question)
-    for spots in named:
-        for spot in spots:
-            yield from _between(spot)
+    for spot in chain.from_iterable(named):
+        for first, second in ends_between(spot.anchor) if isinstance(spot.anchor, PartQuery) else ():
+            yield _Pair(first, second, spot.used, {"place_between": 1.0})
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
@@ -206,15 +206,6 @@ def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
     yield _Pair(Plane(Side.TOP, base), part, used, {"level": 1.0, "level_top": 1.0})
     yield _Pair(Plane(Side.BOTTOM, base), part, used, {"level": 1.0, "level_bottom": 1.0})
     yield _Pair(part, Boundary(Side.BOTTOM), used, {"level": 1.0, "level_ground": 1.0})
-
-
-def _between(spot: Spot) -> Iterator[_Pair]:
-    """'the gap between the nut and the lever', 'the web between the slots'."""
-    for place in spot.anchor.places if isinstance(spot.anchor, PartQuery) else ():
-        if place.relation == "between" and place.what is not None:
-            first = replace_fields(place.what, also=(), plural=place.what.plural or not place.what.also)
-            second: Anchor | Literal["each other"] = place.what.also[0] if place.what.also else "each other"
-            yield _Pair(first, second, spot.used, {"place_between": 1.0})
 
 
 def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:

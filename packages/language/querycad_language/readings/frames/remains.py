@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Literal
 
 from querycad_contracts import Measure
-from querycad_language.forms import Anchor, Behind, Combine, Distance, Get
+from querycad_language.forms import Behind, Combine, Distance, Get
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
+
+from .anchors import ends_between
 
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 
@@ -20,12 +21,8 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
     text = question.text
     if get.measures[0] not in _THICKNESSES:
         return
-    for place in get.target.places if get.target is not None else ():
-        if place.relation == "between" and place.what is not None:
-            what = place.what
-            second: Anchor | Literal["each other"] = what.also[0] if what.also else "each other"
-            first = replace_fields(what, also=(), plural=what.plural or not what.also)
-            yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
+    for first, second in ends_between(get.target) if get.target is not None else ():
+        yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
     remaining = text.at_phrases("remaining")
     under = text.at_words("under", "below", "beneath", "underneath", "behind")
     if remaining or under:
