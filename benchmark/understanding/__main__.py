@@ -13,7 +13,7 @@ import tomllib
 from pathlib import Path
 
 from benchmark.scoring.own_models import own_models
-from querycad_language.weights import calibration, grouped, weights, weights_file
+from querycad_language.weights import calibration, families, grouped, weights, weights_file
 
 from .collect import Row, collect
 from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
@@ -81,7 +81,7 @@ def _write(table: Table, doubts: Table, data: list[Question], right: float) -> N
     lines = [
         "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
         f"# {len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right.",
-        "", "[weights]", *(f"{name} = {value}" for name, value in sorted(table.items()) if " " not in name),
+        "", "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
         "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
     ]  # fmt: skip
     for group, measures in grouped(table).items():

@@ -7,6 +7,8 @@ import pytest
 from querycad_contracts import Measure, Relation
 from querycad_language.describe import describe
 from querycad_language.forms import (
+    LONGEST,
+    SHORTER,
     Angle,
     Check,
     Combine,
@@ -18,7 +20,9 @@ from querycad_language.forms import (
     Get,
     Parallel,
     Parts,
+    Plane,
     Reduce,
+    Several,
     Uniform,
     queries,
 )
@@ -122,3 +126,73 @@ def test_every_reading_can_be_told_and_its_queries_are_listed_once() -> None:
             assert describe(form)
             asked = list(queries(form))
             assert len(asked) == len({query.model_dump_json() for query in asked})
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("How many square centimetres are open in the slot?", Measure.AREA),
+        ("How large is the slot in square millimetres?", Measure.AREA),
+        ("How many cubic centimetres of iron are in it?", Measure.VOLUME),
+        ("By how many degrees does the pin lean?", Measure.ANGLE),
+        ("How many millimetres deep is the slot?", Measure.DEPTH),
+        ("What does the crane lift, if it is iron of 7200 kg per cubic metre?", Measure.MASS),
+    ],
+)
+def test_a_unit_says_what_is_asked_for(question: str, measure: Measure) -> None:
+    assert any(isinstance(form, Get) and form.measures == (measure,) for form in forms(question))
+    assert not any(isinstance(form, Count) for form in forms(question))
+
+
+def test_how_many_feet_counts_feet() -> None:
+    assert any(isinstance(form, Count) and form.target.noun == "foot" for form in forms("How many feet are there?"))
+
+
+@pytest.mark.parametrize(
+    ("question", "relation"),
+    [
+        ("Is there at least 10 mm between the slot and the pin?", Relation.AT_LEAST),
+        ("Is the slot more than 3 mm from the pin?", Relation.MORE),
+    ],
+)
+def test_a_distance_is_checked_against_a_number(question: str, relation: Relation) -> None:
+    checks = [form for form in forms(question) if isinstance(form, Check) and isinstance(form.left, Distance)]
+    assert [checks[0].relation, checks[0].high] == [relation, None]
+
+
+def test_the_difference_of_two_measures_is_one_value() -> None:
+    for question in (
+        "What is the difference between the diameters of the pin and the slot?",
+        "How much play does the pin have in the slot, as a difference of the diameters?",
+        "By how much is the pin larger in diameter than the slot?",
+    ):
+        combined = [form for form in forms(question) if isinstance(form, Combine)]
+        assert {form.left.measures for form in combined} == {(Measure.DIAMETER,)}
+
+
+def test_what_lies_lower_is_a_distance_of_levels() -> None:
+    found = forms("How much lower than the rim of the box do the posts end?")
+    assert any(isinstance(form, Distance) and isinstance(form.first, Plane) for form in found)
+
+
+def test_spacings_along_two_axes_are_two_values() -> None:
+    for question in ("What spacing lengthwise and crosswise do the slots have?", "Slots: long and short spacing?"):
+        several = next(form for form in forms(question) if isinstance(form, Several))
+        assert [one.axis for one in several.of] == [LONGEST, SHORTER]
+
+
+def test_a_relative_clause_restricts_whatever_its_verb() -> None:
+    query = next(queries(best("What is the diameter of the pins which pass vertically through the plate?").form))
+    assert [(place.relation, place.what and place.what.noun) for place in query.places] == [("through", "plate")]
+
+
+def test_the_same_noun_again_may_mean_what_was_said_more_fully_before() -> None:
+    found = forms("The foot has a blind slot. How wide is this slot?")
+    assert any(
+        isinstance(form, Get) and form.target is not None and "blind" in form.target.adjectives for form in found
+    )
+
+
+def test_a_point_and_a_length_are_not_asked_together_by_a_comma() -> None:
+    assert not any(isinstance(form, Get) and len(form.measures) > 1 for form in forms("Slots in the cone tips, Ø?"))
+    assert any(isinstance(form, Get) and len(form.measures) == 2 for form in forms("Length, width of the slot?"))

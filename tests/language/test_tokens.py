@@ -100,3 +100,23 @@ def test_no_text_of_any_length_takes_long(piece: str) -> None:
 def test_leading_spaces_say_nothing() -> None:
     assert tokenize(" " * 480 + "hole") == tokenize("hole")
     assert read(" " * 480) == []
+
+
+@pytest.mark.parametrize("word", ["closer", "counted", "difference", "caliper", "casting"])
+def test_an_english_word_is_no_slip_of_another(word: str) -> None:
+    assert [token.corrected for token in tokenize(word)] == [0]
+
+
+@pytest.mark.parametrize(
+    ("text", "density"),
+    [
+        ("7.85 kg per cubic decimetre", 7850.0),
+        ("2.7 kg/l", 2700.0),
+        ("1.2 grams per cubic centimetre", 1200.0),
+        ("7,85 g/cm³", 7850.0),
+        ("7200 kg per cubic metre", 7200.0),
+    ],
+)
+def test_a_density_is_one_quantity_however_its_units_are_written(text: str, density: float) -> None:
+    (token,) = tokenize(text)
+    assert [token.value, token.power] == [pytest.approx(density), DENSITY]

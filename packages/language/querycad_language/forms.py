@@ -121,7 +121,7 @@ class Combine:
 class Check:
     """Does the value compare so with a stated one, or with another value?"""
 
-    left: Get | Count
+    left: Get | Count | Distance
     relation: Relation
     low: float | Get
     high: float | None = None

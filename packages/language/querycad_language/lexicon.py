@@ -231,7 +231,7 @@ def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
             _plain(lex, category, names, Relation(relation))
     for index, names in enumerate(words.pop("axis").values()):
         _plain(lex, "axis", names, index)
-    for category in ("place", "cannot_know"):
+    for category in ("place", "cannot_know", "operation"):
         for value, names in words.pop(category).items():
             _plain(lex, category, names, value)
     for category, entry in words.items():

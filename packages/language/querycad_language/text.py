@@ -8,12 +8,12 @@ from .lexicon import Lexicon, Span, lexicon
 from .tokens import Kind, Token, tokenize
 
 CLOSED = frozenset([
-    "function", "chatter", "courtesy", "be", "do", "have", "ask", "imperative", "count", "exists", "place",
+    "function", "chatter", "courtesy", "be", "do", "modal", "have", "ask", "imperative", "count", "exists", "place",
     "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap",
     "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus",
     "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
-    "remaining", "axis", "stuff",
+    "remaining", "axis", "stuff", "operation",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))

@@ -10,6 +10,7 @@ from enum import StrEnum
 from functools import cache, lru_cache
 
 from rapidfuzz.distance import OSA
+from spellchecker import SpellChecker
 
 from querycad_contracts import Measure
 
@@ -28,14 +29,12 @@ _THREAD = (
     r"\bM\d{1,2}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{1,2})?)?(?![\w.]\w)"
     r"|\b\d{1,2}/\d{1,2}-\d{2}\b|(?<![\w#])#?\d{1,2}-(?:24|32|40)\b"
 )
-_DENSITY = (
-    r"kg\s?(?:/|per)\s?(?:m\^?3|m³|cubic met(?:er|re))"
-    r"|g\s?(?:/|per)\s?(?:cm\^?3|cm³|ccm|cc|cubic centimet(?:er|re))|kg\s?/\s?(?:dm\^?3|dm³|l)"
+_DENSITY = re.compile(
+    r"\s?(k?g|(?:kilo)?grams?|kilos?)\s?(?:/|per)\s?((?:cubic\s)?[a-z]+(?:\^?3|³)?)(?!\w)", re.IGNORECASE
 )
 _TOKEN = re.compile(
     rf"(?P<thread>{_THREAD})"
     r"|(?P<times>\b\d{1,4}\s?[x×](?![\w.]))"
-    rf"|(?P<density>(?:{_NUMBER})\s?(?P<per>{_DENSITY}))"
     rf"|(?P<number>(?<![\w.])(?:{_NUMBER}))"
     r"|(?P<word>[^\W\d_][\w]*(?:['’](?!s\b)\w+)?)"
     r"|(?P<possessive>['’]s?(?!\w))"
@@ -126,11 +125,6 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
             tokens.append(Token(name, match["thread"], Kind.THREAD))
         elif match["times"]:
             tokens.append(Token("x", match["times"], Kind.TIMES, float(re.match(r"\d+", match["times"])[0])))  # type: ignore[index]
-        elif match["density"]:
-            value = _value(re.match(_NUMBER, match["density"])[0])  # type: ignore[index]
-            per_cubic_metre = match["per"][:2] == "kg" and "dm" not in match["per"] and "l" not in match["per"]
-            value *= 1.0 if per_cubic_metre else 1e3
-            tokens.append(Token("density", match["density"], Kind.QUANTITY, value, DENSITY))
         elif match["number"]:
             token, position = _number(match["number"], text, position)
             tokens.append(token)
@@ -160,6 +154,11 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
     """A number with the unit that follows it, and where it ends."""
     units = lexicon().units
     value = _value(text)
+    if per := _DENSITY.match(rest, position):
+        volume, power = units.get({"l": "liter"}.get(per[2].lower(), per[2].lower()), (0.0, 0))
+        if power == 3:
+            density = value * (1.0 if per[1][0] in "kK" else 1e-3) / volume
+            return Token("density", text + per[0], Kind.QUANTITY, float(f"{density:.12g}"), DENSITY), per.end()
     unit = _POWER_UNIT.match(rest, position) or _UNIT.match(rest, position)
     name = unit[1].lower() if unit else ""
     if (
@@ -271,7 +270,15 @@ def _correct(word: str) -> tuple[str, int]:
                 substituted = len(word) == len(known) and sorted(word) != sorted(known)
                 if not (substituted and len(word) < 6):
                     best = min(best, (int(distance), known))
-    return (best[1], best[0]) if best[0] <= allowed else (word, 0)
+    if best[0] > allowed or word in _english():  # 'closer' is no slip of 'closed'
+        return word, 0
+    return best[1], best[0]
+
+
+@cache
+def _english() -> SpellChecker:
+    """A dictionary of English."""
+    return SpellChecker(language="en", distance=1)
 
 
 def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:

@@ -25,11 +25,23 @@ def _table() -> dict[str, dict[str, Any]]:
 
 @cache
 def _fitted() -> dict[str, float]:
-    table = dict(_table()["weights"])
+    table: dict[str, float] = {}
+    for name, weight in _table()["weights"].items():
+        table |= {"_".join(filter(None, (name, rest))): value for rest, value in weight.items()}
     for group in GROUPS:
         for measure, of in _table().get(group, {}).items():
             table.update({f"{measure} {group} {name}": weight for name, weight in of.items()})
     return table
+
+
+def families(table: dict[str, float]) -> dict[str, dict[str, float]]:
+    """The weights of plain features as the file holds them, by the first word of their names."""
+    found: dict[str, dict[str, float]] = {}
+    for name, weight in sorted(table.items()):
+        if " " not in name:
+            first, _, rest = name.partition("_")
+            found.setdefault(first, {})[rest] = weight
+    return found
 
 
 def grouped(table: dict[str, float]) -> dict[str, dict[str, dict[str, float]]]:

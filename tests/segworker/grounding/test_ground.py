@@ -171,3 +171,14 @@ def test_ways_are_ranked_and_never_none() -> None:
         ways = ground(PLATE, query)
         assert ways
         assert all(isinstance(one, Part) for way in ways for one in way.parts)
+
+
+def test_a_narrow_noun_may_mean_any_part_of_its_kind_where_the_words_place_it() -> None:
+    seat = PartQuery(noun="bearing seat", words=("bearing", "seat"), definite=True)
+    ways = ground(PLATE, seat)
+    assert any("sense_wide" in way.features and ids(way) == {"hole-1", "hole-2", "hole-3"} for way in ways)
+
+
+def test_a_word_before_a_noun_that_the_model_lacks_may_be_the_part() -> None:
+    cutter = PartQuery(noun="gear", words=("slot", "gear"), plural=True)
+    assert any("modifier_means" in way.features and ids(way) == {"slot-1"} for way in ground(PLATE, cutter))

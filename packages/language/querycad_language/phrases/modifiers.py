@@ -26,7 +26,7 @@ def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
 def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     """Where a modifier that begins here, or behind words such as 'that are', ends; `at` where none does."""
     text = phrases.text
-    start = at
+    start, relative = at, False
     for _ in range(6):
         if at >= len(text):
             return start
@@ -43,10 +43,17 @@ def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
                 draft.used.add(after)
                 after += 1
             return after
-        if not _leads(text, at):
+        relative = relative or text.is_word(at, "that", "which", "who")
+        if not _leads(text, at) and not (relative and _is_verb(text, at)):
             return start
         at += 1
     return start
+
+
+def _is_verb(text: Text, at: int) -> bool:
+    """May the word be the verb of a relative clause, or an adverb: 'which pass vertically through the plate'?"""
+    known = text.find(at, "noun", "measure", "scale", "adjective", "side", "place", "ask", "count", "be", "article")
+    return text.tokens[at].kind is Kind.WORD and known is None
 
 
 def _opens(text: Text, at: int) -> bool:

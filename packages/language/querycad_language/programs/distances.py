@@ -44,12 +44,23 @@ def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, re
             return "found[0] if len(different(found, 1e-05)) == 1 else min(found)"
 
 
+def directions(draft: Draft, first: PartQuery, second: Target, reduce: Reduce) -> str:
+    """Angles between axes or normals; of flat parts also what they enclose. Raises Unwritable: some have neither."""
+    parts = [*draft.of(first), *(draft.of(second) if second is not None else ())]
+    if any(part.axis is None and part.normal is None for part in parts):
+        raise Unwritable
+    meanings = {"between": "a.angle_to(b)"}
+    if reduce is Reduce.ONE and all(part.axis is None for part in parts):
+        meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
+    return pairwise(draft, first, second, draft.chosen(meanings, _kind(parts)), reduce)
+
+
 def angle_between(draft: Draft, first: PartQuery, second: Target) -> str:
     """Between axes; of several parts with parallel axes about their common middle: the pitch of a bolt circle."""
     axes = [part.axis for part in draft.of(first) if part.axis is not None]
     parallel = all(abs(sum(a * b for a, b in zip(axes[0], axis, strict=True))) > _PARALLEL for axis in axes)
     if second is not None or len(axes) < 3 or len(axes) < len(draft.of(first)) or not parallel:
-        return pairwise(draft, first, second, "a.angle_to(b)", Reduce.ONE)
+        return directions(draft, first, second, Reduce.ONE)
     name = draft.parts(first)
     draft.lines.append("import math")
     draft.lines.append(f"middle = [sum(p.center[i] for p in {name}) / len({name}) for i in range(3)]")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 from querycad_language.forms import (
     Angle,
@@ -22,7 +24,7 @@ from querycad_language.forms import (
 )
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import SLACK, angle_between, distance, pairwise, several, towards
+from .distances import SLACK, angle_between, directions, distance, several, towards
 from .draft import Draft, Grounds, Unwritable, Written
 
 _SYMBOLS = {
@@ -71,7 +73,7 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             assert get.target is not None
             return f"len(different({_listed(draft, get.measures[0], get.target)}, 5e-05)) == 1", AnswerType.BOOLEAN
         case Parallel(first, second, square):
-            angles = pairwise(draft, first, second, "a.angle_to(b)", Reduce.EACH)
+            angles = directions(draft, first, second, Reduce.EACH)
             limit = "abs(angle - 1.5707963267948966)" if square else "angle"
             return f"all({limit} < 0.01 for angle in {angles})", AnswerType.BOOLEAN
     raise Unwritable
@@ -217,8 +219,11 @@ def _combine(draft: Draft, form: Combine) -> tuple[str, AnswerType]:
 def _check(draft: Draft, form: Check) -> str:
     if isinstance(form.left, Count):
         return f"len({draft.parts(form.left.target)}) == {int(form.low) if isinstance(form.low, float) else 0}"
-    measure = form.left.measures[0]
-    if form.left.target is None:
+    measure = Measure.LENGTH if isinstance(form.left, Distance) else form.left.measures[0]
+    if isinstance(form.left, Distance):
+        apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
+        values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
+    elif form.left.target is None:
         if measure in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
             raise Unwritable
         values = f"[{_of_whole(draft, form.left)[0]}]"

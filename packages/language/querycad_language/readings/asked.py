@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from querycad_contracts import Measure
 from querycad_language.forms import Reduce
 from querycad_language.lexicon import Span
+from querycad_language.measures import answer_type
 from querycad_language.text import Text
+from querycad_language.tokens import DENSITY
 
 from .question import Question
 
+UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
+"""What a unit is of, by its power of lengths."""
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -38,27 +42,45 @@ def asked_in(question: Question) -> list[Asked]:
     while at < len(question.text):
         asked = _asked_at(question, at, taken)
         if asked is not None:
-            found.append(asked)
+            found.append(_of_unit(question, asked))
         at = asked.end if asked is not None else at + 1
-    return found
+    return found or _by_density(question.text)
+
+
+def _of_unit(question: Question, asked: Asked) -> Asked:
+    """'How large is the window in square millimetres?' asks for an area."""
+    unit = question.unit_asked
+    if unit is None or asked.measures not in ((Measure.MAGNITUDE,), (Measure.SIZE,)):
+        return asked
+    return replace(asked, measures=(UNITS[unit[1]],), used=asked.used | unit[0])
+
+
+def _by_density(text: Text) -> list[Asked]:
+    """Who states a density, and asks for nothing else, asks for the mass."""
+    stated = (at for at, token in enumerate(text.tokens) if token.power == DENSITY)
+    return [Asked(at, at + 1, (Measure.MASS,), "verb", used=frozenset((at,))) for at in stated][:1]
 
 
 def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:
     text = question.text
     if text.is_word(at, "how"):
-        return _how_many(text, at) if text.is_word(at + 1, "many") and question.is_unit(at + 2) else _how(text, at)
+        unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
+        return _how_many(text, at, *unit) if unit is not None else _how(text, at)
     return _said(text, at, taken) or _named(text, at, taken)
 
 
-def _how_many(text: Text, at: int) -> Asked | None:
-    """'How many millimetres deep is …?'; without a measure in the question: how large."""
-    ahead = [text.find(i, "scale") for i in range(at + 3, min(len(text), at + 9))]
+def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
+    """'How many millimetres deep is …?', 'How many degrees …?'; without a measure in the question: how large."""
+    used = set(range(at, end))
+    if power != 1:
+        return Asked(at, end, (UNITS[power],), "how", used=frozenset(used))
+    ahead = [text.find(i, "scale") for i in range(end, min(len(text), end + 6))]
     scale = next((span for span in ahead if span and span.value.degree == "positive"), None)
     if scale is None:
         if text.at_phrases("measure", "distance", "reach"):
             return None
-        return Asked(at, at + 3, (Measure.MAGNITUDE,), "how", used=frozenset((at, at + 1, at + 2)))
-    return Asked(at, at + 3, (scale.value.measure,), "how", used=frozenset((at, at + 1, at + 2, *scale.tokens)))
+        return Asked(at, end, (Measure.MAGNITUDE,), "how", used=frozenset(used))
+    return Asked(at, end, (scale.value.measure,), "how", used=frozenset(used | {*scale.tokens}))
 
 
 def _how(text: Text, at: int) -> Asked | None:
@@ -122,6 +144,8 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
         more = text.find(after, "measure")
         if after == end or more is None or more.value in measures:
             break
+        if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
+            break  # 'the holes in the cone tips, Ø?'
         measures.append(more.value)
         end = more.end
     start, reduce = span.start, None

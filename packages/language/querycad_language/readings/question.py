@@ -43,9 +43,22 @@ class Question:
     def _sentence_at(self) -> dict[int, int]:
         return {at: i for i, sentence in enumerate(self.text.sentences) for at in range(*sentence)}
 
-    def is_unit(self, at: int) -> bool:
-        """Is it a unit of measure: 'how many millimetres'?"""
-        return at < len(self.text) and self.text.tokens[at].raw.lower() in self.text.lexicon.units
+    def unit(self, at: int) -> tuple[int, int] | None:
+        """The unit of measure that begins here: where it ends, and its power: 1 of lengths, 2 of areas, 0 of angles."""
+        units = self.text.lexicon.units
+        for end in (at + 2, at + 1):
+            name = " ".join(token.raw.lower() for token in self.text.tokens[at:end])
+            if name in units:
+                return end, units[name][1]
+        return None
+
+    @cached_property
+    def unit_asked(self) -> tuple[set[int], int] | None:
+        """The unit that the answer shall have, where it says what is asked for: 'in square millimetres'."""
+        for at in self.text.at_words("in"):
+            if (unit := self.unit(at + 1)) is not None and unit[1] != 1:
+                return set(range(at, unit[0])), unit[1]
+        return None
 
 
 def seen_from(query: PartQuery, view: Mention) -> PartQuery:

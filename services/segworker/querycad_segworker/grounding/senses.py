@@ -27,7 +27,10 @@ def bases(request: Request) -> Iterator[Way]:
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if noun is not None:
-        yield from _senses(inventory, noun.senses, noun.product)
+        found = list(_senses(inventory, noun.senses, noun.product))
+        yield from found
+        if not any(way.parts for way in found):  # 'counterbore cutter': what stands before the noun may be a part
+            yield from _others(inventory, words)
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         near = [sense for sense in noun.senses if sense.stretch <= NEAR_SENSE]
         solid = any(not SOLID.isdisjoint(sense.kind) for sense in near) and not noun.product
@@ -50,6 +53,15 @@ def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) ->
     if inventory.model is not None and inventory.file_named(words):
         features = {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)}
         yield Way((inventory.model,), features)
+
+
+def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Way]:
+    """What other words of a phrase mean whose noun the model lacks."""
+    for word in words[:-1]:
+        if (noun := lexicon().nouns.get(word)) is not None and not noun.product:
+            for way in _senses(inventory, noun.senses, noun.product):
+                if way.parts:
+                    yield way.to(way.parts, "modifier_means")
 
 
 def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Way]:
@@ -81,6 +93,9 @@ def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Ite
             if inventory.alone:
                 features["whole_alone"] = 1.0
         yield Way(tuple(parts), features)
+    wide = inventory.kinds.get(*senses[0].kind) if senses else []
+    if rank and tuple(part.id for part in wide) not in seen and wide and wide[0].kind not in ("model", "body"):
+        yield Way(tuple(wide), {"sense_wide": 1.0})  # any hole, where a bearing seat is asked for
     if product and inventory.model is not None and not any("model" in sense.kind for sense in senses):
         yield Way((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
     if rank == 0:

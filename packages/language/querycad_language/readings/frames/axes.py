@@ -33,7 +33,11 @@ def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int
 
 
 def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
-    """The axes where several are named: 'in x and in y', 'X / Y'; and the tokens that say so."""
-    spans = [span for span in question.text.all("axis") if span.value < LONGEST]
-    axes = tuple(dict.fromkeys(span.value for span in spans))
-    return (axes, {i for span in spans for i in (span.start - 1, *span.tokens)}) if len(axes) > 1 else ((), set())
+    """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
+    text = question.text
+    spans = {at: span.value for span in text.all("axis") for at in span.tokens}
+    if LONGEST in spans.values() or text.has("long", "along", "longer"):
+        spans |= dict.fromkeys(text.at_words("long", "along", "longer"), LONGEST)
+        spans |= dict.fromkeys(text.at_words("short", "across", "shorter"), SHORTER)
+    axes = tuple(dict.fromkeys(spans[at] for at in sorted(spans)))
+    return (axes, {i for at in spans for i in (at - 1, at)}) if len(axes) > 1 else ((), set())

@@ -10,6 +10,7 @@ from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
+from querycad_language.text import Text
 
 
 def counts(question: Question) -> Iterator[Draft]:
@@ -45,7 +46,7 @@ def counts(question: Question) -> Iterator[Draft]:
 def _counts(question: Question, span: Span) -> bool:
     """Does the phrase ask for a number of parts: not 'how many millimetres'?"""
     text = question.text
-    if question.is_unit(span.end):
+    if question.unit(span.end) is not None and not text.find(span.end, "noun"):  # feet are both
         return False
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
@@ -99,25 +100,26 @@ def exists(question: Question) -> Iterator[Draft]:
             continue
         if span.start > 0 and text.find(span.start - 1, "count", "ask", "noun", "scale"):
             continue
-        for index, mention in enumerate(
-            [m for m in question.mentions if m.start >= span.start and m.query is not None][:2]
-        ):
+        for index, mention in enumerate([m for m in question.mentions if m.start >= span.start][:2]):
             if mention.query is not None:
-                yield Draft(
-                    Exists(mention.query),
-                    {"exists": 1.0, "count_far": float(index)},
-                    set(span.tokens) | mention.used,
-                )
-    start = question.asking[0]
-    if text.find(start, "do", "have") or text.is_word(start, "any"):
-        owned = [m for m in question.mentions if m.start >= start]
-        for index, mention in enumerate(owned[:2]):
-            if mention.query is not None:
-                yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used)
-                if index == 1 and owned[0].query is not None:
-                    placed = replace_fields(
-                        mention.query, places=(*mention.query.places, Place(relation="of", what=owned[0].query))
-                    )
-                    yield Draft(
-                        Exists(placed), {"exists": 1.0, "owner_before": 1.0}, {start} | mention.used | owned[0].used
-                    )
+                features = {"exists": 1.0, "count_far": float(index)}
+                yield Draft(Exists(mention.query), features, set(span.tokens) | mention.used)
+    leading = (at for at in range(*question.asking) if not text.find(at, "courtesy", "chatter") or _has(text, at))
+    start = next(leading, question.asking[0])
+    owned = (
+        [m for m in question.mentions if m.start >= start] if _has(text, start) or text.is_word(start, "any") else []
+    )
+    for index, mention in enumerate(owned[:2]):
+        if mention.query is None:
+            continue
+        yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used)
+        if index == 1 and (owner := owned[0]).query is not None:
+            places = (*mention.query.places, Place(relation="of", what=owner.query))
+            used = {start} | mention.used | owner.used
+            yield Draft(
+                Exists(replace_fields(mention.query, places=places)), {"exists": 1.0, "owner_before": 1.0}, used
+            )
+
+
+def _has(text: Text, at: int) -> bool:
+    return text.find(at, "do", "have") is not None

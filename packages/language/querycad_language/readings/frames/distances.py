@@ -8,8 +8,9 @@ from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import replace_fields
+from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
@@ -54,7 +55,7 @@ def distances(question: Question) -> Iterator[Draft]:
             form = Distance(first, second, mode, axis, reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Draft(form, features, used | more | along | extreme | centred)
-            if axes and second == "each other":
+            if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Draft(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
@@ -88,8 +89,10 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(span.value not in (Measure.POSITION, Measure.AXIS) for span in measures):
         return
     centred = bool(text.at_phrases("center_to_center"))
-    joining = text.at_words("to", "above", "from")
-    if centred or (joining - {0, len(text) - 1} and len(question.mentions) > 1):
+    stated = any(token.power == 1 for token in text.tokens)
+    joining = text.at_words("to", "above", "from", *(("between",) if stated else ()))
+    several = len(question.mentions) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
+    if centred or (joining - {0, len(text) - 1} and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
 
 
@@ -229,18 +232,18 @@ def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
 
 
 def angles(question: Question) -> Iterator[Draft]:
-    """'What is the angle between the two arms?', 'What is the angle between the rib and the lever?'"""
+    """'What is the angle between the two arms?', 'At which angle does the rib meet the lever?'"""
     text = question.text
-    for span in text.all("measure"):
-        if span.value is not Measure.ANGLE or not question.in_question(span.start):
+    for asked in asked_in(question):
+        if asked.measures != (Measure.ANGLE,) or not question.in_question(asked.start):
             continue
-        parts = [m for m in question.mentions if m.query is not None and not m.pronoun and m.start >= span.end]
-        used = set(span.tokens)
-        if not any(text.find(i, "between") for i in range(span.end, min(len(text), span.end + 3))) or not parts:
-            continue
-        first = parts[0].query
-        assert first is not None
-        if (first.places and first.places[-1].relation == "between") or first.plural:
-            yield Draft(Angle(first, None), {"angle_between": 1.0}, used | parts[0].used)
-        if len(parts) > 1 and parts[1].query is not None:
-            yield Draft(Angle(first, parts[1].query), {"angle_between": 1.0}, used | parts[0].used | parts[1].used)
+        parts = [m for m in question.mentions if m.query is not None and not m.pronoun]
+        between = bool(text.at_phrases("between"))
+        features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
+        for first, second in zip(parts, [*parts[1:], None], strict=True):
+            assert first.query is not None
+            used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
+            if first.plural or any(place.relation == "between" for place in first.query.places):
+                yield Draft(Angle(first.query, None), features, used)
+            if second is not None and second.query is not None:
+                yield Draft(Angle(first.query, second.query), features, used | second.used)

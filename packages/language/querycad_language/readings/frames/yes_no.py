@@ -5,19 +5,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
-from querycad_language.forms import Check, Every, Get, Parallel, Target, Uniform
+from querycad_language.forms import Check, Distance, Every, Get, Parallel, Target, Uniform, mapped
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+from .distances import distances
+
 
 def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     text = question.text
     start = _verb_start(question)
-    if start is None or text.is_word(start + 1, "there"):
+    if start is None:
+        return
+    yield from _apart(question, start)
+    if text.is_word(start + 1, "there"):
         return
     asked = [one for one in asked_in(question) if one.start > start]
     parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
@@ -43,6 +48,19 @@ def yes_no(question: Question) -> Iterator[Draft]:
         if target is not None:
             yield from _predicates(text, mention, target, base, used)
             yield from _attributes(text, mention, target, base, used)
+
+
+def _apart(question: Question, start: int) -> Iterator[Draft]:
+    """'Is there at least 10 mm between the slot and the edge?'"""
+    found = _size_after(question, start, len(question.text))
+    if found is None:
+        return
+    size, used = found
+    for draft in distances(question):
+        form = mapped(draft.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
+        if isinstance(form, Distance):
+            check = Check(form, size.relation, size.low, size.high)
+            yield Draft(check, {**draft.features, "check": 1.0}, draft.used | used | {start})
 
 
 def _placed(query: PartQuery | None) -> Iterator[PartQuery]:
@@ -109,12 +127,15 @@ def _verb_start(question: Question) -> int | None:
         return start
     if text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n"):
         return start
-    at = next((i for i in range(start, end) if text.find(i, "be", "do") and not text.find(i, "ask", "count")), None)
-    if at is None or text.is_word(at - 1, "there"):
+    if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
-    if any(text.is_word(i, "what", "how", "which", "where") for i in range(start, end)):
+    leading = next((i for i in range(start, end) if not _leads(text, i)), end)
+    verbs = [i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal")]
+    if verbs and text.is_word(verbs[0] - 1, "there"):
         return None
-    return at if all(_leads(text, i) for i in range(start, at)) else None
+    if verbs or (text.is_word(end, "?") and text.is_word(start, "go")):
+        return verbs[0] if verbs else start
+    return None
 
 
 def _leads(text: Text, at: int) -> bool:
@@ -125,9 +146,9 @@ def _leads(text: Text, at: int) -> bool:
     return polite is not None or text.is_word(at, ",", "if", "whether")
 
 
-def _size_after(question: Question, at: int) -> tuple[SizeFilter, set[int]] | None:
+def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilter, set[int]] | None:
     text = question.text
-    for begin in range(at, min(len(text), at + 6)):
+    for begin in range(at, min(len(text), at + within)):
         found = question.phrases.size(begin)
         if found is not None:
             return found[0], set(range(begin, found[1]))
