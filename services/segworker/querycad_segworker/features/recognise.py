@@ -7,6 +7,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from querycad_contracts import Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
@@ -36,6 +39,7 @@ from .parts.depressions import blend_part, depression_part, turned_groove_part
 from .parts.flat_walls import flat_wall_part, recognise_flat_walls
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
+from .parts.material_left import with_material_left
 from .parts.own_measures import with_own_measures
 from .parts.patterns import recognise_patterns
 from .parts.plane_faces import plane_face_parts
@@ -57,8 +61,8 @@ from .protrusions.pads import recognise_pads
 from .protrusions.prisms import recognise_prisms
 from .protrusions.protrusions import recognise_protrusions
 from .protrusions.ribs import fins, recognise_lugs, recognise_ribs
-from .shared.clearance import IsClear
-from .shared.merged_faces import united
+from .shared.clearance import Ahead, IsClear
+from .shared.merged_faces import United, united
 from .shared.refusals import gathering, left_refused, refuse
 from .shared.walls import walls
 from .sheet.body_thickness import with_body_thickness
@@ -89,12 +93,16 @@ class Recognised:
 
 
 def recognise(
-    brep: Brep, is_clear: IsClear, thickness: Thickness = NO_THICKNESS, mesh: Mesh | None = None
+    brep: Brep,
+    is_clear: IsClear,
+    thickness: Thickness = NO_THICKNESS,
+    mesh: Mesh | None = None,
+    ahead: Ahead | None = None,
 ) -> Recognised:
     """Which parts does the model have? `is_clear` tells whether a straight way is free of material.
 
     `thickness`: of the walls of the model and its bodies, where they have one. Without the `mesh`, depressions with
-    curved floors have no volume.
+    curved floors have no volume. `ahead` tells what a ray meets; without it no part says how much material is left.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
     shape = _shape(brep, thickness.model)
@@ -102,14 +110,29 @@ def recognise(
     with gathering() as refused:
         if whole is None:
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
+            parts = with_material_left(parts, brep, mesh, ahead)
         else:
-            volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
-            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness.renumbered(whole.owner))
+            own = None if mesh is None else mesh.renumbered(whole.owner)
+            parts = _parts(
+                whole.brep, shape, tolerances, is_clear, Volumes(whole.brep, own), thickness.renumbered(whole.owner)
+            )
+            parts = with_material_left(parts, whole.brep, own, None if ahead is None else _renumbered(ahead, whole))
     left = left_refused(refused, parts)
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
         left = tuple(one.model_copy(update={"faces": whole.faces_of_file(one.faces)}) for one in left)
     return Recognised(shape, tuple(parts), left)
+
+
+def _renumbered(ahead: Ahead, whole: United) -> Ahead:
+    """The same of the model whose pieces of faces were put together."""
+    owner = np.array([*whole.owner, -1], dtype=np.int32)  # -1, nothing, stays
+
+    def renumbered(points_m: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        distances, faces = ahead(points_m, directions)
+        return distances, owner[faces]
+
+    return renumbered
 
 
 def _parts(

@@ -182,7 +182,7 @@ def _is_ear(brep: Brep, face: FaceRecord) -> bool:
 def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
     """The same wall, as a floor where a pocket or channel ends at it; a roof where that opens downwards."""
     up = abs(wall.normal[2])
-    tags = (*wall.tags, *(("lying",) if up > 1 - UPRIGHT**2 else ("upright",) if up < UPRIGHT else ()))
+    tags = (*wall.tags, "lying" if up > 1 - UPRIGHT**2 else "upright" if up < UPRIGHT else "inclined")
     opens = [floors[face] for face in wall.faces if face in floors]
     if not opens:
         return replace(wall, tags=tags)
