@@ -175,6 +175,7 @@ def _parts(
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
     flat_walls = recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances)
+    gussets = {face for wall in flat_walls if "gusset" in wall.tags for face in wall.faces}
     standing = beside_pipes(brep, bosses, pipes)
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
@@ -189,7 +190,7 @@ def _parts(
         *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
-        *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
+        *(rib_part(brep, r, n, n - 1 in fin_indices) for n, r in enumerate(ribs, 1) if not gussets.issuperset(r.flanks)),
         *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
         *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
