@@ -155,9 +155,9 @@ def _parts(
     knurls = recognise_knurls(brep, found_walls, tolerances)
     pointed = {face for knurl in knurls for face in knurl.faces}
     gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
-    fin_indices = fins(ribs, tolerances)
-    depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
+    fin_numbers = {i + 1 for i in fins(ribs, tolerances)}
     balls = [frozenset(dimple.faces) for dimple in dimples]
+    depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
     depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
     depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
@@ -168,8 +168,7 @@ def _parts(
     grooves = recognise_turned_grooves(brep, found_walls, tolerances)
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
     protrusions = recognise_protrusions(brep, round_faces, tolerances)
-    known = {face for found in protrusions for face in found.faces} | {rib.top for rib in ribs}
-    pads = recognise_pads(brep, known, tolerances)
+    pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
     prisms = recognise_prisms(brep)
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
@@ -190,7 +189,7 @@ def _parts(
         *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
-        *(rib_part(brep, r, n, n - 1 in fin_indices) for n, r in enumerate(ribs, 1) if not gussets.issuperset(r.flanks)),
+        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if not gussets.issuperset(r.flanks)),
         *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
         *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
@@ -219,7 +218,7 @@ def _parts(
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
-    parts.extend(_patterns(brep, parts))
+    parts += _patterns(brep, parts)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
     return with_relations(parts, shape, brep)

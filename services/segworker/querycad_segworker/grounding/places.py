@@ -81,8 +81,10 @@ def touches(part: Part, place: Part) -> bool:
 
 
 def lies_between(part: Part, others: Sequence[Part], whole: bool = False) -> bool:
-    """Does the middle of the part lie between those of two others, no farther aside than they reach? The `whole` part:
-    is it no longer that way than they are apart, as the wall between two windows is, and no plate that holds both?"""
+    """Does the middle of the part lie between those of two others, no farther aside than they reach?
+
+    The `whole` part: it is no longer that way than they are apart, as the wall between two windows, not their plate.
+    """
     for a, b in itertools.combinations(others, 2):
         apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
         length = norm(apart)

@@ -160,7 +160,9 @@ def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
 def _is_one_plane(brep: Brep, a: int, b: int) -> bool:
     first, second = brep.faces[a], brep.faces[b]
     apart = abs(dot(sub(second.point, first.point), first.axis))
-    return a == b or (dot(first.axis, second.axis) > 1 - UPRIGHT**2 and apart <= UPRIGHT * dist(first.point, second.point))
+    return a == b or (
+        dot(first.axis, second.axis) > 1 - UPRIGHT**2 and apart <= UPRIGHT * dist(first.point, second.point)
+    )
 
 
 def _joins(brep: Brep, wall: FlatWall, other: FlatWall) -> bool:

@@ -28,6 +28,7 @@ UPRIGHT = 0.05
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
 
+
 def protrusion_part(
     brep: Brep, found: Protrusion, number: int, volumes: Volumes, kind: PartKind = PartKind.PROTRUSION
 ) -> Part:

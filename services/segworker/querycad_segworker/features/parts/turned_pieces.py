@@ -31,8 +31,9 @@ def turned_pieces(parts: Sequence[Part], brep: Brep) -> dict[str, tuple[str, ...
     """What is each step to the turned part that it belongs to? Tags by id of the part.
 
     'head': the wider end, lower than the shank is long; 'shank': the longest step, not wider than half of its length;
-    'end_step', 'middle_step': at an end of its axis, or between two; 'neck': narrower than what is on both sides of it; 'spigot': a short narrower end; 'tip': a cone at the free end;
-    'eye': a ring with a shank that runs towards its middle; 'headed': a body with head and shank.
+    'end_step', 'middle_step': at an end of its axis, or between others; 'neck': narrower than what is on both sides of
+    it; 'spigot': a short narrower end; 'tip': a cone at the free end; 'eye': a ring with a shank that runs towards its
+    middle; 'headed': a body with head and shank.
     """
     found: dict[str, list[str]] = defaultdict(list)
     bodies = {part.faces: part.id for part in parts if part.kind == "body"}
