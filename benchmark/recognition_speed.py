@@ -80,7 +80,8 @@ def _ours(file: Path) -> tuple[float, int, dict[str, int]]:
     extracted = extract(content)
     mesh = tessellate(extracted.faces, dist(*extracted.brep.box))
     scene = Scene(mesh)
-    found = recognise(extracted.brep, scene.is_clear, material_thickness(extracted.brep, mesh, scene), mesh)
+    thickness = material_thickness(extracted.brep, mesh, scene)
+    found = recognise(extracted.brep, scene.is_clear, thickness, mesh, scene.ahead)
     seconds = time.process_time() - start
     return seconds, len(extracted.brep.faces), dict(Counter(part.kind for part in found.parts))
 

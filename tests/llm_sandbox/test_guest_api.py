@@ -98,6 +98,11 @@ def full_part() -> Part:
         mouth_width=1.0,
         bottom_length=1.0,
         bottom_width=1.0,
+        opening_area=1.0,
+        bottom_thickness=1.0,
+        wall_distance=1.0,
+        inclination=1.0,
+        developed_length=1.0,
         volume=1.0,
         area=1.0,
     )

@@ -324,7 +324,7 @@ class Found:
     @cached_property
     def _recognised(self) -> Recognised:
         thickness = material_thickness(self.brep, self.mesh, self._scene)
-        return recognise(self.brep, self._scene.is_clear, thickness, self.mesh)
+        return recognise(self.brep, self._scene.is_clear, thickness, self.mesh, self._scene.ahead)
 
     @property
     def shape(self) -> Shape:

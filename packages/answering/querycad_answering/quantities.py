@@ -9,9 +9,11 @@ from querycad_contracts import AnswerType, Frame
 _SCALARS = {
     "volume": AnswerType.VOLUME,
     "area": AnswerType.AREA,
+    "opening_area": AnswerType.AREA,
     "angle_to": AnswerType.ANGLE,
     "angle": AnswerType.ANGLE,
     "draft": AnswerType.ANGLE,
+    "inclination": AnswerType.ANGLE,
     "bend_angle": AnswerType.ANGLE,
     "acos": AnswerType.ANGLE,
     "asin": AnswerType.ANGLE,
@@ -123,6 +125,7 @@ _LENGTHS = (
     "radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch", "outer_diameter",
     "inner_diameter", "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius",
     "mouth_length", "mouth_width", "bottom_length", "bottom_width",
+    "bottom_thickness", "wall_distance", "developed_length",
 )  # fmt: skip
 _DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance", "offset")
 _KNOWN = frozenset({*_SCALARS, *_TRIPLES, *_LENGTHS, *_DISTANCES})

@@ -369,6 +369,19 @@ class Part(Frozen):
     edge_distance: float | None = Field(
         None, description="From the opening's rim to the outer edge of its face, where recognition measured it."
     )
+    opening_area: float | None = Field(None, description="Of what has one opening: the area within its rim.")
+    bottom_thickness: float | None = Field(
+        None, description="Of what is blind: the least material straight behind its bottom, along its axis."
+    )
+    wall_distance: float | None = Field(
+        None, description="Of a hole: from its wall sideways to the nearest outer face, across the material."
+    )
+    inclination: float | None = Field(
+        None, description="Radians, 0 to pi/2. Of what is plane: to the horizontal plane; 0 lies, pi/2 stands upright."
+    )
+    developed_length: float | None = Field(
+        None, description="Of bent sheet: laid flat across its bends, along the middle of the material."
+    )
     children: tuple[str, ...] = Field(
         (), description="Ids of the parts this one is made of or carries, such as the holes of a pattern."
     )

@@ -182,6 +182,16 @@ class Part:
     mouth_width: float
     bottom_length: float
     bottom_width: float
+    opening_area: float
+    """Within the rim."""
+    bottom_thickness: float
+    """Of what is blind: the material behind its bottom."""
+    wall_distance: float
+    """Of a hole: sideways to the nearest outer face."""
+    inclination: float
+    """Of what is plane, to the horizontal: 0 lies, pi/2 stands."""
+    developed_length: float
+    """Of bent sheet, laid flat."""
     volume: float
     area: float
 

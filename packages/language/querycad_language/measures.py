@@ -29,20 +29,16 @@ _ENDS = {
     Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
     Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
 }  # fmt: skip
-_LENGTHS = frozenset(Measure) - {
-    Measure.SIZE, Measure.HALF_SIZE, Measure.ANGLE, Measure.AREA, Measure.VOLUME, Measure.MASS, Measure.POSITION,
-    Measure.OPENING, Measure.TIP, *_ENDS, Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.NAME, Measure.KIND,
-    Measure.COLOR, Measure.SIDES, Measure.BOTTOM, Measure.COUNT,
-}  # fmt: skip
 _TYPES = {
-    Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.ANGLE: AnswerType.ANGLE,
-    Measure.AREA: AnswerType.AREA, Measure.VOLUME: AnswerType.VOLUME, Measure.MASS: AnswerType.NUMBER,
-    Measure.POSITION: AnswerType.POINT, Measure.OPENING: AnswerType.POINT, Measure.TIP: AnswerType.POINT,
-    **dict.fromkeys(_ENDS, AnswerType.POINT), Measure.AXIS: AnswerType.DIRECTION, Measure.NORMAL: AnswerType.DIRECTION,
-    Measure.DIRECTION: AnswerType.DIRECTION, Measure.NAME: AnswerType.TEXT, Measure.KIND: AnswerType.TEXT,
-    Measure.COLOR: AnswerType.TEXT, Measure.SIDES: AnswerType.TEXTS, Measure.BOTTOM: AnswerType.TEXT,
-    Measure.COUNT: AnswerType.COUNT,
+    Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
+    Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
+    **dict.fromkeys((Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
+    **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA), AnswerType.AREA),
+    **dict.fromkeys((Measure.POSITION, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
+    **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION), AnswerType.DIRECTION),
+    **dict.fromkeys((Measure.NAME, Measure.KIND, Measure.COLOR, Measure.BOTTOM), AnswerType.TEXT),
 }  # fmt: skip
+"""Of what is no single length."""
 _MANY = {
     AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES,
     AnswerType.POINT: AnswerType.POINTS, AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS,
@@ -64,7 +60,7 @@ def of_several(kind: AnswerType) -> AnswerType:
 
 def is_length(measure: Measure) -> bool:
     """Is it a single length?"""
-    return measure in _LENGTHS
+    return measure not in _TYPES
 
 
 def options(measure: Measure, part: Part) -> list[tuple[str, Grade]]:

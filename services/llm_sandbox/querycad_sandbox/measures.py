@@ -91,6 +91,11 @@ def part_measures(part: Part) -> Measures:
             "mouth_width": part.mouth_width,
             "bottom_length": part.bottom_length,
             "bottom_width": part.bottom_width,
+            "opening_area": part.opening_area,
+            "bottom_thickness": part.bottom_thickness,
+            "wall_distance": part.wall_distance,
+            "inclination": part.inclination,
+            "developed_length": part.developed_length,
             "volume": part.volume,
             "area": part.area,
         }

@@ -84,7 +84,7 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
     replace(mesh, closed=mesh.closed and not shows_backs(scene)).save(artefacts.mesh)
     visibility = visible_pixels(scene, len(brep.faces))
     clock.begin("recognise")
-    found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene), mesh)
+    found = recognise(brep, scene.is_clear, material_thickness(brep, mesh, scene), mesh, scene.ahead)
     faces = faces_of(brep)
     measured: list[Shape | Part | Face] = [found.shape, *found.parts, *faces]
     for what in measured:

@@ -7,6 +7,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from querycad_contracts import Part, Refusal, Shape, SurfaceKind
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
@@ -36,6 +39,7 @@ from .parts.depressions import blend_part, depression_part, turned_groove_part
 from .parts.flat_walls import flat_wall_part, recognise_flat_walls
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
+from .parts.material_left import with_material_left
 from .parts.own_measures import with_own_measures
 from .parts.patterns import recognise_patterns
 from .parts.plane_faces import plane_face_parts
@@ -57,8 +61,8 @@ from .protrusions.pads import recognise_pads
 from .protrusions.prisms import recognise_prisms
 from .protrusions.protrusions import recognise_protrusions
 from .protrusions.ribs import fins, recognise_lugs, recognise_ribs
-from .shared.clearance import IsClear
-from .shared.merged_faces import united
+from .shared.clearance import Ahead, IsClear
+from .shared.merged_faces import United, united
 from .shared.refusals import gathering, left_refused, refuse
 from .shared.walls import walls
 from .sheet.body_thickness import with_body_thickness
@@ -89,12 +93,16 @@ class Recognised:
 
 
 def recognise(
-    brep: Brep, is_clear: IsClear, thickness: Thickness = NO_THICKNESS, mesh: Mesh | None = None
+    brep: Brep,
+    is_clear: IsClear,
+    thickness: Thickness = NO_THICKNESS,
+    mesh: Mesh | None = None,
+    ahead: Ahead | None = None,
 ) -> Recognised:
     """Which parts does the model have? `is_clear` tells whether a straight way is free of material.
 
     `thickness`: of the walls of the model and its bodies, where they have one. Without the `mesh`, depressions with
-    curved floors have no volume.
+    curved floors have no volume. `ahead` tells what a ray meets; without it no part says how much material is left.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
     shape = _shape(brep, thickness.model)
@@ -102,14 +110,29 @@ def recognise(
     with gathering() as refused:
         if whole is None:
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
+            parts = with_material_left(parts, brep, mesh, ahead)
         else:
-            volumes = Volumes(whole.brep, None if mesh is None else mesh.renumbered(whole.owner))
-            parts = _parts(whole.brep, shape, tolerances, is_clear, volumes, thickness.renumbered(whole.owner))
+            own = None if mesh is None else mesh.renumbered(whole.owner)
+            parts = _parts(
+                whole.brep, shape, tolerances, is_clear, Volumes(whole.brep, own), thickness.renumbered(whole.owner)
+            )
+            parts = with_material_left(parts, whole.brep, own, None if ahead is None else _renumbered(ahead, whole))
     left = left_refused(refused, parts)
     if whole is not None:
         parts = [part.model_copy(update={"faces": whole.faces_of_file(part.faces)}) for part in parts]
         left = tuple(one.model_copy(update={"faces": whole.faces_of_file(one.faces)}) for one in left)
     return Recognised(shape, tuple(parts), left)
+
+
+def _renumbered(ahead: Ahead, whole: United) -> Ahead:
+    """The same of the model whose pieces of faces were put together."""
+    owner = np.array([*whole.owner, -1], dtype=np.int32)  # -1, nothing, stays
+
+    def renumbered(points_m: ArrayLike, directions: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
+        distances, faces = ahead(points_m, directions)
+        return distances, owner[faces]
+
+    return renumbered
 
 
 def _parts(
@@ -132,9 +155,9 @@ def _parts(
     knurls = recognise_knurls(brep, found_walls, tolerances)
     pointed = {face for knurl in knurls for face in knurl.faces}
     gears = [gear for gear in recognise_gears(brep, found_walls, tolerances) if pointed.isdisjoint(gear.faces)]
-    fin_indices = fins(ribs, tolerances)
-    depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
+    fin_numbers = {i + 1 for i in fins(ribs, tolerances)}
     balls = [frozenset(dimple.faces) for dimple in dimples]
+    depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
     depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
     depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
@@ -145,13 +168,13 @@ def _parts(
     grooves = recognise_turned_grooves(brep, found_walls, tolerances)
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
     protrusions = recognise_protrusions(brep, round_faces, tolerances)
-    known = {face for found in protrusions for face in found.faces} | {rib.top for rib in ribs}
-    pads = recognise_pads(brep, known, tolerances)
+    pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
     prisms = recognise_prisms(brep)
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
     flat_walls = recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances)
+    gussets = {face for wall in flat_walls if "gusset" in wall.tags for face in wall.faces}
     standing = beside_pipes(brep, bosses, pipes)
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
@@ -166,7 +189,7 @@ def _parts(
         *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
-        *_numbered(ribs, lambda rib, n: rib_part(brep, rib, n, n - 1 in fin_indices)),
+        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if not gussets.issuperset(r.flanks)),
         *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
         *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
@@ -195,7 +218,7 @@ def _parts(
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
-    parts.extend(_patterns(brep, parts))
+    parts += _patterns(brep, parts)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
     return with_relations(parts, shape, brep)

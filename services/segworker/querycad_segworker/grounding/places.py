@@ -80,12 +80,16 @@ def touches(part: Part, place: Part) -> bool:
     )
 
 
-def lies_between(part: Part, others: Sequence[Part]) -> bool:
-    """Does the middle of the part lie between those of two others, no farther aside than they reach?"""
+def lies_between(part: Part, others: Sequence[Part], whole: bool = False) -> bool:
+    """Does the middle of the part lie between those of two others, no farther aside than they reach?
+
+    The `whole` part: it is no longer that way than they are apart, as the wall between two windows, not their plate.
+    """
     for a, b in itertools.combinations(others, 2):
         apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
         length = norm(apart)
-        if length < TOUCH_M or not 0.0 < dot(ahead, apart) < length**2:
+        reach = sum(e * abs(c) for e, c in zip(part.extents, apart, strict=True))
+        if length < TOUCH_M or not 0.0 < dot(ahead, apart) < length**2 or (whole and reach > length**2):
             continue
         boxed = all(
             min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - TOUCH_M

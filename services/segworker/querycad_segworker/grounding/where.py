@@ -82,11 +82,8 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> li
         case "near":
             return next_to(found, holders)
         case "between":
-            return (
-                [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
-                if len(holders) > 1
-                else []
-            )
+            apart = [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
+            return [p for p in apart if lies_between(p, holders, whole=True)] or apart
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
             return around or [p for p in found if p.kind in ("fillet", "round", "chamfer") and next_to([p], holders)]

@@ -371,3 +371,31 @@ def test_a_window_in_the_wall_of_a_blind_tube_is_cut_through_and_faces_outwards(
     assert window.normal is not None
     away = [w - b for w, b in zip(window.center, bore.center, strict=True)]
     assert sum(a * n for a, n in zip(away, window.normal, strict=True)) > 20 * MM
+
+
+def beveled_foot(sides: int) -> TopoDS_Shape:
+    """A cut 12 mm wide and 10 deep across a plate, its foot bevelled by 3 mm on one side or on both."""
+    profile = [(-6, 1), (-6, -7), (-3, -10), (6 - 3 * (sides - 1), -10), *([(6, -7)] if sides == 2 else []), (6, 1)]
+    return prism([(x, -21, z) for x, z in profile], (0, 42, 0))
+
+
+@pytest.mark.parametrize("sides", [1, 2])
+def test_a_slot_with_a_bevelled_foot_is_a_slot_as_wide_as_between_its_walls(sides: int) -> None:
+    found = find(cut(plate(60, 40, 20), beveled_foot(sides)))
+    slot = only(found.of("slot"))
+    assert (slot.width, slot.depth) == near(12, 10)
+    assert not found.of("step")
+
+
+def test_a_rebate_with_a_bevelled_foot_is_a_step_and_no_slot() -> None:
+    rebate = prism([(x, -21, z) for x, z in [(0, 1), (0, -7), (3, -10), (31, -10), (31, 1)]], (0, 42, 0))
+    found = find(cut(plate(60, 40, 20), rebate))
+    assert found.of("step")
+    assert not found.of("slot")
+
+
+def test_a_slot_with_flanks_of_45_degrees_is_no_step() -> None:
+    trapezoid = prism([(x, -21, z) for x, z in [(-15, 1), (-4, -10), (4, -10), (15, 1)]], (0, 42, 0))
+    found = find(cut(plate(60, 40, 20), trapezoid))
+    assert only(found.of("slot")).depth == pytest.approx(10 * MM)
+    assert not found.of("step")

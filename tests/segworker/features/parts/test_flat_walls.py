@@ -6,6 +6,7 @@ import pytest
 from OCP.BRepAdaptor import BRepAdaptor_Curve
 from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
 from tests.segworker.shapes import (
+    UP,
     box,
     cut,
     cylinder,
@@ -14,6 +15,7 @@ from tests.segworker.shapes import (
     find,
     fuse,
     plate,
+    prism,
     scaled,
     shifted,
     turned,
@@ -90,3 +92,37 @@ def test_an_ear_with_a_round_end_has_its_thickness() -> None:
     assert "upright" in found.tags
     plain = fuse(box((90, 40, 6), (-30, 0, 0)), box((30, 8, 50), (0, 16, 6)))
     assert not [wall for wall in find(plain).of("wall") if "ear" in wall.tags]
+
+
+def corner(*gussets: TopoDS_Shape) -> TopoDS_Shape:
+    return fuse(box((80, 40, 8)), box((6, 40, 60)), *gussets)
+
+
+@pytest.mark.parametrize(("along", "up"), [(40.0, 40.0), (30.0, 45.0), (45.0, 20.0)])
+def test_a_triangle_in_the_corner_of_two_plates_is_a_gusset_and_as_large_as_its_feet(along: float, up: float) -> None:
+    found = find(corner(prism([(6, 18, 8), (6 + along, 18, 8), (6, 18, 8 + up)], (0, 4, 0))))
+    (gusset,) = found.of("rib")
+    assert "gusset" in gusset.tags
+    assert (gusset.thickness, gusset.length, gusset.height) == pytest.approx((4 * MM, along * MM, up * MM))
+
+
+def test_a_plate_that_fills_the_corner_and_a_web_between_two_walls_are_no_gussets() -> None:
+    block = corner(box((40, 4, 40), (6, 18, 8)))
+    web = cut(box((60, 40, 30)), box((26, 34, 27), (3, 3, 3)), box((25, 34, 27), (32, 3, 3)))
+    for shape in (block, web):
+        assert not [part for part in find(shape).parts if "gusset" in part.tags]
+
+
+def test_the_bar_between_two_windows_is_a_wall_and_the_rim_beside_one_is_not_between() -> None:
+    windows = box((40, 40, 10), (7, 10, 0)), box((40, 40, 10), (53, 10, 0))
+    (bar,) = [part for part in find(cut(box((100, 60, 10)), *windows)).parts if "between" in part.tags]
+    assert bar.kind == "wall"
+    assert bar.thickness == pytest.approx(6 * MM)
+    assert not [part for part in find(cut(box((100, 60, 10)), windows[0])).parts if "between" in part.tags]
+
+
+def test_an_upright_plate_is_as_high_as_it_reaches_and_a_lying_one_as_thick() -> None:
+    upright, lying = sorted(find(corner()).of("prism"), key=lambda part: abs((part.axis or UP)[2]))
+    assert (upright.height, upright.thickness) == pytest.approx((52 * MM, 6 * MM))
+    assert (lying.height, lying.thickness) == pytest.approx((8 * MM, 8 * MM))
+    assert [wall.height for wall in find(corner()).of("wall") if "upright" in wall.tags] == pytest.approx([60 * MM])

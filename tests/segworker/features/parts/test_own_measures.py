@@ -21,6 +21,7 @@ from tests.segworker.shapes import (
     plate,
     prism,
     scaled,
+    shifted,
     torus,
     turned,
     upright,
@@ -151,3 +152,37 @@ def test_a_taper_pin_has_its_draft_and_a_plain_one_none() -> None:
     assert pin.draft == pytest.approx(math.atan2(0.5, 25))
     (plain,) = find(halved(cylinder(3, 25, along=DOWN))).of("boss")
     assert plain.draft is None
+
+
+def test_an_opening_has_the_area_within_its_rim() -> None:
+    stepped = fuse(cylinder(3, 20, along=DOWN), cylinder(5, 4, along=DOWN))
+    assert find(cut(plate(), stepped)).hole.opening_area == pytest.approx(math.pi * 25e-6)
+    (pocket,) = find(cut(plate(), obround(30, 10, 8))).of("pocket")
+    assert pocket.opening_area == pytest.approx((20 * 10 + math.pi * 25) * 1e-6)
+
+
+def test_a_plane_face_is_inclined_to_the_horizontal_and_only_a_slanted_one_says_so() -> None:
+    wedge = prism([(0, 0, 0), (60, 0, 0), (60, 0, 10), (40, 0, 30), (0, 0, 30)], (0, 40, 0))
+    slanted = [face for face in find(wedge).of("face") if "inclined" in face.tags]
+    assert [math.degrees(face.inclination or 0.0) for face in slanted] == pytest.approx([45.0])
+    assert not [face for face in find(plate()).of("face") if "inclined" in face.tags]
+
+
+def test_sheet_laid_flat_is_as_long_as_its_middle_and_a_block_is_none() -> None:
+    legs = fuse(box((40, 30, 3), (5, 0, 0)), box((3, 30, 40), (0, 0, 5)))
+    bent = cut(cylinder(5, 30, (5, 0, 5), Y), cylinder(2, 30, (5, 0, 5), Y))
+    sheet = fuse(legs, cut(bent, box((20, 30, 20), (5, 0, 0)), box((20, 30, 20), (0, 0, 5))))
+    flat = (80 + 3.5 * math.pi / 2) * MM
+    for shape in (sheet, cut(sheet, cylinder(4, 10, (25, 15, -2)))):
+        (body,) = find(turned(shape, (1, 2, 3), 30)).of("body")
+        assert body.developed_length == pytest.approx(flat, rel=1e-4)
+    assert find(plate()).of("body")[0].developed_length is None
+
+
+def test_a_body_without_an_outer_hexagon_has_the_width_of_its_one_socket() -> None:
+    head = cut(cylinder(12, 20), extruded(polygon(6, 8.0), 10.0, 10.0))
+    (body,) = find(head).of("body")
+    assert body.across_flats == pytest.approx(8 * MM, rel=1e-4)
+    sockets = [shifted(extruded(polygon(6, 8.0), 10.0, 10.0), (x, 0, 0)) for x in (0, 20)]
+    two = cut(box((60, 30, 20), (-20, -15, 0)), *sockets)
+    assert find(two).of("body")[0].across_flats is None

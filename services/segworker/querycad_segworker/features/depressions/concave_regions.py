@@ -18,6 +18,12 @@ from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
 
+BEVEL = 0.1
+"""Cosine of the angle that a bevel at the foot of a wall stands off both the wall and the floor at least."""
+SQUARE = 0.05
+"""Cosine: faces that lean less than 3 degrees off square to each other are square."""
+LEVEL = 0.9
+"""Cosine: what a slot is cut into looks the way that its floor does, within 26 degrees."""
 CHANNEL_SHARE = 0.5
 """A slot wider than this share of its body is the inside of a channel section, not a slot in something."""
 
@@ -45,6 +51,12 @@ def group_depression(
     if special is not None or not walls:
         return special
     pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], floor.axis)
+    if pair is not None and _is_bevel(brep, floor, pair):
+        floor = max(pair, key=lambda face: (dot(face.axis, (0.1, -0.2, 1.0)), face.area))
+        walls, pair = [brep.faces[i] for i in sorted(group) if i != floor.id], None
+    if pair is None and (beveled := _between_bevels(brep, planes, links)) is not None:
+        floor, above, pair = beveled
+        walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
         return _passage(brep, group, tunnel)
     if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
@@ -53,6 +65,30 @@ def group_depression(
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
         return _pocket(brep, group, floors, tolerances)
     return _open_on_floor(graph, group, floor, walls, pair)
+
+
+def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
+    """Is what looks like a floor between leaning walls the bevel at the foot of a step?
+
+    The walls then are square to each other, and end at faces that look another way than the bevel.
+    """
+    if abs(dot(pair[0].axis, pair[1].axis)) > SQUARE or dot(pair[0].axis, floor.axis) < BEVEL:
+        return False
+    beside = [[n for e, n in brep.neighbours(w.id) if e.convexity is EdgeConvexity.CONVEX] for w in pair]
+    return not any(dot(brep.faces[n].axis, floor.axis) > LEVEL for side in beside for n in side)
+
+
+def _between_bevels(
+    brep: Brep, planes: Sequence[FaceRecord], links: dict[int, set[int]]
+) -> tuple[FaceRecord, set[int], Pair] | None:
+    """A floor with bevels along both sides, the walls that stand on those, and the two that face each other."""
+    for floor in sorted(planes, key=lambda face: -face.area):
+        bevels = [i for i in links[floor.id] & links.keys() if BEVEL < dot(brep.faces[i].axis, floor.axis) < 1 - BEVEL]
+        above = {wall for i in bevels for wall in links[i] & links.keys()} - {floor.id, *bevels}
+        pair = facing_pair([brep.faces[i] for i in sorted(above)], floor.axis) if len(bevels) > 1 else None
+        if pair is not None:
+            return floor, above, pair
+    return None
 
 
 def _floor_under_lips(

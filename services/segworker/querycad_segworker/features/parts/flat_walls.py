@@ -7,15 +7,15 @@ from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import Part, Vector
+from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_area, faces_box, geometry, millimetres
 from querycad_segworker.features.shared.walls import Groups
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeKind, FaceRecord
-from querycad_segworker.vectors import OFF_ROUND, add, box_extents, dist, dot, parallel, scale
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub
 
 MOST = 0.5
 """More than this share of one of the two faces has the other one straight behind it."""
@@ -28,10 +28,15 @@ MADE_OF = 0.6
 rest."""
 APART = 0.95
 """Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
+STANDS_IN = frozenset(("between", "gusset"))
+"""What parts two openings, or stiffens a corner, is no leg."""
 UPRIGHT = 0.05
 """Sine of the angle by which an upright or lying wall may lean: 3 degrees."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
+CORNER = 0.75
+"""The side of a gusset fills less than this share of the block over its two feet: a triangle half of it, a plate in the
+corner of a box all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,10 +83,11 @@ def recognise_flat_walls(
         if found.kind in (DepressionKind.POCKET, DepressionKind.CHANNEL)
         for face in found.floor
     }
-    sides = {
-        face
-        for found in depressions
-        if found.kind is DepressionKind.POCKET
+    closed = (DepressionKind.POCKET, DepressionKind.PASSAGE)
+    beside = {
+        face: number
+        for number, found in enumerate(depressions)
+        if found.kind in closed
         for face in found.faces
         if face not in found.floor
     }
@@ -94,9 +100,69 @@ def recognise_flat_walls(
         for faces in groups.all():
             wall = _wall(brep, faces)
             if wall is not None:
-                (thin if wall.is_thin else low).append(_with_place(wall, floors))
-    low = [wall for wall in low if not sides.isdisjoint(wall.faces) or any(_joins(brep, wall, one) for one in thin)]
+                wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
+                (thin if wall.is_thin else low).append(wall)
+    sides = {face for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
+    low = [
+        wall
+        for wall in low
+        if "between" in wall.tags or not sides.isdisjoint(wall.faces) or any(_joins(brep, wall, one) for one in thin)
+    ]
     return sorted(_legs(brep, [*thin, *low]), key=lambda wall: (wall.faces, wall.thickness))
+
+
+def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
+    """The same wall, 'between' where its two sides are walls of two different openings."""
+    sides: dict[bool, set[int]] = {True: set(), False: set()}
+    for face in wall.faces:
+        if face in beside:
+            sides[dot(brep.faces[face].axis, wall.normal) > 0].add(beside[face])
+    apart = bool(sides[True] and sides[False]) and sides[True].isdisjoint(sides[False])
+    return replace(wall, tags=(*wall.tags, "between")) if apart else wall
+
+
+def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
+    """The same wall with the lengths of its two feet, where it fills the corner of two faces that meet; else None.
+
+    Its height is that of the foot which is the more upright one.
+    """
+    feet = [_feet(brep, brep.faces[face]) for face in wall.faces]
+    shared = [found for found in feet if len(found) == 2]
+    if len(wall.faces) != 2 or len(shared) != 2:
+        return None
+    (a, a_length), (b, b_length) = feet[0]
+    others = {face for face, _ in feet[1]}
+    same = all(any(_is_one_plane(brep, face, other) for other in others) for face in (a, b))
+    normals = brep.faces[a].axis, brep.faces[b].axis
+    area = max(brep.faces[face].area for face in wall.faces)
+    spread = norm(cross(*normals))
+    if not same or spread < math.sqrt(1 - APART**2) or area > CORNER * a_length * b_length * spread:
+        return None
+    upright = abs(normals[0][2]), abs(normals[1][2])  # a foot on an upright face runs upwards
+    height, length = (a_length, b_length) if upright[0] < upright[1] else (b_length, a_length)
+    return replace(wall, length=length, width=height, tags=("gusset",))
+
+
+def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
+    """The planes that a side of a wall stands on, over fillets too, and for how long."""
+    found: dict[int, float] = defaultdict(float)
+    for edge, other in brep.neighbours(side.id):
+        if edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].kind is SurfaceKind.PLANE:
+            found[other] += edge.length
+        elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
+            beyond = {n for e, n in brep.neighbours(other) if e.convexity is EdgeConvexity.SMOOTH} - {side.id}
+            for face in beyond:
+                if brep.faces[face].kind is SurfaceKind.PLANE and brep.faces[other].outward < 0:
+                    found[face] += edge.length
+    return sorted(found.items())
+
+
+def _is_one_plane(brep: Brep, a: int, b: int) -> bool:
+    first, second = brep.faces[a], brep.faces[b]
+    apart = abs(dot(sub(second.point, first.point), first.axis))
+    return a == b or (
+        dot(first.axis, second.axis) > 1 - UPRIGHT**2 and apart <= UPRIGHT * dist(first.point, second.point)
+    )
 
 
 def _joins(brep: Brep, wall: FlatWall, other: FlatWall) -> bool:
@@ -182,7 +248,7 @@ def _is_ear(brep: Brep, face: FaceRecord) -> bool:
 def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
     """The same wall, as a floor where a pocket or channel ends at it; a roof where that opens downwards."""
     up = abs(wall.normal[2])
-    tags = (*wall.tags, *(("lying",) if up > 1 - UPRIGHT**2 else ("upright",) if up < UPRIGHT else ()))
+    tags = (*wall.tags, "lying" if up > 1 - UPRIGHT**2 else "upright" if up < UPRIGHT else "inclined")
     opens = [floors[face] for face in wall.faces if face in floors]
     if not opens:
         return replace(wall, tags=tags)
@@ -197,8 +263,9 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
     """
     own: dict[int, list[FlatWall]] = defaultdict(list)
     for wall in walls:
-        own[wall.body].append(wall)
-    result = []
+        if STANDS_IN.isdisjoint(wall.tags):
+            own[wall.body].append(wall)
+    result = [wall for wall in walls if not STANDS_IN.isdisjoint(wall.tags)]
     for body, members in own.items():
         turned = any(abs(dot(a.normal, b.normal)) < APART for a in members for b in members)
         made_of = sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
@@ -211,22 +278,28 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
 
 
 def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
-    """A wall or floor as a part; its thickness is between its two sides."""
-    kind = "floor" if wall.is_floor else "wall"
+    """A wall, floor or gusset as a part; its thickness is between its two sides.
+
+    A gusset is a rib whose length and height are those of its two feet.
+    """
+    is_gusset = "gusset" in wall.tags
+    kind = "rib" if is_gusset else "floor" if wall.is_floor else "wall"
+    name = "gusset" if is_gusset else kind
+    extents = box_extents(faces_box(brep, wall.faces))
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (wall.length, wall.width))
     return Part(
-        id=f"{kind}-{number}",
+        id=f"{name}-{number}",
         kind=kind,
         tags=("planar", *wall.tags),
-        label=f"{kind}, thickness {millimetres(wall.thickness)}, {size} mm",
+        label=f"{name}, thickness {millimetres(wall.thickness)}, {size} mm",
         faces=wall.faces,
         center=wall.center,
-        extents=box_extents(faces_box(brep, wall.faces)),
+        extents=extents,
         normal=wall.normal,
         thickness=wall.thickness,
         length=wall.length,
         width=wall.width,
-        height=wall.width if parallel(wall.normal, (0.0, 0.0, 1.0), UPRIGHT) else None,
+        height=wall.width if is_gusset else None if "inclined" in wall.tags else extents[2],
         local_size=(wall.length, wall.width, wall.thickness),
         area=faces_area(brep, wall.faces),
         evidence=geometry(f"plane faces that look away from each other, {millimetres(wall.thickness)} apart"),

@@ -6,12 +6,12 @@ import math
 from collections.abc import Callable, Sequence, Set
 from typing import Final
 
-from querycad_contracts import Part, SurfaceKind
+from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import dist
+from querycad_segworker.vectors import dist, dot, parallel, scale
 
 Measured = dict[str, object]
 """Fields of `Part` -> values."""
@@ -23,6 +23,12 @@ more than this share of its surface in leaning walls narrows."""
 LEANING = (SurfaceKind.CONE, SurfaceKind.FREEFORM)
 """Walls of what narrows without one draft: lofts, and square holes that get round."""
 ROUND_ENDS = frozenset(("obround", "curved"))
+WHOLE = ("body", "model")
+MOUTHS = ("hole", "pocket", "cutout")
+SQUARE_RAD = 1e-3
+"""Bends about directions that differ by less are about one."""
+SAME = 0.01
+"""Thicknesses that differ by less than this share are one sheet's."""
 
 
 def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
@@ -40,25 +46,77 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
             measures |= _torus(part, tori)
         elif part.kind in ("pocket", "cutout"):
             measures |= _tapered(part, brep, breaks)
-        result.append(part.model_copy(update=measures) if measures else part)
+        part = part.model_copy(update=measures) if measures else part
+        mouth = _mouth(part) if part.kind in MOUTHS else {}
+        result.append(part.model_copy(update=mouth) if mouth else part)
     rings = [
         part for part in result if part.kind == "torus" and part.tube_diameter is not None and "outer" in part.tags
     ]
-    wrenched = [part for part in result if part.kind == "prism" and part.across_flats and "hexagonal" in part.tags]
-    if not rings and not wrenched:
+    wrenched = [part for part in result if part.across_flats and "hexagonal" in part.tags]
+    bends = [part for part in result if part.kind == "bend" and part.thickness and part.axis]
+    if not rings and not wrenched and not bends:
         return result
-    bodies = ("body", "model")
-    return [_of_hexagon(_of_ring(part, rings), wrenched) if part.kind in bodies else part for part in result]
+    return [
+        _laid_flat(_of_hexagon(_of_ring(part, rings), wrenched), bends, brep) if part.kind in WHOLE else part
+        for part in result
+    ]
 
 
 def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
-    """The same body; one with a single hexagon, as nuts and bolts, has its width across flats."""
+    """The same body; one with a single hexagon, as nuts and bolts, has its width across flats; else its one socket's.
+
+    An outer hexagon comes before a socket.
+    """
     own = set(body.faces)
-    inside = [prism for prism in hexagons if own.issuperset(prism.faces)]
-    if len(inside) != 1:
+    inside = [part for part in hexagons if own.issuperset(part.faces)]
+    for wrenched in ([p for p in inside if p.kind == "prism"], [p for p in inside if p.kind in ("pocket", "cutout")]):
+        if len(wrenched) == 1:
+            flats, corners = wrenched[0].across_flats, wrenched[0].across_corners
+            return body.model_copy(update={"across_flats": flats, "across_corners": corners})
+        if wrenched:
+            return body
+    return body
+
+
+def _laid_flat(body: Part, bends: Sequence[Part], brep: Brep) -> Part:
+    """The same body; of sheet that is bent about one direction, how long it is across its bends when laid flat.
+
+    Along the middle of the material: the cross-section, that is the ends of all bends and of what runs on from them,
+    by the thickness. What a bend stretches beyond that (the k-factor of DIN 6935) is not known to a shape.
+    """
+    own = set(body.faces)
+    inside = [bend for bend in bends if own.issuperset(bend.faces)]
+    axis = inside[0].axis if inside else None
+    if axis is None or any(one.axis is None or not parallel(one.axis, axis, SQUARE_RAD) for one in inside):
         return body
-    flats, corners = inside[0].across_flats, inside[0].across_corners
-    return body.model_copy(update={"across_flats": flats, "across_corners": corners})
+    thickness = inside[0].thickness or 0.0
+    if any(abs((one.thickness or 0.0) - thickness) > SAME * thickness for one in inside):
+        return body
+    lengths = []
+    for way in (axis, scale(axis, -1.0)):
+        ends = [{i for f in one.faces for _, i in brep.neighbours(f) if _faces(brep, i, way)} for one in inside]
+        if all(ends):
+            lengths.append(faces_area(brep, set[int]().union(*ends)) / thickness)
+    return body.model_copy(update={"developed_length": max(lengths)}) if lengths else body
+
+
+def _faces(brep: Brep, face: int, way: Vector) -> bool:
+    return brep.faces[face].kind is SurfaceKind.PLANE and dot(brep.faces[face].axis, way) > math.cos(SQUARE_RAD)
+
+
+def _mouth(part: Part) -> Measured:
+    """Of a hole, round; of what has upright walls, its volume by its depth."""
+    if part.kind == "hole":
+        return {} if part.width is None else {"opening_area": math.pi * part.width**2 / 4}
+    standing = part.draft is None and part.mouth_length is None and part.bottom in ("flat", "through")
+    return {"opening_area": part.volume / part.depth} if standing and part.volume and part.depth else {}
+
+
+def _inclined(part: Part) -> Measured:
+    """Of a plane face, wall, floor or plate, to the horizontal plane."""
+    if part.normal is None or (part.kind == "prism" and "plate" not in part.tags):
+        return {}
+    return {"inclination": math.atan2(math.hypot(part.normal[0], part.normal[1]), abs(part.normal[2]))}
 
 
 def _of_ring(body: Part, rings: Sequence[Part]) -> Part:
@@ -182,7 +240,9 @@ def _is_within(inner: Part, outer: Part, near: float) -> bool:
 
 
 _OF_PART: Final[dict[str, tuple[Callable[[Part], Measured], ...]]] = {
-    "prism": (_round_ends,),
+    "prism": (_round_ends, _inclined),
+    "wall": (_inclined,),
+    "floor": (_inclined,),
     "pocket": (_round_ends,),
     "cutout": (_round_ends,),
     "slot": (_round_ends,),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import geometry, millimetres, outlined
@@ -32,12 +34,12 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
     round_rim = outline == "circular" and first.kind is EdgeKind.CIRCLE and first.radius is not None
     diameter = 2 * first.radius if round_rim and first.radius is not None else None
     rise = abs(face.axis[2])
-    place = ("lying",) if rise > 1 - UPRIGHT**2 else ("upright",) if rise < UPRIGHT else ()
+    place = "lying" if rise > 1 - UPRIGHT**2 else "upright" if rise < UPRIGHT else "inclined"
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (length, width))
     return Part(
         id=f"face-{number}",
         kind="face",
-        tags=("planar", outline, *place),
+        tags=("planar", outline, place),
         label=f"plane face, {outlined(outline, 'outline')}, {size} mm",
         faces=(face.id,),
         center=box_center(face.box),
@@ -48,5 +50,6 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
         width=width,
         local_size=(length, width, 0.0),
         area=face.area,
+        inclination=math.atan2(math.hypot(face.axis[0], face.axis[1]), rise),
         evidence=geometry("a plane face"),
     )

@@ -23,6 +23,11 @@ from querycad_segworker.vectors import add, box_center, box_extents, scale
 
 from .volumes import Volumes
 
+UPRIGHT = 0.05
+"""Sine of the angle by which an upright plate may lean: 3 degrees."""
+HEADS = ("hexagonal", "octagonal")
+"""Outlines of heads and nuts, whose height is along their own axis."""
+
 
 def protrusion_part(
     brep: Brep, found: Protrusion, number: int, volumes: Volumes, kind: PartKind = PartKind.PROTRUSION
@@ -53,20 +58,25 @@ def protrusion_part(
 
 
 def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
-    """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon."""
+    """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon.
+
+    A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies.
+    """
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (prism.length, prism.width))
     flat = prism.height < PLATE_RATIO * prism.width
+    upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
     return Part(
         id=f"prism-{number}",
         kind="prism",
         tags=(prism.outline, *(("plate", "flat") if flat else ())),
-        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {size} mm, height {millimetres(prism.height)}",
+        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {size} mm, "
+        f"{'thickness' if flat else 'height'} {millimetres(prism.height)}",
         faces=prism.faces,
         center=prism.center,
         extents=prism.extents,
         axis=prism.normal,
         normal=prism.normal,
-        height=prism.height,
+        height=prism.extents[2] if upright else prism.height,
         width=prism.width,
         length=prism.length,
         thickness=prism.height if flat else None,

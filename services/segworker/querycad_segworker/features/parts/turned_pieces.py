@@ -31,8 +31,9 @@ def turned_pieces(parts: Sequence[Part], brep: Brep) -> dict[str, tuple[str, ...
     """What is each step to the turned part that it belongs to? Tags by id of the part.
 
     'head': the wider end, lower than the shank is long; 'shank': the longest step, not wider than half of its length;
-    'neck': narrower than what is on both sides of it; 'spigot': a short narrower end; 'tip': a cone at the free end;
-    'eye': a ring with a shank that runs towards its middle; 'headed': a body with head and shank.
+    'end_step', 'middle_step': at an end of its axis, or between others; 'neck': narrower than what is on both sides of
+    it; 'spigot': a short narrower end; 'tip': a cone at the free end; 'eye': a ring with a shank that runs towards its
+    middle; 'headed': a body with head and shank.
     """
     found: dict[str, list[str]] = defaultdict(list)
     bodies = {part.faces: part.id for part in parts if part.kind == "body"}
@@ -99,8 +100,11 @@ def _roles(chain: Sequence[Part]) -> Iterator[tuple[str, str]]:
     if len(steps) < 2 or shank.axis is None:
         return
     axis = shank.axis
+    yield steps[0].id, "end_step"
+    yield steps[-1].id, "end_step"
     for i in range(1, len(steps) - 1):
         around = (steps[i - 1], steps[i + 1])
+        yield steps[i].id, "middle_step"
         if all((steps[i].width or 0.0) < NARROWER * (beside.width or 0.0) for beside in around):
             yield steps[i].id, "neck"
     for end, beside in ((steps[0], steps[1]), (steps[-1], steps[-2])):

@@ -1,0 +1,39 @@
+"""How much material is left behind a bottom and beside a hole."""
+
+from __future__ import annotations
+
+import pytest
+from tests.segworker.shapes import DOWN, box, cone, cut, cylinder, find, fuse, plate, scaled, turned
+
+MM = 1e-3
+
+
+@pytest.mark.parametrize("factor", [1.0, 100.0])
+def test_below_a_blind_hole_is_what_is_left_down_to_the_other_side(factor: float) -> None:
+    shape = cut(plate(60, 40, 20), cylinder(4, 12, along=DOWN))
+    for placed in (shape, turned(shape, (0.3, 0.5, 0.8), 40)):
+        assert find(scaled(placed, factor)).hole.bottom_thickness == pytest.approx(8 * factor * MM, rel=1e-4)
+
+
+def test_below_a_drill_point_it_counts_from_the_tip_and_a_through_hole_has_none() -> None:
+    drilled = cut(plate(60, 40, 20), fuse(cylinder(4, 12, along=DOWN), cone(4, 0, 3, (0, 0, -12), DOWN)))
+    assert find(drilled).hole.bottom_thickness == pytest.approx(5 * MM, rel=1e-4)
+    assert find(cut(plate(), cylinder(4, 20, along=DOWN))).hole.bottom_thickness is None
+
+
+def test_below_a_pocket_the_thinnest_place_counts() -> None:
+    shape = cut(plate(60, 40, 20), box((30, 20, 12), (-15, -10, -12)))
+    (pocket,) = find(shape).of("pocket")
+    assert pocket.bottom_thickness == pytest.approx(8 * MM)
+    (hollow,) = find(cut(shape, box((60, 8, 3), (-30, -4, -20)))).of("pocket")
+    assert hollow.bottom_thickness == pytest.approx(5 * MM)
+
+
+def test_beside_a_hole_is_the_nearest_outer_face_and_no_other_hole() -> None:
+    near, far = cylinder(3, 20, (-20, 5, -20)), cylinder(3, 20, (-12, 5, -20))
+    found = find(cut(plate(60, 40, 20), near, far))
+    assert sorted(hole.wall_distance or 0.0 for hole in found.of("hole")) == pytest.approx([7 * MM, 12 * MM])
+    (in_disc,) = find(cut(cylinder(30, 10), cylinder(4, 10, (15, 0, 0)))).of("hole")
+    assert in_disc.wall_distance == pytest.approx(11 * MM)
+    (coaxial,) = find(cut(cylinder(30, 10), cylinder(4, 10))).of("hole")
+    assert coaxial.wall_distance == pytest.approx(26 * MM)
