@@ -85,7 +85,11 @@ def _write(table: Table, doubts: Table, data: list[Question], right: float) -> N
         "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
     ]  # fmt: skip
     for group, measures in grouped(table).items():
-        lines += [f"[{group}]", *(f"{name} = {_inline(of)}" for name, of in measures.items()), ""]
+        lines += [
+            f"[{group}]",
+            *(f"{name} = {_inline(of)}" for name, of in measures.items() if max(map(abs, of.values())) >= LEAST),
+            "",
+        ]
     weights_file().write_text("\n".join(lines), encoding="utf-8")
 
 

@@ -177,7 +177,8 @@ def lexicon() -> Lexicon:
     """The product's lexicon, read once a process."""
     words = _load("words")
     lex = Lexicon(
-        spelling=words.pop("spelling"), irregular=words.pop("irregular"),
+        spelling={each: one for one, names in words.pop("spelling").items() for each in names},
+        irregular=words.pop("irregular"),
         uninflected=frozenset(words.pop("singular")["words"]),
         steps={step: frozenset(names) for step, names in words.pop("step").items()},
     )  # fmt: skip
@@ -218,7 +219,7 @@ def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
 
 
 def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
-    """The closed classes: every table that is not named here is a plain list of words."""
+    """The closed classes: those with values of their own, and the plain lists of words."""
     factors = words.pop("factor")
     for unit, names in words.pop("unit").items():
         lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
@@ -234,8 +235,8 @@ def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
     for category in ("place", "cannot_know", "operation"):
         for value, names in words.pop(category).items():
             _plain(lex, category, names, value)
-    for category, entry in words.items():
-        _plain(lex, category, entry["words"], category)
+    for category, names in words["category"].items():
+        _plain(lex, category, names, category)
 
 
 def _add_sides(lex: Lexicon, words: dict[str, Any]) -> None:

@@ -49,6 +49,8 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
     (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
     (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
+    (re.compile(r"\bi\.\s?e\.?(?!\w)", re.I), "that is"),
+    (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
     (re.compile(r"\bc['’]bore", re.I), "counterbore"),
@@ -65,7 +67,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
 
 
 _SYMBOLS = {
-    "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " center of ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
+    "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " centerline ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
     "□": " square ", "∠": " angle ",
 }  # fmt: skip
 """ISO 129-1 and ASME Y14.5: diameter, centre line, depth, counterbore, countersink, square."""

@@ -34,8 +34,8 @@ def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
 
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     """Sides behind a preposition: 'from the top or the bottom side'."""
-    if (prep := text.find(at, "side_preposition")) is None:
-        return [], at
+    if (prep := text.find(at, "side_preposition")) is None or (text.is_word(at, "to") and text.has("from")):
+        return [], at  # 'from the pin to the back end of the fork' leads to an end
     sides: list[Side] = []
     end = prep.end
     while True:

@@ -45,8 +45,8 @@ def is_generic(text: Text, at: int) -> bool:
 
 
 def ends_do_question(text: Text, at: int) -> bool:
-    """Is it the last word of a question with 'do', where a verb stands?"""
-    last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",")
+    """Is it the last word of a question with 'do', or one before a preposition, where a verb stands?"""
+    last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",") or bool(text.find(at + 1, "place"))
     return (
         last
         and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at))

@@ -98,6 +98,8 @@ def planes_of(question: Question) -> list[Spot]:
             found.append(Spot(at, Plane(side.value, other.query), set(range(at, other.end))))
             continue
         before = next((m for m in question.mentions if m.query is not None and m.head < at <= m.head + 2), None)
+        if any(m.start <= at < m.end and m is not before for m in question.mentions):
+            continue  # 'the base plate and the top plate'
         if (
             before is not None
             and before.query is not None

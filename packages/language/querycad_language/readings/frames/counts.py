@@ -10,7 +10,8 @@ from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
-from querycad_language.text import Text
+
+_LEADING = ("courtesy", "chatter")
 
 
 def counts(question: Question) -> Iterator[Draft]:
@@ -104,22 +105,17 @@ def exists(question: Question) -> Iterator[Draft]:
             if mention.query is not None:
                 features = {"exists": 1.0, "count_far": float(index)}
                 yield Draft(Exists(mention.query), features, set(span.tokens) | mention.used)
-    leading = (at for at in range(*question.asking) if not text.find(at, "courtesy", "chatter") or _has(text, at))
-    start = next(leading, question.asking[0])
-    owned = (
-        [m for m in question.mentions if m.start >= start] if _has(text, start) or text.is_word(start, "any") else []
-    )
+    said = (at for at in range(*question.asking) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
+    start = next(said, question.asking[0])
+    leads = text.find(start, "do", "have") is not None or text.is_word(start, "any")
+    owned = [m for m in question.mentions if leads and m.start >= start]
     for index, mention in enumerate(owned[:2]):
         if mention.query is None:
             continue
-        yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, {start} | mention.used)
+        used = {start} | mention.used
+        yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, used)
         if index == 1 and (owner := owned[0]).query is not None:
-            places = (*mention.query.places, Place(relation="of", what=owner.query))
-            used = {start} | mention.used | owner.used
-            yield Draft(
-                Exists(replace_fields(mention.query, places=places)), {"exists": 1.0, "owner_before": 1.0}, used
+            query = replace_fields(
+                mention.query, places=(*mention.query.places, Place(relation="of", what=owner.query))
             )
-
-
-def _has(text: Text, at: int) -> bool:
-    return text.find(at, "do", "have") is not None
+            yield Draft(Exists(query), {"exists": 1.0, "owner_before": 1.0}, used | owner.used)

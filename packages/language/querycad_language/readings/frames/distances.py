@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.asked import asked_in
@@ -75,7 +75,7 @@ def _distance_words(question: Question) -> Iterator[_Words]:
             yield from _how(question, at)
         elif (measure := text.find(at, "measure")) and measure.value in _APART:
             ahead = range(measure.end, len(text))
-            if any(text.is_word(i, "above", "over", "below", "between", "from", "off") for i in ahead):
+            if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
                 mode: Mode = "centers" if measure.value in (Measure.HEIGHT, Measure.Z) else "surfaces"
                 yield _Words(measure.start, measure.end, mode, set(measure.tokens))
 
@@ -86,11 +86,13 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     measures = [span for i in range(len(text)) if (span := text.find(i, "measure"))]
     if text.at_phrases("distance", "gap", "count"):
         return
-    if any(span.value not in (Measure.POSITION, Measure.AXIS) for span in measures):
+    joining = text.at_words("to", "above", "from")
+    points = {Measure.POSITION, Measure.AXIS} | ({Measure.SIZE} if len(joining) > 1 else set())
+    if any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
     centred = bool(text.at_phrases("center_to_center"))
-    stated = any(token.power == 1 for token in text.tokens)
-    joining = text.at_words("to", "above", "from", *(("between",) if stated else ()))
+    if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
+        joining |= text.at_words("between")
     several = len(question.mentions) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
     if centred or (joining - {0, len(text) - 1} and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
@@ -157,6 +159,9 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
                 if at < start:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
+    linked = after and any(question.text.is_word(i, "of", "in", "on") for i in range(start, after[0][0].at))
+    if before and linked and before[-1][0].at == start - 1:
+        yield from _owned(before[-1], after[0])
     yield from _two(before, after)
     yield from _levels(question, ends)
     middle = question.text.at_words("center", "middle")
@@ -174,6 +179,15 @@ def _ends(question: Question) -> list[list[Spot]]:
         else:
             found.append([spot])
     return found
+
+
+def _owned(parts: Sequence[Spot], owners: Sequence[Spot]) -> Iterator[_Pair]:
+    """'the hole spacing of the lugs': of every two of their holes."""
+    for part, owner in product(parts, owners):
+        if isinstance(part.anchor, PartQuery) and isinstance(owner.anchor, PartQuery):
+            places = (*part.anchor.places, Place(relation="of", what=owner.anchor))
+            holes = replace_fields(part.anchor, places=places, plural=True)
+            yield _Pair(holes, "each other", part.used | owner.used, {"each_other": 1.0, "each_other_owned": 1.0})
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
