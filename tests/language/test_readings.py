@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from querycad_contracts import Measure, Relation
+from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language.describe import describe
 from querycad_language.forms import (
     LONGEST,
@@ -196,3 +196,41 @@ def test_the_same_noun_again_may_mean_what_was_said_more_fully_before() -> None:
 def test_a_point_and_a_length_are_not_asked_together_by_a_comma() -> None:
     assert not any(isinstance(form, Get) and len(form.measures) > 1 for form in forms("Slots in the cone tips, Ø?"))
     assert any(isinstance(form, Get) and len(form.measures) == 2 for form in forms("Length, width of the slot?"))
+
+
+@pytest.mark.parametrize(
+    ("question", "measures"),
+    [
+        ("Pin: Ø × L", (Measure.DIAMETER, Measure.LENGTH)),
+        ("What are the extents of the slot in x, y and z?", (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)),
+        ("What are the slot's x and y dimensions?", (Measure.X_EXTENT, Measure.Y_EXTENT)),
+    ],
+)
+def test_several_measures_are_asked_by_letters_and_axes(question: str, measures: tuple[Measure, ...]) -> None:
+    assert any(isinstance(form, Get) and form.measures == measures for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["How many pins are in the plate, the two dowel pins left out?", "No. of pins, dowel pin not counted"]
+)
+def test_what_is_left_out_may_stand_behind_a_comma(question: str) -> None:
+    counted = next(form for form in forms(question) if isinstance(form, Count))
+    assert [one.noun for one in counted.target.excluded] == ["dowel pin"]
+
+
+def test_a_plural_measure_makes_its_compound_plural() -> None:
+    form = best("Both slot widths, please.").form
+    assert isinstance(form, Get)
+    assert form.target is not None
+    assert form.target.plural
+
+
+def test_holes_of_what_stands_behind_the_spacing_are_apart() -> None:
+    found = [form for form in forms("Slot spacing of the two lugs?") if isinstance(form, Distance)]
+    firsts = [form.first for form in found if isinstance(form.first, PartQuery)]
+    assert any([place.what and place.what.noun for place in one.places] == ["lug"] for one in firsts)
+
+
+def test_from_one_end_to_another_is_a_distance_though_a_dimension_is_named() -> None:
+    found = forms("From the middle of the pin to the back end of the fork, that is the dimension I need.")
+    assert any(isinstance(form, Distance) and isinstance(form.second, Plane) for form in found)

@@ -43,7 +43,7 @@ _TOKEN = re.compile(
 )
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
-_LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness"}
+_LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
@@ -51,6 +51,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
     (re.compile(r"\bi\.\s?e\.?(?!\w)", re.I), "that is"),
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
+    (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
     (re.compile(r"\bc['’]bore", re.I), "counterbore"),
@@ -58,8 +59,8 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\ba/f\b", re.I), "across flats"),
     (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
     (
-        re.compile(r"\b[lwbhdt](?:ength|idth|hk)?(?:\s?[x×]\s?(?:l|w|b|h|d|t|thk)\b)+", re.I),
-        lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s?[x×]\s?", found[0].lower())),
+        re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|d|t|thk)\b)+", re.I),
+        lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
     ),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
     (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),

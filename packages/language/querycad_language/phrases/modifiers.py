@@ -31,6 +31,9 @@ def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
         if at >= len(text):
             return start
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
+            if (after := _left_out(phrases, at + 1, draft, depth)) > at:
+                draft.used.update(range(start, after))
+                return after
             if not _opens(text, at):
                 return start
             at += 1
@@ -149,6 +152,16 @@ def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
         return at
     draft.places.append(Place(relation="with", what=other.query, negated=lacking))
     return other.end
+
+
+def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+    """', the dowel holes left out'."""
+    other = phrases.at(at, depth + 1, False) if depth == 0 else None
+    span = phrases.text.find(other.end, "left_out") if other is not None and other.query is not None else None
+    if other is None or other.query is None or span is None:
+        return 0
+    draft.excluded.append(other.query)
+    return span.end
 
 
 def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:

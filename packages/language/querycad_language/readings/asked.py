@@ -16,6 +16,7 @@ from .question import Question
 
 UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
 """What a unit is of, by its power of lengths."""
+EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -142,6 +143,9 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
             after += 1
         after = text.skip(after, "article")
         more = text.find(after, "measure")
+        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
+            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
+            continue
         if after == end or more is None or more.value in measures:
             break
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
@@ -149,7 +153,12 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
         measures.append(more.value)
         end = more.end
     start, reduce = span.start, None
-    used = set(range(span.start, end))
+    while measures[0] in EXTENTS and text.is_word(start - 1, "and", ","):  # 'x and y dimensions'
+        axis = text.find(start - 2, "axis")
+        if axis is None or axis.value >= len(EXTENTS):
+            break
+        measures, start = [EXTENTS[axis.value], *measures], start - 2
+    used = set(range(start, end))
     while start > 0:
         before = start - 1
         for category, meaning in _REDUCES:

@@ -8,13 +8,14 @@ from dataclasses import replace
 from querycad_contracts import Measure
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
-from querycad_language.readings.asked import Asked, asked_in
+from querycad_language.phrases import replace_fields
+from querycad_language.readings.asked import EXTENTS, Asked, asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.question import Question
 from querycad_language.tokens import DENSITY, Kind
 
-from .axes import axis_named
+from .axes import axes_listed, axis_named
 from .remains import less, material
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -62,6 +63,9 @@ def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]
 def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     """The measures of one owner."""
     text = question.text
+    several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
+    if several and len(asked.measures) == 1 and owner.target is not None and "link_compound" in owner.features:
+        owner = owner._replace(target=replace_fields(owner.target, plural=True))  # 'both bore diameters'
     reduce, used = _reduce(question, asked, owner.target)
     used |= asked.used | owner.used
     features = {**owner.features, f"asked_{asked.how}": 1.0}
@@ -95,10 +99,15 @@ def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
     axis, used = axis_named(question, draft.used)
     get = draft.form
     assert isinstance(get, Get)
+    axes, listed = axes_listed(question)
+    if len(axes) > 1 and max(axes) < LONGEST and get.measures == (Measure.SIZE,):
+        extents = replace(get, measures=tuple(EXTENTS[one] for one in axes))
+        yield Draft(extents, {**draft.features, "along_axis": 1.0}, draft.used | listed)
     if axis is not None and axis < LONGEST and len(get.measures) == 1:
         if get.measures[0] in _ALONG:
-            extent = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)[axis]
-            yield Draft(replace(get, measures=(extent,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
+            yield Draft(
+                replace(get, measures=(EXTENTS[axis],)), {**draft.features, "along_axis": 1.0}, draft.used | used
+            )
         elif get.measures[0] is Measure.POSITION:
             point = (Measure.X, Measure.Y, Measure.Z)[axis]
             yield Draft(replace(get, measures=(point,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
