@@ -6,7 +6,8 @@ import re
 from collections.abc import Sequence
 
 from querycad_contracts import Description, LengthUnit, Part
-from querycad_language.tokens import Kind, Token, tokenize
+from querycad_language.text import Text
+from querycad_language.tokens import Kind
 
 from .addressing import Addressed
 from .drawing.callouts import callouts, ids_text
@@ -14,51 +15,12 @@ from .drawing.describing import Ask, describe
 from .drawing.numbers import unit_name
 from .understanding import ModelView
 
-# fmt: off
-_SUBJECT = frozenset((
-    "this", "that", "it", "part", "model", "file", "object", "thing", "component", "assembly", "piece", "geometry",
-    "shape", "design", "drawing", "step",
-))
-"""Words for the model as such."""
-_TOPIC = frozenset((
-    "describe", "description", "overview", "summary", "summarize", "feature", "contain", "content", "inventory", "ask",
-    "asked", "question", "help", "recognize", "recognized", "detect", "detected", "explain",
-))
-"""Words that ask for a description, or for what can be asked."""
-_AROUND = frozenset((
-    "please", "can", "could", "would", "should", "may", "might", "you", "me", "i", "we", "us", "my", "the", "a", "an",
-    "of", "about", "all", "its", "in", "for", "to", "do", "does", "is", "are", "am", "be", "there", "have", "has",
-    "what", "which", "kind", "sort", "type", "give", "show", "tell", "list", "print", "want", "like", "need", "with",
-    "on", "just", "at", "look", "looking", "short", "brief", "briefly", "quick", "quickly", "every", "each", "full",
-    "complete", "possible", "available", "some", "any", "exactly", "actually", "really", "so", "see", "know", "get",
-    "let", "hi", "hello", "hey", "thanks", "thank", "and", "or", "by", "here", "found",
-))
-"""Words around these that ask for nothing else."""
-# fmt: on
-_ABOUT_PARTS = frozenset(
-    (
-        "what",
-        "is",
-        "are",
-        "describe",
-        "explain",
-        "tell",
-        "me",
-        "us",
-        "about",
-        "show",
-        "please",
-        "the",
-        "and",
-        "a",
-        "can",
-        "you",
-        "exactly",
-        "s",
-    )
-)
-_WORD = re.compile(r"[a-z]+")
-_YES_OR_NO = frozenset(("is", "are", "do", "does", "have", "has"))
+_AROUND = (
+    "ask", "article", "be", "chatter", "courtesy", "do", "each", "function", "have", "imperative", "modal", "pronoun",
+    "quantifier", "whole_adjective",
+)  # fmt: skip
+"""Classes of words that name no part and no measure."""
+_YES_OR_NO = ("be", "do", "have")
 
 
 def asks_for_overview(question: str) -> bool:
@@ -66,15 +28,18 @@ def asks_for_overview(question: str) -> bool:
 
     'What is this part?' 'Describe the model.' It is where no word of it says anything else.
     """
-    tokens = tokenize(question)
-    words = [token.raw.lower() if token.raw.lower() in _AROUND else token.word for token in tokens if _is_word(token)]
-    if not words or words[0] in _YES_OR_NO or any(token.kind not in (Kind.WORD, Kind.SYMBOL) for token in tokens):
+    text = Text(question)
+    if any(token.kind not in (Kind.WORD, Kind.SYMBOL) for token in text.tokens):
         return False
-    if not all(word in _SUBJECT or word in _TOPIC or word in _AROUND for word in words):
+    words = [at for at, token in enumerate(text.tokens) if token.kind is Kind.WORD]
+    if not words or text.find(words[0], *_YES_OR_NO) or text.at_phrases("count"):
         return False
-    if any(word in _TOPIC for word in words):
-        return True
-    return words[0] in ("what", "tell", "show") and words[-1] in _SUBJECT
+    topics = text.at_phrases("overview")
+    if not all(at in topics or text.find(at, "whole", *_AROUND) for at in words):
+        return False
+    return bool(topics) or (
+        text.is_word(words[0], "what", "tell", "show") and text.find(words[-1], "whole", "pronoun") is not None
+    )
 
 
 def asks_what_parts_are(addressed: Addressed) -> bool:
@@ -82,19 +47,16 @@ def asks_what_parts_are(addressed: Addressed) -> bool:
     if not addressed.names:
         return False
     names = "|".join(map(str, addressed.names))
-    bare = re.sub(rf"\b(?:ring )?[a-z]+ (?:{names})\b", " ", addressed.texts[0])
-    words = _WORD.findall(bare.lower())
-    return bool(words) and words[0] not in _YES_OR_NO and all(word in _ABOUT_PARTS for word in words)
+    text = Text(re.sub(rf"\b(?:ring )?[a-z]+ (?:{names})\b", " ", addressed.texts[0]))
+    words = [at for at, token in enumerate(text.tokens) if token.kind is Kind.WORD]
+    asked = text.is_word(words[0], "what", "tell", "show") or bool(text.at_phrases("overview")) if words else False
+    return asked and all(text.find(at, "overview", *_AROUND) and not text.find(at, "where", "verbs") for at in words)
 
 
 def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:
     """What a drawing would say of some of all parts, like ones together; lengths are in `unit`."""
     found = callouts(told, unit, {part.id: part for part in parts})
     return "; ".join(f"{one.text} ({ids_text(one.ids)})" for one in found) + f", in {unit_name(unit)}"
-
-
-def _is_word(token: Token) -> bool:
-    return token.kind is Kind.WORD and token.word not in ".?!,"
 
 
 def overview(view: ModelView, unit: LengthUnit, ask: Ask | None = None) -> Description | None:
