@@ -37,9 +37,9 @@ def asks_for_overview(question: str) -> bool:
     topics = text.at_phrases("overview")
     if not all(at in topics or text.find(at, "whole", *_AROUND) for at in words):
         return False
-    return bool(topics) or (
-        text.is_word(words[0], "what", "tell", "show") and text.find(words[-1], "whole", "pronoun") is not None
-    )
+    if text.find(words[-1], "whole", "pronoun") is None or "do" in text.words:  # 'what do you think of it?'
+        return bool(topics)
+    return bool(topics) or text.is_word(words[0], "what", "tell", "show")
 
 
 def asks_what_parts_are(addressed: Addressed) -> bool:
