@@ -46,6 +46,18 @@ def test_parts_are_those_that_are_so(sandbox: Sandbox, segcad: FakeSegCad, call:
     assert value(sandbox, segcad, f"[p.id for p in {call}]") == ids
 
 
+def test_the_nearest_pair_comes_first_and_one_part_has_no_neighbour(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    pairs = value(sandbox, segcad, "[[a.id, b.id] for a, b in nearest(parts(kind='hole'))]")
+    gaps = value(sandbox, segcad, "[distance(a.center, b.center) for a, b in nearest(parts(kind='hole'))]")
+    least = (
+        "min([distance(a.center, b.center) for a in parts(kind='hole') for b in parts(kind='hole') if a.id != b.id])"
+    )
+    assert len(pairs) == 3
+    assert gaps == sorted(gaps)
+    assert gaps[0] == value(sandbox, segcad, least)
+    assert value(sandbox, segcad, "nearest(parts(kind='hole')[:1])") == []
+
+
 def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segcad: FakeSegCad) -> None:
     places = {
         "hole-1": (1.0, 0.0),

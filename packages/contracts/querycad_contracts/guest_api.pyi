@@ -114,7 +114,7 @@ class Part:
     name: str
     """Of a body."""
     sides: list[Side]
-    """Visible from; a hole where one looks into it."""
+    """Visible from; of a hole, into it."""
     faces: list[Face]
     center: Vector
     """Of a hole: half-way between its ends on its axis."""
@@ -124,7 +124,7 @@ class Part:
     """Two of what goes through."""
     frame: Frame
     tip: Vector
-    """Outermost point on the axis of what protrudes."""
+    """Outermost point of what protrudes."""
     tips: list[Vector]
     """Of all free ends, `tip` first."""
     extents: Vector
@@ -139,19 +139,19 @@ class Part:
     radii: list[float]
     """Of its steps, from the opening inwards."""
     depth: float
-    """From opening to bottom; of what has none along y."""
+    """To the bottom; of what has no opening along y."""
     height: float
-    """From base to tip; of what does not protrude along z."""
+    """Base to tip; of what does not protrude along z."""
     width: float
     """In its own frame; of a body along x."""
     length: float
     thickness: float
-    """Of sheets, plates, fins; else its smallest dimension. None of what has an opening and no thickness."""
+    """Of sheets, plates, fins; else the least dimension. None of what has an opening and no thickness."""
     local_size: Vector
     bottom: Literal["through", "flat", "conical", "spherical", "open", "bore"]
     """'bore': in another hole."""
     pitch: float
-    """Between neighbours of a pattern; a thread's own."""
+    """Between neighbours; a thread's own."""
     count: int
     """Members of a pattern, teeth of a gear."""
     angle: float
@@ -165,33 +165,31 @@ class Part:
     tube_diameter: float
     """Of a torus."""
     across_flats: float
-    """Of a hexagon, octagon, square, or two flats on a shaft: the wrench."""
+    """Of a hexagon, octagon, square, two flats."""
     across_corners: float
     center_length: float
-    """Between the centres of a slot's round ends."""
+    """Between centres of a slot's round ends."""
     chamfer_size: float
     """Of a chamfer: the '2 mm' of '2 mm x 45 degrees'."""
     draft: float
     """Of a taper's wall to its axis. Of cones and taper pins, of the walls of pockets and pads."""
     bend_radius: float
-    """Of a pipe along its middle line; of sheet inside."""
+    """Of a pipe its middle line's; of sheet inside."""
     bend_angle: float
-    """Of a pipe or sheet with one bend, how far it turns."""
+    """Of a pipe or sheet that bends once."""
     mouth_length: float
     """Of an opening that narrows or widens."""
     mouth_width: float
     bottom_length: float
     bottom_width: float
     opening_area: float
-    """Within the rim."""
-    bottom_thickness: float
-    """Of what is blind: the material behind its bottom."""
-    wall_distance: float
-    """Of a hole: sideways to the nearest outer face."""
-    inclination: float
-    """Of what is plane, to the horizontal: 0 lies, pi/2 stands."""
     developed_length: float
-    """Of bent sheet, laid flat."""
+    bottom_thickness: float
+    """Left behind a blind bottom."""
+    wall_distance: float
+    """To the nearest outer face. Of a hole, across the material."""
+    inclination: float
+    """To the horizontal."""
     volume: float
     area: float
 
@@ -208,7 +206,7 @@ class Part:
         ...
 
     def is_in(self, other: "Part") -> bool:
-        """Such as a hole in a flange, a boss on a plate."""
+        """A hole in a flange, a boss on a plate."""
         ...
 
     def edge_distance(self) -> float:
@@ -220,7 +218,7 @@ class Part:
         ...
 
     def measures(self) -> list[str]:
-        """Names of the measures that it has."""
+        """Names of those that it has."""
         ...
 
 class Parts(list[Part]):
@@ -380,6 +378,13 @@ def between(items: list[Part], a: Item, b: Item) -> list[Part]:
     """Those whose centre is between the two. Within the box around both.
 
     Example: between(parts(kind="hole"), parts(kind="hole")[0], parts(kind="hole")[1])
+    """
+    ...
+
+def nearest(items: list[Part]) -> list[tuple[Part, Part]]:
+    """Neighbours, the nearest pair first. Each part with the one nearest to it, by centres; of thousands, too.
+
+    Example: nearest(parts(kind="hole"))[0][0].id
     """
     ...
 

@@ -182,3 +182,9 @@ def test_a_narrow_noun_may_mean_any_part_of_its_kind_where_the_words_place_it() 
 def test_a_word_before_a_noun_that_the_model_lacks_may_be_the_part() -> None:
     cutter = PartQuery(noun="gear", words=("slot", "gear"), plural=True)
     assert any("modifier_means" in way.features and ids(way) == {"slot-1"} for way in ground(PLATE, cutter))
+
+
+def test_outer_cylinders_are_all_that_are_outer_and_no_inner_ones() -> None:
+    walls = [part(f"cylinder-{n}", (n * 0.01, 0.0, 0.0), tags=("outer",)) for n in (1, 2, 3)]
+    for there in (walls, [*walls, part("cylinder-4", tags=("inner",))]):
+        assert [p.id for p in find(inventory(*there), "outer cylinder").parts] == [p.id for p in walls]

@@ -12,6 +12,8 @@ from .draft import Draft, Unwritable
 
 SLACK = 1e-6
 """Metres within which two lengths are one."""
+FEW = 60
+"""Every two of so many are measured in a run's 2,000 calls; of more only the nearest neighbours, for the least."""
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""
 
@@ -22,7 +24,10 @@ def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, re
     if second is None:
         if len(draft.of(first)) < 2:
             raise Unwritable
-        loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
+        one_size = len({part.diameter for part in draft.of(first)}) == 1
+        by_centre = expression in ("a.center_distance(b)", *(("a.distance_to(b)",) if one_size else ()))
+        few = len(draft.of(first)) <= FEW or not by_centre or reduce not in (Reduce.ONE, Reduce.SMALLEST)
+        loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]" if few else f"for a, b in nearest({parts})"
     else:
         loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
     draft.lines.append(f"found = [{expression} {loop}]")

@@ -153,6 +153,26 @@ def between(items, a, b):
     return found
 
 
+def nearest(items):
+    order = sorted(items, key=lambda item: item.center)
+    places = [item.center for item in order]
+    found, reach = [], []
+    for i in range(len(order)):  # outwards along x, until what is next lies farther off than the nearest so far
+        best, far = None, None
+        for step in (1, -1):
+            j = i + step
+            while 0 <= j < len(order) and (far is None or abs(places[j][0] - places[i][0]) < far):
+                apart = _dist(places[i], places[j])
+                if far is None or apart < far:
+                    best, far = j, apart
+                j += step
+        if best is not None:
+            found.append((order[i], order[best]))
+            reach.append(far)
+    ranks = sorted(range(len(found)), key=lambda i: reach[i])
+    return [found[i] for i in ranks]
+
+
 def outermost(items, side=None):
     if side is not None and side not in _OUTWARD:
         raise ValueError(f"no side is called {side!r}: use {', '.join(_OUTWARD)}")

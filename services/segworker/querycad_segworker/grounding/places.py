@@ -57,7 +57,7 @@ def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[
         on = [p for p in standing if any(touches(p, h) and not is_inside(p, h) for h in holders)]
         if on:
             return on
-    inside = [p for p in found if any(is_inside(p, h) or h.id in _members(p) for h in holders)]
+    inside = [p for p in found if any(is_inside(p, h) or (p.kind == "pattern" and h.id in p.children) for h in holders)]
     return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders)
 
 
@@ -65,11 +65,6 @@ def _is_of(part: Part, place: Part) -> bool:
     """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
     raised = part.kind in STANDING_OUT or part.kind == "cylinder"
     return raised and place.kind in STANDING_OUT - {"body"} and set(part.faces) <= set(place.faces)
-
-
-def _members(part: Part) -> tuple[str, ...]:
-    """'the bolt circle of the small holes': a pattern is of its members."""
-    return part.children if part.kind == "pattern" else ()
 
 
 def touches(part: Part, place: Part) -> bool:

@@ -15,6 +15,8 @@ from .ways import Request, Way, kept
 
 DRAWN_M = 0.05e-3
 """Stated sizes are met to drawing accuracy, or to half of their last digit."""
+SURFACES = ("cylinder", "cone", "sphere", "torus", "arc")
+"""Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -115,7 +117,7 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
     wider = [p for p in way.parts if inventory.has(p, adjective.fallback)] if adjective.fallback else []
     if adjective.whole:
         yield way.to(way.parts, "whole_adjective" if way.features.get("whole_sense") else "adjective_nothing")
-    elif kept and not (adjective.order and len(kept) == len(way.parts)):
+    elif kept and (not adjective.order or len(kept) < len(way.parts) or kept[0].kind in SURFACES):
         yield way.to(kept, "adjective_agrees")
     elif wider:
         yield way.to(wider, "adjective_wider")

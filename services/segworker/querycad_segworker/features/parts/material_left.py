@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import math
-from collections import defaultdict
-from collections.abc import Iterator, Sequence, Set
-from dataclasses import dataclass
+from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Part, SurfaceKind, Vector
+from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, line_distance, norm, perpendicular, scale, sub, unit
 
-Points = NDArray[np.float64]
+Reals = NDArray[np.float64]
+Ids = NDArray[np.int64]
 BLIND = ("hole", "pocket")
 MOST_STARTS = 24
 """Rays from one bottom, from the middles of its largest triangles."""
@@ -31,15 +28,6 @@ FACES_UP = 0.9
 """Cosine of the angle within which a face is a bottom."""
 
 
-@dataclass(frozen=True, slots=True)
-class _Ray:
-    """From a point on a part's axis or bottom into the material."""
-
-    part: int
-    start: Vector
-    towards: Vector
-
-
 def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahead: Ahead | None) -> list[Part]:
     """The same parts with `bottom_thickness` and `wall_distance`, where straight ways into the material leave it again.
 
@@ -47,9 +35,8 @@ def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahe
     """
     if mesh is None or ahead is None:
         return list(parts)
-    below = _least(parts, brep, ahead, _down(parts, brep, mesh), frozenset())
-    cut = {face for part in parts if part.kind.cuts_in for face in part.faces}
-    beside = _sideways(parts, brep, ahead, cut)
+    faces = _Faces(brep, ahead)
+    below, beside = _below(parts, faces, mesh), _beside(parts, faces)
     result = []
     for i, part in enumerate(parts):
         found = {"bottom_thickness": below.get(i), "wall_distance": beside.get(i)}
@@ -58,125 +45,156 @@ def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahe
     return result
 
 
-def _down(parts: Sequence[Part], brep: Brep, mesh: Mesh) -> list[_Ray]:
-    """From all over the bottoms of what is blind, away from the opening; from the tip of a drill point, too."""
-    triangles: dict[int, list[int]] = defaultdict(list)
-    wanted: dict[int, list[FaceRecord]] = {}
-    for i, part in enumerate(parts):
-        blind = part.kind in BLIND and part.bottom in ("flat", "conical", "spherical") and part.normal is not None
-        if blind:
-            wanted[i] = [brep.faces[f] for f in part.faces]
+class _Faces:
+    """All faces as columns, and what a ray meets of them exactly. Metres."""
+
+    def __init__(self, brep: Brep, ahead: Ahead) -> None:
+        self.records = brep.faces
+        self._ahead = ahead
+        self._plane = np.array([face.kind is SurfaceKind.PLANE for face in brep.faces])
+        self._round = np.array([face.kind is SurfaceKind.CYLINDER for face in brep.faces])
+        self._point = np.array([f.point if f.kind is SurfaceKind.PLANE else f.origin for f in brep.faces])
+        self._axis = np.array([face.axis for face in brep.faces])
+        self._radius = np.array([face.radius for face in brep.faces])
+
+    def met(self, starts: Reals, ways: Reals) -> tuple[Reals, Ids]:
+        """How far ahead of each start, (N, 3), is the next surface, (N,), and which face is it, (N,)? -1: none."""
+        if not len(starts):
+            return np.zeros(0), np.zeros(0, dtype=np.int64)
+        distances, faces = self._ahead(starts, ways)
+        ids = faces.astype(np.int64)
+        axes, to_point = self._axis[ids], self._point[ids] - starts
+        slope = np.einsum("ij,ij->i", axes, ways)
+        plane = self._plane[ids] & (ids >= 0) & (np.abs(slope) > SQUARE)
+        distances = distances.astype(np.float64)
+        distances[plane] = np.einsum("ij,ij->i", axes[plane], to_point[plane]) / slope[plane]
+        around = self._round[ids] & (ids >= 0) & (np.abs(slope) < SQUARE)
+        if around.any():
+            along = np.einsum("ij,ij->i", axes[around], to_point[around])
+            level = to_point[around] - along[:, None] * axes[around]
+            before = np.einsum("ij,ij->i", level, ways[around])
+            off = (level**2).sum(axis=1) - before**2
+            root = np.sqrt(np.maximum(0.0, self._radius[ids[around]] ** 2 - off))
+            ends, near = np.stack([before - root, before + root]), distances[around]
+            distances[around] = np.take_along_axis(ends, np.abs(ends - near).argmin(axis=0)[None], axis=0)[0]
+        return distances, ids
+
+
+def _least(owners: Ids, distances: Reals, counts: NDArray[np.bool_]) -> dict[int, float]:
+    """By owner: the shortest of its distances that count."""
+    counts = counts & (distances > 0.0) & np.isfinite(distances)
+    owners, distances = owners[counts], distances[counts]
+    order = np.lexsort((distances, owners))
+    first, index = np.unique(owners[order], return_index=True)
+    return dict(zip(first.tolist(), distances[order][index].tolist(), strict=True))
+
+
+def _below(parts: Sequence[Part], faces: _Faces, mesh: Mesh) -> dict[int, float]:
+    """By index of a blind part: from all over its bottom away from the opening; from the tip of a drill point, too."""
+    blind = ("flat", "conical", "spherical")
+    wanted = [i for i, part in enumerate(parts) if part.kind in BLIND and part.bottom in blind and part.normal]
     if not wanted:
-        return []
-    bottoms = {face.id for faces in wanted.values() for face in faces if face.kind is SurfaceKind.PLANE}
-    for t in np.flatnonzero(np.isin(mesh.triangle_face, list(bottoms))):
-        triangles[int(mesh.triangle_face[t])].append(int(t))
-    rays = []
-    for i, faces in wanted.items():
-        out = parts[i].normal
-        assert out is not None
-        down = scale(out, -1.0)
-        for face in faces:
-            if face.kind is SurfaceKind.CONE and parts[i].bottom == "conical" and dot(face.axis, out) > FACES_UP:
-                rays.append(_Ray(i, face.origin, down))
-            elif face.kind is SurfaceKind.SPHERE and parts[i].bottom == "spherical":
-                rays.append(_Ray(i, add(face.origin, scale(down, face.radius)), down))
-            elif face.kind is SurfaceKind.PLANE and dot(face.axis, out) > FACES_UP:
-                corners = mesh.vertices_m[mesh.triangles[triangles[face.id]]]
-                sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-                for t in np.argsort(-sizes)[:MOST_STARTS]:
-                    x, y, z = corners[t].mean(axis=0).tolist()
-                    rays.append(_Ray(i, (x, y, z), down))
-    return rays
+        return {}
+    order = np.argsort(mesh.triangle_face, kind="stable")
+    first = np.searchsorted(mesh.triangle_face[order], np.arange(len(faces.records) + 1))
+    starts: list[Reals] = []
+    owners: list[int] = []
+    for i in wanted:
+        for face in (faces.records[f] for f in parts[i].faces):
+            points = _bottom_points(parts[i], face, mesh, order[first[face.id] : first[face.id + 1]])
+            starts.append(points)
+            owners += [i] * len(points)
+    which = np.array(owners, dtype=np.int64)
+    if not len(which):
+        return {}
+    ways = -np.array([parts[i].normal for i in owners], dtype=np.float64)
+    distances, ids = faces.met(np.concatenate(starts), ways)
+    own = np.array([face in parts[i].faces for i, face in zip(owners, ids.tolist(), strict=True)])
+    return _least(which, distances, (ids >= 0) & ~own)
 
 
-def _sideways(parts: Sequence[Part], brep: Brep, ahead: Ahead, cut: Set[int]) -> dict[int, float]:
+def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[np.integer]) -> Reals:
+    """Points (N, 3) of the bottom on a face of a blind part; none on its walls."""
+    out = np.array(part.normal)
+    if face.kind is SurfaceKind.CONE and part.bottom == "conical" and np.dot(face.axis, out) > FACES_UP:
+        return np.array([face.origin])
+    if face.kind is SurfaceKind.SPHERE and part.bottom == "spherical":
+        return np.array([np.array(face.origin) - face.radius * out])
+    if face.kind is SurfaceKind.PLANE and np.dot(face.axis, out) > FACES_UP:
+        corners = mesh.vertices_m[mesh.triangles[triangles]]
+        sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+        middles: Reals = corners[np.argsort(-sizes, kind="stable")[:MOST_STARTS]].mean(axis=1)
+        return middles
+    return np.zeros((0, 3))
+
+
+def _beside(parts: Sequence[Part], faces: _Faces) -> dict[int, float]:
     """By index of a hole: from its wall to the nearest face outside, of those that belong to nothing that is cut in."""
-    holes = [i for i, part in enumerate(parts) if part.kind == "hole" and part.axis and part.depth and part.opening]
-    all_round = _at_wall(parts, brep, ahead, [ray for i in holes for ray in _around(i, parts[i])])
-    straight = []
-    for ray, (_, face) in zip(all_round, _met(all_round, ahead), strict=True):
-        way = None if face < 0 or face in cut else _straight(parts[ray.part], brep.faces[face])
-        if way is not None:
-            straight.append(_Ray(ray.part, _on_axis(parts[ray.part], ray.start), way))
-    rays = [*all_round, *_at_wall(parts, brep, ahead, list(dict.fromkeys(straight)))]
-    return _least(parts, brep, ahead, rays, cut)
+    holes = [i for i, part in enumerate(parts) if part.kind == "hole" and part.depth and part.opening and part.normal]
+    if not holes:
+        return {}
+    outside = np.ones(len(faces.records) + 1, dtype=np.bool_)
+    outside[-1] = False  # nothing was met
+    outside[[face for part in parts if part.kind.cuts_in for face in part.faces]] = False
+    owner = np.full(len(faces.records) + 1, -1, dtype=np.int64)
+    for i in holes:
+        owner[list(parts[i].faces)] = i
+    mouths: Reals = np.array([parts[i].opening for i in holes], dtype=np.float64)
+    normals: Reals = np.array([parts[i].normal for i in holes], dtype=np.float64)
+    depths: Reals = np.array([parts[i].depth for i in holes], dtype=np.float64)
+    turns = np.arange(AROUND) * (2 * np.pi / AROUND)
+    helper = np.where(np.abs(normals[:, :1]) < 0.7, [[1.0, 0.0, 0.0]], [[0.0, 1.0, 0.0]])
+    x = _unit(np.cross(normals, helper))
+    y = np.cross(normals, x)
+    ways = x[:, None] * np.cos(turns)[:, None] + y[:, None] * np.sin(turns)[:, None]  # (H, A, 3)
+    middles = mouths[:, None] - (np.array(LEVELS) * depths[:, None])[..., None] * normals[:, None]  # (H, L, 3)
+    shape = (len(holes), len(LEVELS), AROUND, 3)
+    axis_points = np.broadcast_to(middles[:, :, None], shape).reshape(-1, 3)
+    rays = np.broadcast_to(ways[:, None], shape).reshape(-1, 3)
+    which = np.repeat(np.array(holes, dtype=np.int64), len(LEVELS) * AROUND)
+    distances, ids, kept = _through(faces, owner, axis_points, rays, which)
+    found = _least(which[kept], distances, outside[ids])
+    straight = _straight(parts, faces, outside, which[kept], axis_points[kept], ids)
+    if straight is not None:
+        which, starts, square = straight
+        distances, ids, kept = _through(faces, owner, starts, square, which)
+        for i, nearer in _least(which[kept], distances, outside[ids]).items():
+            found[i] = min(nearer, found.get(i, nearer))
+    return found
 
 
-def _at_wall(parts: Sequence[Part], brep: Brep, ahead: Ahead, rays: Sequence[_Ray]) -> list[_Ray]:
-    """The same rays from where they meet the wall of their own hole on; without those that do not."""
-    return [
-        _Ray(ray.part, add(ray.start, scale(ray.towards, _exactly(ray, brep.faces[face], distance))), ray.towards)
-        for ray, (distance, face) in zip(rays, _met(rays, ahead), strict=True)
-        if face in parts[ray.part].faces
-    ]
+def _through(faces: _Faces, owner: Ids, starts: Reals, ways: Reals, which: Ids) -> tuple[Reals, Ids, NDArray[np.intp]]:
+    """From a hole's axis through its own wall on: how far beyond is the next face, which is it, for which rays?"""
+    distances, ids = faces.met(starts, ways)
+    kept = np.flatnonzero((ids >= 0) & (owner[ids] == which))
+    beyond, ids = faces.met(starts[kept] + distances[kept, None] * ways[kept], ways[kept])
+    return beyond, ids, kept
 
 
-def _on_axis(hole: Part, point: Vector) -> Vector:
-    assert hole.axis is not None
-    return add(hole.center, scale(hole.axis, dot(sub(point, hole.center), hole.axis)))
+def _straight(
+    parts: Sequence[Part], faces: _Faces, outside: NDArray[np.bool_], which: Ids, starts: Reals, ids: Ids
+) -> tuple[Ids, Reals, Reals] | None:
+    """The shortest ways from the holes' axes to the faces that run alongside, one for each hole and face met."""
+    _, first = np.unique(np.stack([which, ids]), axis=1, return_index=True)
+    first = first[outside[ids[first]]]
+    if not len(first):
+        return None
+    which, starts, records = which[first], starts[first], [faces.records[i] for i in ids[first].tolist()]
+    along = np.array([parts[i].normal for i in which.tolist()], dtype=np.float64)
+    axes: Reals = np.array([face.axis for face in records], dtype=np.float64)
+    slope = np.abs(np.einsum("ij,ij->i", axes, along))
+    plane = np.array([face.kind is SurfaceKind.PLANE for face in records]) & (slope < SQUARE)
+    coaxial = np.array([face.kind is SurfaceKind.CYLINDER for face in records]) & (slope > 1 - SQUARE**2 / 2)
+    apart = starts - np.array([face.origin for face in records])
+    aside = apart - np.einsum("ij,ij->i", apart, axes)[:, None] * axes
+    off = np.linalg.norm(aside, axis=1)
+    coaxial &= off > SQUARE * np.array([face.radius for face in records])
+    chosen = plane | coaxial
+    return which[chosen], starts[chosen], np.where(plane[:, None], axes, _unit(aside))[chosen]
 
 
-def _around(index: int, hole: Part) -> Iterator[_Ray]:
-    """From its axis to all sides."""
-    assert hole.opening is not None
-    assert hole.normal is not None
-    assert hole.depth is not None
-    x = perpendicular(hole.normal)
-    y = cross(hole.normal, x)
-    for level in LEVELS:
-        start = add(hole.opening, scale(hole.normal, -level * hole.depth))
-        for angle in np.arange(AROUND) * (2 * np.pi / AROUND):
-            yield _Ray(index, start, add(scale(x, float(np.cos(angle))), scale(y, float(np.sin(angle)))))
-
-
-def _straight(hole: Part, face: FaceRecord) -> Vector | None:
-    """The shortest way from the hole's axis to what a face lies on, where that runs alongside; None elsewhere."""
-    assert hole.axis is not None
-    if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, hole.axis)) < SQUARE:
-        return face.axis
-    if face.kind is SurfaceKind.CYLINDER and norm(cross(face.axis, hole.axis)) < SQUARE:
-        apart = sub(hole.center, face.origin)
-        aside = sub(apart, scale(face.axis, dot(apart, face.axis)))
-        return unit(aside) if norm(aside) > SQUARE * face.radius else None
-    return None
-
-
-def _least(
-    parts: Sequence[Part], brep: Brep, ahead: Ahead, rays: Sequence[_Ray], without: Set[int]
-) -> dict[int, float]:
-    """By index of a part: how far it is along the shortest of its rays to the other side of the material.
-
-    `without`: faces that do not count.
-    """
-    least: dict[int, float] = {}
-    for ray, (distance, face) in zip(rays, _met(rays, ahead), strict=True):
-        if face < 0 or face in parts[ray.part].faces or face in without:
-            continue
-        exact = _exactly(ray, brep.faces[face], distance)
-        if exact > 0.0:
-            least[ray.part] = min(exact, least.get(ray.part, exact))
-    return least
-
-
-def _exactly(ray: _Ray, face: FaceRecord, distance: float) -> float:
-    """How far is it along the ray to the face that it was found to meet?"""
-    if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, ray.towards)) > SQUARE:
-        return dot(sub(face.point, ray.start), face.axis) / dot(face.axis, ray.towards)
-    if face.kind is SurfaceKind.CYLINDER and abs(dot(face.axis, ray.towards)) < SQUARE:
-        aside = line_distance(ray.start, face.origin, face.axis)
-        toward = sub(face.origin, ray.start)
-        ahead_of = dot(toward, ray.towards)
-        off = max(0.0, aside**2 - ahead_of**2)
-        if off < face.radius**2:
-            root = math.sqrt(face.radius**2 - off)
-            return min((ahead_of - root, ahead_of + root), key=lambda value: abs(value - distance))
-    return distance
-
-
-def _met(rays: Sequence[_Ray], ahead: Ahead) -> list[tuple[float, int]]:
-    """How far ahead is the next surface, and which face is it?"""
-    if not rays:
-        return []
-    distances, faces = ahead([ray.start for ray in rays], [ray.towards for ray in rays])
-    return list(zip(distances.tolist(), faces.tolist(), strict=True))
+def _unit(vectors: ArrayLike) -> Reals:
+    found = np.asarray(vectors, dtype=np.float64)
+    lengths = np.linalg.norm(found, axis=1, keepdims=True)
+    result: Reals = found / np.where(lengths > 0, lengths, 1.0)
+    return result
