@@ -206,9 +206,6 @@ def contradiction(brep: Brep, label: str, faces: frozenset[int]) -> str | None:
     if label in FAMILIES["holes"]:
         sweeps = [brep.faces[i].sweep for i in faces if brep.faces[i].kind in REVOLVED]
         return f"{math.degrees(sum(sweeps)):.0f} of 360 degrees of the wall are left" if sum(sweeps) < math.pi else None
-    if label == "Oring":
-        outer = sum(brep.faces[i].sweep for i in faces if brep.faces[i].outward < 0)
-        return f"{math.degrees(outer):.0f} of 360 degrees of its outer wall are left" if outer < math.pi else None
     lengths = {kind: _edge_length(brep, faces, kind) for kind in EdgeConvexity}
     convex, concave = lengths[EdgeConvexity.CONVEX], lengths[EdgeConvexity.CONCAVE]
     if label == "chamfer" and concave > convex:
@@ -245,15 +242,14 @@ def score(models: Iterable[Labelled], classes: Sequence[str]) -> Score:
     """How well are the instances of these classes recognised, taken together?
 
     A part of the classes' kinds is right when it lies in an instance of any class that accepts it. Parts that lie in an
-    instance whose label is contradicted are not judged, and its faces speak neither for nor against other parts.
+    instance whose label is contradicted are not judged.
     """
     result = Score()
     for model in models:
-        aside = frozenset(face for _, faces, _ in model.set_aside for face in faces)
         for name, faces in model.instances:
             if name in classes:
                 result.instances += 1
-                if _is_found(name, faces, model.parts, aside):
+                if _is_found(name, faces, model.parts):
                     result.found += 1
                 else:
                     result.missed.append(_missed(model, name, faces))
@@ -263,21 +259,19 @@ def score(models: Iterable[Labelled], classes: Sequence[str]) -> Score:
                 continue
             if any(CLASSES[name].holds(part) for name in classes):
                 result.parts += 1
-                if any(CLASSES[name].accepts(part) and _lies_in(part, faces, aside - faces) for name, faces in truth):
+                if any(CLASSES[name].accepts(part) and _lies_in(part, faces) for name, faces in truth):
                     result.right += 1
                 else:
                     result.wrong.append(_wrong(part, model.file, truth))
     return result
 
 
-def _lies_in(part: Part, faces: frozenset[int], aside: frozenset[int] = frozenset()) -> bool:
-    """`aside`: faces whose labels are set aside, which speak neither for nor against it."""
-    own = set(part.faces) - aside
-    return len(faces & own) > MIN_OVERLAP * len(own)
+def _lies_in(part: Part, faces: frozenset[int]) -> bool:
+    return len(faces & set(part.faces)) > MIN_OVERLAP * len(part.faces)
 
 
-def _is_found(name: str, faces: frozenset[int], parts: Sequence[Part], aside: frozenset[int]) -> bool:
-    inside = [set(p.faces) - aside for p in parts if CLASSES[name].accepts(p) and _lies_in(p, faces, aside)]
+def _is_found(name: str, faces: frozenset[int], parts: Sequence[Part]) -> bool:
+    inside = [set(part.faces) for part in parts if CLASSES[name].accepts(part) and _lies_in(part, faces)]
     together = set().union(*inside)
     return len(faces & together) > MIN_OVERLAP * len(faces | together)
 
