@@ -167,7 +167,7 @@ def test_the_service_describes_and_tabulates_as_the_command_does(
     response = httpx.get(path, params={"format": "csv", "unit": "in", "grouped": "true"})
     assert response.headers["content-type"].startswith("text/csv")
     assert response.text == printed("table", str(flange), "holes", "--format", "csv", "--unit", "in", "--grouped")
-    assert httpx.get(f"{service.url}/v1/models/{model}/tables/bananas").status_code == 422
+    assert httpx.get(f"{service.url}/v1/models/{model}/tables/bananas").status_code == 404
 
 
 def test_a_question_may_follow_its_upload_at_once(client: Client) -> None:

@@ -217,10 +217,8 @@ def ask(
 ) -> Flow[AnswerRecord]:
     """Asks, and waits."""
     deadline = time.monotonic() + timeout_s
-    response = yield from _asked(model_id, _request(question, unit, options), _prefer(deadline))
-    if response.status_code == httpx.codes.OK:
-        return _parsed(AnswerRecord, response)
-    return (yield from wait(_parsed(Job, response).id, deadline - time.monotonic()))
+    asked = _parsed(Job, (yield from _asked(model_id, _request(question, unit, options), _prefer(deadline))))
+    return asked.record or (yield from wait(asked.id, deadline - time.monotonic()))
 
 
 def job(job_id: str) -> Flow[Job]:

@@ -22,6 +22,7 @@ from querycad_answering.answering import answer_question, described
 from querycad_answering.llm import LlmWriter
 from querycad_answering.understanding import ModelView
 from querycad_api.settings import ApiSettings
+from querycad_api.store.keyspace import ModelStale
 from querycad_api.store.ledger import Begun, Ledger
 from querycad_contracts import (
     AnswerRecord,
@@ -54,6 +55,7 @@ RETRIES = 5
 PAUSE_S = 2.0
 READING_S = 0.2
 """Between two looks at a model that is still being read, growing to five times that."""
+BEING_READ = "the model's file is being read"
 READING_AT_MOST_S = 3600.0
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
@@ -134,11 +136,15 @@ class Questions:
             self._finish(task, job, AnswerRecord.failed(task.question, Failure(category="internal", message=message)))
             return None
         if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
-            self.ledger.wait_job(task.job, "the model's file is being read")
+            self.ledger.wait_job(task.job, BEING_READ)
             return READING_S * min(5, 1 + retries)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
         try:
             record = self._record(task, job.model, model_ms)
+        except ModelStale:
+            self.ledger.read_again(task.tenant, task.model)
+            self.ledger.wait_job(task.job, BEING_READ)
+            return READING_S
         except SandboxUnavailable as error:
             log.warning("job %s: sandbox: %s", task.job, error)
             if retries < RETRIES:
@@ -166,6 +172,8 @@ class Questions:
             return TaskOutcome[Description](value=described(run, self._view(task, task.summary), task.unit))
         except RunRefused as refused:
             failure = TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
+        except ModelStale as stale:
+            failure = TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
         except SandboxUnavailable as error:
             log.warning("description: sandbox: %s", error)
             failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
@@ -209,7 +217,7 @@ class Questions:
             record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=self._llm)
         except RunRefused as refused:
             return AnswerRecord.failed(task.question, refused.failure)
-        except (SoftTimeLimitExceeded, SandboxUnavailable):
+        except (SoftTimeLimitExceeded, SandboxUnavailable, ModelStale):
             raise
         except Exception:
             log.exception("job %s failed", task.job)
