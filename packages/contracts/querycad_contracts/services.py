@@ -53,6 +53,7 @@ class TaskName(StrEnum):
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
     DESCRIPTION = "querycad.description"  # DescribeTask -> TaskOutcome[Description], by the question workers
+    PARAMETERS = "querycad.parameters"  # ParametersTask -> TaskOutcome[ParameterSet], by the question workers
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
     MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant, uploaded -> nothing; after an ingest
     MODEL_LOST = "querycad.model_lost"  # task id, model, tenant, uploaded -> nothing; after one that was stopped
@@ -69,6 +70,7 @@ _QUEUES = {
     TaskName.VIEW: Queue.PICTURES,
     TaskName.GLB: Queue.PICTURES,
     TaskName.DESCRIPTION: Queue.QUESTIONS,
+    TaskName.PARAMETERS: Queue.QUESTIONS,
     TaskName.QUESTION: Queue.QUESTIONS,
     TaskName.MODEL_READ: Queue.QUESTIONS,
     TaskName.MODEL_LOST: Queue.QUESTIONS,

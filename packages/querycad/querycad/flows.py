@@ -34,6 +34,8 @@ from querycad_contracts import (
     ModelResource,
     ModelsPage,
     ModelStatus,
+    ParameterSet,
+    ParametersRequest,
     PartsPage,
     Problem,
     ProgramRequest,
@@ -55,8 +57,8 @@ TRIES = 5
 """Of a request that may be repeated, while the service has trouble; with the pauses, a restart is survived."""
 PAUSE_S = 1.0
 LONGEST_PAUSE_S = 10.0
-PROGRAM_S = 120.0
-"""Longer than a service lets a program run."""
+PROGRAM_S = 150.0
+"""Longer than a service lets a program run, or looks for parameters."""
 GATEWAY = (502, 503, 504)
 """What a proxy answers whose service is away."""
 
@@ -173,6 +175,13 @@ def run_program(model_id: str, program: ProgramRequest) -> Flow[RunOutcome]:
     options = {"json": program.model_dump(mode="json"), "timeout": PROGRAM_S}
     send = Send("POST", f"/v1/models/{model_id}/programs", options=options)
     return _parsed(RunOutcome, (yield from _sent(send)))
+
+
+def parameters(model_id: str, asked: ParametersRequest) -> Flow[ParameterSet]:
+    """What are the parameters?"""
+    options = {"json": asked.model_dump(mode="json", exclude_unset=True), "timeout": PROGRAM_S}
+    send = Send("POST", f"/v1/models/{model_id}/parameters", options=options)
+    return _parsed(ParameterSet, (yield from _sent(send, repeatable=True)))
 
 
 def view(model_id: str, name: ViewName, width: int, height: int) -> Flow[bytes]:

@@ -29,7 +29,7 @@ from .connections import limits
 from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
-from .models import geometry, programs
+from .models import geometry, parameters, programs
 from .models.body_limit import BodyLimit
 from .ops import health, metrics, reference
 from .ops.delivery import Head, Tagged
@@ -129,7 +129,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
     app.add_middleware(Observe, metrics=HttpMetrics(app.state.registry))
     start_tracing("querycad-api", settings.traces, app)
     add_handlers(app)
-    for each in (models, geometry, programs, questions, jobs, metrics):
+    for each in (models, geometry, programs, parameters, questions, jobs, metrics):
         app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
     for public in (health, reference, web):
         app.include_router(public.router)

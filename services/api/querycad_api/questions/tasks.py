@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import logging
 import time
+from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
-from typing import Any
+from functools import cache, partial
+from typing import Any, TypeVar
 
 from celery import Celery, Task
 from celery.exceptions import SoftTimeLimitExceeded
@@ -20,6 +21,7 @@ from redis.retry import Retry
 
 from querycad_answering.answering import answer_question, described
 from querycad_answering.llm import LlmWriter
+from querycad_answering.parameters import fill_parameters
 from querycad_answering.understanding import ModelView
 from querycad_api.settings import ApiSettings
 from querycad_api.store.keyspace import ModelStale
@@ -34,6 +36,8 @@ from querycad_contracts import (
     ModelStatus,
     ModelSummary,
     ModelTask,
+    ParameterSet,
+    ParametersTask,
     Program,
     QuestionTask,
     RunOutcome,
@@ -63,6 +67,7 @@ STORE_TRIES, STORE_PAUSE_S = 100, 1.0
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 
 log = logging.getLogger(__name__)
+T = TypeVar("T")
 
 
 def register(app: Celery, questions: Questions) -> None:
@@ -80,6 +85,12 @@ def register(app: Celery, questions: Questions) -> None:
         with working_for(task.request):
             questions.reply(self.request.id, questions.described(task))
 
+    def parameters(self: Task, payload: dict[str, Any]) -> None:
+        task = ParametersTask.model_validate(payload)
+        with working_for(task.request):
+            questions.reply(self.request.id, questions.filled(task))
+
+    app.task(parameters, name=TaskName.PARAMETERS.value, bind=True)
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
     app.task(description, name=TaskName.DESCRIPTION.value, bind=True)
 
@@ -168,18 +179,26 @@ class Questions:
         def run(program: Program) -> RunOutcome:
             return self.sandbox.run(program, task.model)
 
-        try:
-            return TaskOutcome[Description](value=described(run, self._view(task, task.summary), task.unit))
-        except RunRefused as refused:
-            failure = TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
-        except ModelStale as stale:
-            failure = TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
-        except SandboxUnavailable as error:
-            log.warning("description: sandbox: %s", error)
-            failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
-        return TaskOutcome[Description](failure=failure)
+        found, failure = _tried(lambda: described(run, self._view(task, task.summary), task.unit))
+        return TaskOutcome[Description](value=found, failure=failure)
 
-    def reply(self, task_id: str, outcome: TaskOutcome[Description]) -> None:
+    def filled(self, task: ParametersTask) -> TaskOutcome[ParameterSet]:
+        """What are the parameters of a model?"""
+        asked, grounding = task.asked, task.asked.grounding
+        other = cache(partial(self.segcad.parts, asked.other)) if asked.other is not None else None
+
+        def run(program: Program) -> RunOutcome:
+            return self.sandbox.run(program, task.model, grounding)
+
+        def fill() -> ParameterSet:
+            view = self._view(task, task.summary, grounding)
+            found = fill_parameters(asked, view, run, other=other, summary=task.summary, llm=self._llm)
+            return found.model_copy(update={"model": task.model})
+
+        value, failure = _tried(fill)
+        return TaskOutcome[ParameterSet](value=value, failure=failure)
+
+    def reply(self, task_id: str, outcome: TaskOutcome[Any]) -> None:
         """Leaves the outcome for whoever waits for it."""
         with self._redis() as redis, redis.pipeline() as pipe:
             pipe.rpush(reply_key(task_id), outcome.model_dump_json())
@@ -226,3 +245,16 @@ class Questions:
             )
         warnings = tuple(dict.fromkeys((*summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
+
+
+def _tried(work: Callable[[], T]) -> tuple[T | None, TaskFailure | None]:
+    """What comes of work that somebody waits for, or why nothing does."""
+    try:
+        return work(), None
+    except RunRefused as refused:
+        return None, TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
+    except ModelStale as stale:
+        return None, TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
+    except SandboxUnavailable as error:
+        log.warning("sandbox: %s", error)
+        return None, TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
