@@ -104,9 +104,10 @@ def build(folder: Path = FOLDER) -> None:
     corner = (Align.MIN, Align.MIN, Align.MIN)
     g, b = GEAR, BLOCK
     teeth = GearShaft(module=g.module, teeth=g.teeth, pressure_angle=g.pressure_angle)
+    outline = Face(Wire([edge for index in range(g.teeth) for edge in tooth_edges(teeth, index)]))
     with BuildPart() as gear:
         with BuildSketch(Plane.XY):
-            insert(Face(Wire([edge for index in range(g.teeth) for edge in tooth_edges(teeth, index)])))
+            insert(outline)
         extrude(amount=g.rim)
         with BuildSketch(Plane.XY.offset(g.rim)):
             Circle(g.hub / 2)
@@ -122,8 +123,9 @@ def build(folder: Path = FOLDER) -> None:
                 Cylinder(b.shaft / 2, b.shaft_length, align=up)
             with Locations((b.cylinder_x, b.depth / 2)):
                 Hole(b.cylinder / 2, depth=b.cylinder_depth)
-            with Locations((b.width / 2, b.depth / 2)), GridLocations(
-                b.width - 2 * b.bolt_inset, b.depth - 2 * b.bolt_inset, 2, 2
+            with (
+                Locations((b.width / 2, b.depth / 2)),
+                GridLocations(b.width - 2 * b.bolt_inset, b.depth - 2 * b.bolt_inset, 2, 2),
             ):
                 Hole(b.bolt / 2)
         ends = block.edges().filter_by(GeomType.CIRCLE).sort_by(Axis.Z)[-1:]

@@ -38,6 +38,8 @@ from .wording import question_of
 SHOWN = 5
 """Alternatives that are told."""
 FACES = 1000
+MOST_SURE = 0.99
+"""Probabilities of several readings are rounded, and calibrated one by one: their sum proves nothing."""
 
 
 def fill_parameters(
@@ -136,8 +138,11 @@ class _Filling:
         best, *others = [placing.at(one, reading) for reading in placing.readings(record)]
         found: list[Found] = []
         for each in (found for candidates in (best, *others) for found in candidates.found):
-            if not any(known.value == each.value for known in found):
+            same = next((known for known in found if known.value == each.value), None)
+            if same is None:
                 found.append(each)
+            else:  # readings exclude each other: that either is meant is as probable as both together
+                same.confidence = min(MOST_SURE, same.confidence + each.confidence)
         return Candidates(found, best.reason, record.question)
 
     def _is_sure(self, confidence: float | None) -> bool:

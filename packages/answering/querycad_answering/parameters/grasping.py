@@ -20,15 +20,24 @@ MOST = 10
 FACES = 60
 """Plane faces that are looked at, the largest: pairs grow with their square, and small faces hold nothing."""
 
-PLANES = """part = find_parts({{"ids": ["{part}"]}})[0]
+PLANES = """def own(face):
+    try:
+        return [list(face.local_size), list(face.frame.x)]
+    except AttributeError:
+        return None
+
+part = find_parts({{"ids": ["{part}"]}})[0]
 flat = [face for face in {faces} if face.kind == "plane"]
 flat = sorted(flat, key=lambda face: -face.area)[:{most}]
-solution = [[f.id, list(f.center), list(f.normal), f.area, list(f.local_size), list(f.frame.x)] for f in flat]"""
+solution = [[f.id, list(f.center), list(f.normal), f.area, list(f.extents), own(f)] for f in flat]"""
 
 
 @dataclass(frozen=True, slots=True)
 class Flat:
-    """A plane face: its middle, outward normal, area in m2, its length and width, and the direction of its length."""
+    """A plane face: its middle, outward normal, area in m2, its length and width, and the direction of its length.
+
+    One of free outline has no length of its own: then `extents` are those of its box along the file's axes.
+    """
 
     id: int
     center: Vector
@@ -37,15 +46,22 @@ class Flat:
     length: float
     width: float
     along: Vector
+    extents: Vector | None = None
 
     @classmethod
     def of(cls, told_by_program: Sequence[Any]) -> Flat:
         """As `PLANES` tells it."""
-        face, center, normal, area, (length, width, _), along = told_by_program
+        face, center, normal, area, extents, own = told_by_program
+        if own is None:
+            along = Rigid.along((0.0, 0.0, 0.0), tuple(normal)).x
+            return cls(face, tuple(center), tuple(normal), area, 0.0, 0.0, along, tuple(extents))
+        (length, width, _), along = own
         return cls(face, tuple(center), tuple(normal), area, length, width, tuple(along))
 
     def half(self, way: Vector) -> float:
         """How far does its rectangle reach along a direction in its plane, from its middle?"""
+        if self.extents is not None:
+            return sum(abs(a * b) for a, b in zip(way, self.extents, strict=True)) / 2
         across = cross(self.normal, self.along)
         return (abs(dot(self.along, way)) * self.length + abs(dot(across, way)) * self.width) / 2
 
