@@ -59,24 +59,37 @@ class AngleUnit(StrEnum):
     DEG = "deg"
 
 
-class ReferenceFrame(Frozen):
-    """Whose coordinates are positions and directions told in?"""
+class ModelFrame(Frozen):
+    """The file's own axes."""
 
-    of: Literal["model", "part", "given"] = "model"
-    part: str | None = Field(None, max_length=500, description="Of `part`: its id, such as 'hole-3', or words for it.")
-    matrix: Matrix | None = Field(
-        None,
-        description="Of `given`: the frame's pose in the file's coordinates, its translation in the unit asked for. "
+    of: Literal["model"] = "model"
+
+
+class PartFrame(Frozen):
+    """A part's own axes."""
+
+    of: Literal["part"]
+    part: str = Field(min_length=1, max_length=500, description="Its id, such as 'hole-3', or words for it.")
+
+
+class GivenFrame(Frozen):
+    """Axes that the caller knows."""
+
+    of: Literal["given"]
+    matrix: Matrix = Field(
+        description="The frame's pose in the file's coordinates, its translation in the unit asked for. "
         "For a world's coordinates: the pose of the world as seen from the model.",
     )
 
     @model_validator(mode="after")
-    def _whole(self) -> Self:
-        if (self.part is not None) != (self.of == "part") or (self.matrix is not None) != (self.of == "given"):
-            raise ValueError("`part` belongs to a frame of 'part', `matrix` to one that is 'given'")
-        if self.matrix is not None and not _is_rigid(self.matrix):
+    def _rigid(self) -> Self:
+        if not _is_rigid(self.matrix):
             raise ValueError("`matrix` must be a right-handed rotation and a translation, with 0 0 0 1 below")
         return self
+
+
+ReferenceFrame = Annotated[ModelFrame | PartFrame | GivenFrame, Field(discriminator="of")]
+"""Whose coordinates are positions and directions told in?"""
 
 
 RIGID = 1e-6
@@ -113,7 +126,7 @@ class ParametersRequest(Frozen):
     parameters: tuple[ParameterRequest, ...] = Field(min_length=1, max_length=64)
     unit: LengthUnit = Field(LengthUnit.MM, description="Of lengths; areas and volumes are in its powers.")
     angle_unit: AngleUnit = AngleUnit.RAD
-    frame: ReferenceFrame = ReferenceFrame()
+    frame: ReferenceFrame = ModelFrame()
     other: ModelId | None = Field(
         None,
         description="Another uploaded model, for `mates`: its shafts in this one's holes, or vice versa.",

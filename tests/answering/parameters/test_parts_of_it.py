@@ -7,7 +7,7 @@ import random
 from typing import Any
 
 import pytest
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
 from tests.made import UP, body, hole, part
 
 from querycad_answering.parameters.ends import ends_of
@@ -19,6 +19,7 @@ from querycad_contracts import ParameterRequest, ParametersRequest, ReferenceFra
 from querycad_contracts.parameters import Matrix
 
 DOWN = (0.0, 0.0, -1.0)
+FRAME: TypeAdapter[Any] = TypeAdapter(ReferenceFrame)
 
 
 def turned_by(quaternion: tuple[float, ...], v: Vector) -> Vector:
@@ -50,16 +51,16 @@ def test_half_turns_have_quaternions_too(z: Vector) -> None:
 
 def test_a_given_frame_must_be_rigid() -> None:
     good = [[0, -1, 0, 5], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
-    ReferenceFrame.model_validate({"of": "given", "matrix": good})
+    FRAME.validate_python({"of": "given", "matrix": good})
     mirrored = [[0, 1, 0, 5], *good[1:]]
     scaled = [[0, -2, 0, 5], *good[1:]]
     shifted = [*good[:3], [0, 0, 1, 1]]
     for bad in (mirrored, scaled, shifted):
         with pytest.raises(ValidationError, match="rotation"):
-            ReferenceFrame.model_validate({"of": "given", "matrix": bad})
+            FRAME.validate_python({"of": "given", "matrix": bad})
     for mixed in ({"of": "model", "part": "hole-1"}, {"of": "part"}, {"of": "given"}):
-        with pytest.raises(ValidationError, match="belongs"):
-            ReferenceFrame.model_validate(mixed)
+        with pytest.raises(ValidationError, match="part|matrix"):
+            FRAME.validate_python(mixed)
 
 
 def test_two_parameters_of_one_name_are_refused() -> None:

@@ -21,6 +21,8 @@ from querycad_contracts import (
     Part,
 )
 from querycad_contracts.parameters import (
+    GivenFrame,
+    ModelFrame,
     ParameterRequest,
     ParameterSet,
     ParametersRequest,
@@ -87,7 +89,7 @@ class _Filling:
         unit = one.unit or self._asked.unit
         wanted = one.frame or self._asked.frame
         frame, why_no_frame = self._frame(one, unit)
-        telling = Telling(unit, self._asked.angle_unit, frame or MODEL, is_models=wanted.of == "model")
+        telling = Telling(unit, self._asked.angle_unit, frame or MODEL, is_models=isinstance(wanted, ModelFrame))
         if frame is None:
             candidates = Candidates(reason=why_no_frame)
         elif one.type is ParameterType.MATES:
@@ -196,11 +198,10 @@ class _Filling:
     def _frame(self, one: ParameterRequest, unit: LengthUnit) -> tuple[Rigid | None, str]:
         """Whose coordinates are wanted? None, and why, where it is a part's that is not found."""
         wanted = one.frame or self._asked.frame
-        if wanted.of == "model":
+        if isinstance(wanted, ModelFrame):
             return MODEL, ""
-        if wanted.matrix is not None:
+        if isinstance(wanted, GivenFrame):
             return Rigid.of_matrix(wanted.matrix, unit.metres), ""
-        assert wanted.part is not None
         part, why = self._part_called(wanted.part)
         if part is None:
             return None, f"the frame is not known: {why}"
