@@ -360,3 +360,15 @@ def test_what_is_stopped_since_its_model_was_deleted_ends_at_once_and_anything_e
     deletes = False
     assert outcome()["failure"] is None
     app.close()
+
+
+def test_what_its_caller_has_abandoned_is_not_begun(redis_url: str, settings: SegworkerSettings, model: str) -> None:
+    app = make_app(settings.model_copy(update={"redis_url": redis_url}))
+    task = app.tasks[TaskName.SHAPE.value]
+    with Redis.from_url(redis_url) as redis:
+        redis.rpush(reply_key("abandoned"), "null")
+        task.push_request(id="abandoned", delivery_info={})
+        task.run({"model": model})
+        task.pop_request()
+        assert redis.lrange(reply_key("abandoned"), 0, -1) == [b"null"]
+    app.close()

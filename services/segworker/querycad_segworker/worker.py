@@ -139,6 +139,8 @@ def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str,
     """The task as Celery does it: an ingest hands its outcome to what follows it, a call leaves it to who called."""
 
     def run(self: Task, payload: dict[str, Any]) -> dict[str, Any] | None:
+        if name is not TaskName.INGEST and redis.exists(reply_key(self.request.id)):
+            return None  # who called has gone, or a worker that died has answered
         again = bool(self.request.delivery_info.get("redelivered"))
         try:
             outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else _worked(work, payload)

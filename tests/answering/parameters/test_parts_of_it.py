@@ -59,7 +59,7 @@ def test_a_given_frame_must_be_rigid() -> None:
         with pytest.raises(ValidationError, match="rotation"):
             FRAME.validate_python({"of": "given", "matrix": bad})
     for mixed in ({"of": "model", "part": "hole-1"}, {"of": "part"}, {"of": "given"}):
-        with pytest.raises(ValidationError, match="part|matrix"):
+        with pytest.raises(ValidationError, match=r"part|matrix"):
             FRAME.validate_python(mixed)
 
 
