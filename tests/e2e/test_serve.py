@@ -210,6 +210,26 @@ def test_the_synthesiser_writes_a_program_from_what_it_asks_over_http(service: S
     )
 
 
+def test_the_benchmark_measures_a_running_service(service: Service, flange: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "tiny/set/flange"
+    folder.mkdir(parents=True)
+    (folder / "cad.step").write_bytes(flange.read_bytes())
+    (folder / "input.txt").write_text("How many holes are there?\nHow many slots are there?")
+    (folder / "solution.txt").write_text("11\n7")
+    command = [sys.executable, "-m", "querycad.cli", "bench", "run", str(tmp_path / "tiny"), "--server", service.url]
+    command += ["--out", str(tmp_path / "out"), "--jobs", "1", "--markdown", str(tmp_path / "summary.md")]
+    done = subprocess.run(command, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert done.returncode == 0, done.stderr
+    found = json.loads((tmp_path / "out/results.json").read_text())["results"]
+    assert [(result["strict"], result["answer"]) for result in found][0] == (True, "11")
+    assert "| 2 | 1 | 1 |" in (tmp_path / "summary.md").read_text()
+    nobody = [*command[:-6], "http://127.0.0.1:9", *command[-6:]]
+    nobody.remove(service.url)
+    away = subprocess.run(nobody, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert away.returncode == 2
+    assert "http://127.0.0.1:9" in away.stderr
+
+
 def test_a_question_may_follow_its_upload_at_once(client: Client) -> None:
     uploaded = client.upload(ROOT / "examples/gear_shaft.step")
     assert client.ask(uploaded.id, "What is the volume of the part?").status is Status.ANSWERED
