@@ -189,3 +189,14 @@ def test_a_model_of_an_older_version_is_read_anew_before_it_is_asked_about(
     assert score is not None
     sandbox.error = None
     assert worker.answer(task) is not None  # it goes on waiting until the file has been read
+
+
+def test_a_stream_s_head_does_not_wait_for_its_next_event(client: httpx.Client, model: str) -> None:
+    job = client.post(f"/v1/models/{model}/questions", json=QUESTION).json()["id"]
+    path = f"/v1/jobs/{job}/events"
+    with client.stream("GET", path) as stream:
+        told = next(line for line in stream.iter_lines() if line.startswith("id:"))
+    headers = {"Last-Event-ID": told.removeprefix("id:").strip(), "Accept-Encoding": "gzip"}
+    with client.stream("GET", path, headers=headers, timeout=2) as stream:  # nobody answers: no event comes
+        assert stream.headers["content-type"].startswith("text/event-stream")
+        assert "content-encoding" not in stream.headers

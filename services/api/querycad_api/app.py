@@ -19,7 +19,6 @@ from prometheus_client import CollectorRegistry
 from pydantic.json_schema import models_json_schema
 from redis.asyncio import Redis
 from starlette.middleware.cors import CORSMiddleware
-from starlette.middleware.gzip import GZipMiddleware
 
 from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
 
@@ -32,7 +31,7 @@ from .models import endpoints as models
 from .models import geometry, parameters, programs
 from .models.body_limit import BodyLimit
 from .ops import health, metrics, reference
-from .ops.delivery import Head, Tagged
+from .ops.delivery import Compressed, Head, Tagged
 from .ops.observability import REQUEST_ID, HttpMetrics, Observe
 from .problems import (
     UPLOAD_PATH,
@@ -108,7 +107,7 @@ def make_app(settings: ApiSettings) -> FastAPI:
     )
     app.state.registry = CollectorRegistry()
     app.add_middleware(Tagged)
-    app.add_middleware(GZipMiddleware, minimum_size=GZIP_BYTES, compresslevel=GZIP_LEVEL)
+    app.add_middleware(Compressed, minimum_size=GZIP_BYTES, compresslevel=GZIP_LEVEL)
     app.add_middleware(BodyLimit, upload_path=UPLOAD_PATH, max_bytes=settings.upload_mib * 2**20)
     app.add_middleware(Gate)
     app.add_middleware(Head)

@@ -6,6 +6,7 @@ import hashlib
 from http import HTTPStatus
 
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from querycad_api.problems import STREAM
@@ -39,6 +40,15 @@ class Head:
                 scope["route"] = inner["route"]  # who counts requests looks here
 
 
+class Compressed(GZipMiddleware):
+    """ASGI middleware: compresses for who takes it. A stream's head is not held back until its first event."""
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Compresses a response, unless it is a stream."""
+        is_stream = scope["type"] == "http" and scope["path"].endswith(STREAM)
+        await (self.app if is_stream else super().__call__)(scope, receive, send)
+
+
 class Tagged:
     """ASGI middleware: JSON that is read gets a tag of its content; whoever has it already is told so, 304.
 
@@ -50,7 +60,7 @@ class Tagged:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Holds the beginning of a response back until its tag is known."""
-        if scope["type"] != "http" or scope["method"] != "GET":
+        if scope["type"] != "http" or scope["method"] != "GET" or scope["path"].endswith(STREAM):
             await self._app(scope, receive, send)
             return
         held: Message | None = None
