@@ -41,8 +41,8 @@ format: setup ## rewrite the sources as the formatter wants them
 serve: setup ## start all services on this machine; stop with Ctrl-C
 	$(BIN)/querycad serve
 
-bench: setup ## measure accuracy and speed
-	$(BIN)/querycad bench
+bench: setup ## measure accuracy; arguments for querycad bench in ARGS
+	$(BIN)/querycad bench $(ARGS)
 
 fit: setup ## fit the weights that rank readings, and print the cross-validated score; about ten minutes
 	$(BIN)/python -m benchmark.understanding fit

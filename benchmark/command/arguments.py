@@ -10,6 +10,9 @@ from typing import TYPE_CHECKING
 SET_UP = ("codegen", "grounding", "views", "box_threshold", "prompt_examples")
 """The fields of `SystemOptions` that have arguments of the same name."""
 
+EXIT_CODES = """exit code: 0 done, and nothing is below the floor; 1 a set is below its floor;
+2 bad input, no benchmark, or no such system or service; 130 interrupted"""
+
 if TYPE_CHECKING:
     Commands = argparse._SubParsersAction[argparse.ArgumentParser]
 
@@ -23,6 +26,8 @@ def main(arguments: Sequence[str]) -> int:
 def _parser() -> argparse.ArgumentParser:
     bench = argparse.ArgumentParser(
         prog="querycad bench",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog=EXIT_CODES,
         description="Without a command: asks all questions of ./benchmark and, where present, ../shared/cad-qa-dev, "
         "and fails when the score is below the recorded floor.",
     )
@@ -76,6 +81,7 @@ def _add_compare(commands: Commands) -> None:
     compare = commands.add_parser("compare", help="which answers did a change fix, which did it break?")
     compare.add_argument("before", metavar="A", help="results.json of a run, or its folder")
     compare.add_argument("after", metavar="B", help="results.json of another run, or its folder")
+    _add_summaries(compare)
     compare.set_defaults(run=_run, bench="compare")
 
 
@@ -121,7 +127,11 @@ def _add_common(parser: argparse.ArgumentParser, out: str, *, has_pictures: bool
     parser.add_argument(
         "--jobs", type=_positive, default=_cores(), metavar="N", help="models at a time (default: cores)"
     )
-    parser.add_argument("--system", metavar="MODULE:CLASS", help="measure another system through this adapter")
+    system = parser.add_mutually_exclusive_group()
+    system.add_argument("--system", metavar="MODULE:CLASS", help="measure another system through this adapter")
+    system.add_argument("--server", metavar="URL", help="measure a running service; its key is in QUERYCAD_API_KEY")
+    _add_summaries(parser)
+    parser.add_argument("--junit", metavar="FILE", help="write every question as a test in JUnit's form")
     parser.add_argument(
         "--timeout", type=_positive, metavar="S", help="of one question (default: 60 s; 600 s with vision or a model)"
     )
@@ -136,6 +146,10 @@ def _add_common(parser: argparse.ArgumentParser, out: str, *, has_pictures: bool
     )
     parser.add_argument("--overrides", metavar="FILE", help="classes of failure by hand (default: OUT/overrides.json)")
     _add_set_up(parser)
+
+
+def _add_summaries(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--markdown", metavar="FILE", help="add a summary in Markdown to this file")
 
 
 def _add_set_up(parser: argparse.ArgumentParser) -> None:

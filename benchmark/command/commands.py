@@ -8,7 +8,7 @@ import json
 import re
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,15 +18,16 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextC
 
 from benchmark.scoring.ablation import Ablations, Row, ablations, table
 from benchmark.scoring.answers import score_answers
-from benchmark.scoring.compare import print_comparison
+from benchmark.scoring.compare import compare, print_comparison
 from benchmark.scoring.failures import read_overrides
-from benchmark.scoring.floor import falls, read_floor, record
+from benchmark.scoring.floor import Fall, falls, read_floor, record
 from benchmark.scoring.items import BadBenchmark, Benchmark, read_benchmark
 from benchmark.scoring.own_models import own_models
 from benchmark.scoring.report import write_report
 from benchmark.scoring.results import Results, load_results
 from benchmark.scoring.running import RESULTS, run_benchmark
-from benchmark.scoring.systems import EMBEDDED, SystemOptions, UnknownSystem
+from benchmark.scoring.summaries import junit, markdown, markdown_comparison
+from benchmark.scoring.systems import EMBEDDED, SERVED, SystemOptions, UnknownSystem
 from benchmark.scoring.tables import print_results
 
 from .arguments import SET_UP
@@ -57,7 +58,8 @@ def bench(options: argparse.Namespace) -> int:
 
 def _run(options: argparse.Namespace, console: Console) -> int:
     benchmark = _read(options)
-    _measure(benchmark, Path(options.out), options, console, resume=options.resume)
+    run = _measure(benchmark, Path(options.out), options, console, resume=options.resume)
+    _summarise([run], [], options)
     return EXIT_DONE
 
 
@@ -78,6 +80,7 @@ def _all(options: argparse.Namespace, console: Console) -> int:
         console.print("cross-validated by writer and model, as `make fit` wrote it down:", highlight=False)
         console.print(figures, highlight=False)
     fallen = falls(runs, read_floor(OWN / "floor.json"))
+    _summarise(runs, fallen, options)
     for fall in fallen:
         print(f"querycad: below the floor: {fall}", file=sys.stderr)
     if options.record and not fallen:
@@ -130,7 +133,23 @@ def _compare(options: argparse.Namespace, console: Console) -> int:
         for given in (options.before, options.after)
     )
     print_comparison(before, after, (options.before, options.after), console)
+    if options.markdown:
+        _add_to(Path(options.markdown), markdown_comparison(compare(before, after)))
     return EXIT_DONE
+
+
+def _summarise(runs: Sequence[Results], fallen: Sequence[Fall], options: argparse.Namespace) -> None:
+    """What a merge request shows, where that is asked for."""
+    if options.markdown:
+        _add_to(Path(options.markdown), markdown(runs, fallen))
+    if options.junit:
+        junit(runs, fallen, Path(options.junit))
+
+
+def _add_to(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("a", encoding="utf-8") as file:
+        file.write(text)
 
 
 def _perf(options: argparse.Namespace, console: Console) -> int:
@@ -234,7 +253,8 @@ def _overrides(options: argparse.Namespace, out: Path) -> Path:
 
 
 def _system_options(options: argparse.Namespace) -> SystemOptions:
-    given = {"system": options.system or EMBEDDED, "pictures": options.pictures, "timeout_s": options.timeout}
+    system = options.system or (SERVED if options.server else EMBEDDED)
+    given = {"system": system, "server": options.server, "pictures": options.pictures, "timeout_s": options.timeout}
     given |= {name: value for name in SET_UP if (value := getattr(options, name)) is not None}
     return SystemOptions.model_validate(given)
 

@@ -18,6 +18,7 @@ from querycad_answering.llm import PromptExamples
 from querycad_contracts import AnswerRecord, AnswerType, GroundedBy, MissingAttribute, Part
 
 EMBEDDED = "benchmark.scoring.embedded:EmbeddedSystem"
+SERVED = "benchmark.scoring.served:ServedSystem"
 
 
 class SystemOptions(BaseModel):
@@ -26,6 +27,8 @@ class SystemOptions(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     system: str = EMBEDDED
+    server: str | None = None
+    """Address of the service that is asked, where one is."""
     codegen: str = "parser"
     """'parser', 'llm' or 'both'; which language model that is, the environment says: QUERYCAD_LLM_…"""
     llm_samples: int = 1

@@ -40,7 +40,10 @@ def test_all_that_is_referred_to_is_described() -> None:
     assert schemas.keys() <= referred
 
 
-def test_the_answer_is_the_record_that_the_command_prints() -> None:
+def test_an_answer_has_one_shape_whether_it_is_waited_for_or_not() -> None:
     (ask,) = (operation for name, operation in operations() if name.endswith("/questions"))
-    schema = ask["responses"]["200"]["content"]["application/json"]["schema"]
-    assert schema == {"$ref": "#/components/schemas/AnswerRecord"}
+    (job,) = (operation for name, operation in operations() if name == "get /v1/jobs/{job_id}")
+    answers = [ask["responses"]["200"], ask["responses"]["202"], job["responses"]["200"]]
+    assert [each["content"]["application/json"]["schema"] for each in answers] == [
+        {"$ref": "#/components/schemas/Job"}
+    ] * 3

@@ -15,12 +15,19 @@ from pathlib import Path
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
 
 from querycad.client import Client, ServerProblem
-from querycad_contracts import AnswerRecord, ModelStatus, Status, TableKind
+from querycad.runtime import EmbeddedRuntime
+from querycad_contracts import AnswerRecord, ModelStatus, ParametersRequest, Status, TableKind
 
 ROOT = Path(__file__).parents[2]
+sys.path.append(str(ROOT / "examples"))
+
+from metawizard.kinematics import check  # noqa: E402
+from metawizard.synthesise import Step  # noqa: E402
+
 QUESTION = "What is the diameter of the holes visible from the top?"
 START_S = 120.0
 STEP_S = 60.0
@@ -167,7 +174,59 @@ def test_the_service_describes_and_tabulates_as_the_command_does(
     response = httpx.get(path, params={"format": "csv", "unit": "in", "grouped": "true"})
     assert response.headers["content-type"].startswith("text/csv")
     assert response.text == printed("table", str(flange), "holes", "--format", "csv", "--unit", "in", "--grouped")
-    assert httpx.get(f"{service.url}/v1/models/{model}/tables/bananas").status_code == 422
+    assert httpx.get(f"{service.url}/v1/models/{model}/tables/bananas").status_code == 404
+
+
+def test_parameters_come_over_http_as_they_do_without_a_server(client: Client, model: str, flange: Path) -> None:
+    asked = ParametersRequest.model_validate(
+        {
+            "parameters": [
+                {"name": "hole_count", "question": "How many holes are there?", "type": "count"},
+                {"name": "bore", "type": "approach", "question": "Where is the bore?", "side": "top"},
+                {"name": "price", "type": "number", "description": "price of the part"},
+            ]
+        }
+    )
+    found = client.parameters(model, asked)
+    assert (found.model, found.parameters[0].value) == (model, 11)
+    assert "price" in found.open
+    with EmbeddedRuntime() as runtime:
+        assert runtime.parameters(flange, asked) == found.model_copy(update={"model": None})
+    unknown = asked.model_copy(update={"other": "0" * 64})
+    with pytest.raises(ServerProblem) as refused:
+        client.parameters(model, unknown)
+    assert refused.value.problem.status == 404
+
+
+def test_the_synthesiser_writes_a_program_from_what_it_asks_over_http(service: Service) -> None:
+    environment = service.environment | {"PYTHONPATH": str(ROOT / "examples")}
+    command = [sys.executable, "-m", "metawizard.synthesise", service.url]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert done.returncode == 0, done.stderr
+    steps = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(steps) == 9
+    check(
+        tuple(Step(step["do"], np.array(step["pose"]) if "pose" in step else None, step.get("width")) for step in steps)
+    )
+
+
+def test_the_benchmark_measures_a_running_service(service: Service, flange: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "tiny/set/flange"
+    folder.mkdir(parents=True)
+    (folder / "cad.step").write_bytes(flange.read_bytes())
+    (folder / "input.txt").write_text("How many holes are there?\nHow many slots are there?")
+    (folder / "solution.txt").write_text("11\n7")
+    command = [sys.executable, "-m", "querycad.cli", "bench", "run", str(tmp_path / "tiny"), "--server", service.url]
+    command += ["--out", str(tmp_path / "out"), "--jobs", "1", "--markdown", str(tmp_path / "summary.md")]
+    done = subprocess.run(command, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert done.returncode == 0, done.stderr
+    found = json.loads((tmp_path / "out/results.json").read_text())["results"]
+    assert (found[0]["strict"], found[0]["answer"]) == (True, "11")
+    assert "| 2 | 1 | 1 |" in (tmp_path / "summary.md").read_text()
+    nobody = ["http://127.0.0.1:9" if each == service.url else each for each in command]
+    away = subprocess.run(nobody, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
+    assert away.returncode == 2
+    assert "http://127.0.0.1:9" in away.stderr
 
 
 def test_a_question_may_follow_its_upload_at_once(client: Client) -> None:
@@ -237,6 +296,11 @@ expected-statuses = ["2xx", 413, 415] # of all texts, few are STEP files
 include-path-regex = "/questions"
 [operations.checks.positive_data_acceptance]
 expected-statuses = ["2xx", 422] # an idempotency key may have come with another question before
+
+[[operations]]
+include-path-regex = "/parameters"
+[operations.checks.positive_data_acceptance]
+expected-statuses = ["2xx", 404, 422] # names may not come twice, a matrix has to be rigid, another model to be there
 """
 
 

@@ -158,6 +158,10 @@ def test_every_container_has_a_health_check(name: str) -> None:
 def test_every_container_is_shut_in(name: str) -> None:
     service = SERVICES[name]
     assert service["read_only"] is True
+    assert service["mem_limit"]
+    assert 0 < service["pids_limit"] <= 512
+    assert service["logging"]["options"].keys() == {"max-size", "max-file"}
+    assert all(re.fullmatch(r"/tmp:size=\d+m,mode=1777", each) for each in service["tmpfs"])  # noqa: S108
     assert service["cap_drop"] == ["ALL"]
     assert "cap_add" not in service
     assert "privileged" not in service
@@ -189,11 +193,51 @@ def test_addresses_name_a_service_that_is_there_and_its_port() -> None:
         assert service["depends_on"]["redis"] == {"condition": "service_healthy"}
 
 
-def test_the_stores_password_has_no_default() -> None:
+def test_no_password_has_a_default_and_the_example_names_each() -> None:
     text = (ROOT / "docker-compose.yml").read_text(encoding="utf-8")
-    uses = re.findall(r"(?<!\$)\$\{?REDIS_PASSWORD[^}]*\}?", text)
-    assert len(uses) >= 2
-    assert all(use.startswith("${REDIS_PASSWORD:?") for use in uses)
+    uses = re.findall(r"(?<!\$)\$\{?REDIS_\w*PASSWORD[^}]*\}?", text)
+    assert len(uses) >= 2 * 5 - 1  # each of a service by the store and by the service
+    assert all(re.match(r"\$\{REDIS_\w*PASSWORD:\?", use) for use in uses)
+    example = (ROOT / ".env.example").read_text(encoding="utf-8")
+    assert sorted({use[2:].partition(":")[0] for use in uses}) == sorted(re.findall(r"^(REDIS_\w+)=$", example, re.M))
+    optional = set(re.findall(r"^#(\w+)=", example, re.M))
+    beside = (ROOT / "docker-compose.llm.yml").read_text(encoding="utf-8")
+    assert {f"${{{name}" in text + beside or f"{name}:" in beside for name in optional} == {True}
+
+
+def test_the_example_of_settings_makes_passwords_as_it_says() -> None:
+    text = (ROOT / ".env.example").read_text(encoding="utf-8")
+    (command,) = re.findall(r"^#   (sed .*) > \.env$", text, re.M)
+    made = subprocess.run(["sh", "-c", command], cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    passwords = re.findall(r"^REDIS_\w+=([0-9a-f]{48})$", made, re.M)
+    assert len(set(passwords)) == 5
+
+
+def test_every_service_is_a_user_of_the_store_with_a_password_of_its_own() -> None:
+    users = {
+        name: re.findall(r"redis://(\w+):\$\{REDIS_(\w+)_PASSWORD", OWN[name]["environment"]["QUERYCAD_REDIS_URL"])
+        for name in OWN
+    }
+    assert all(found == [(found[0][0], found[0][0].upper())] for found in users.values())
+    known = re.findall(r'"user (\w+) on >\$\$REDIS_(\w+)_PASSWORD', SERVICES["redis"]["command"][-1])
+    assert {user for user, _ in known} == {found[0][0] for found in users.values()}
+    assert all(name == user.upper() for user, name in known)
+
+
+def test_images_have_the_version_as_their_tag() -> None:
+    version = (ROOT / "VERSION").read_text(encoding="utf-8").strip()
+    for service in OWN.values():
+        assert service["image"].endswith(f":${{QUERYCAD_VERSION:-{version}}}")
+
+
+def test_networks_join_only_who_must_reach_whom() -> None:
+    members = {
+        network: {name for name, service in SERVICES.items() if network in service["networks"]}
+        for network in COMPOSE["networks"]
+    }
+    assert members["queue"] == set(SERVICES)  # all need the store
+    assert members["programs"] == {"api", "questions", "sandbox"}
+    assert members["outside"] == {"api"}
 
 
 def test_the_store_keeps_its_data_in_a_volume_and_the_files_are_shared() -> None:

@@ -64,7 +64,7 @@ def no_pause(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_answer_that_is_there_in_time_takes_one_request() -> None:
-    with (made := client(json(RECORD)))[0] as asking:
+    with (made := client(json(DONE)))[0] as asking:
         assert asking.ask(MODEL, "?", LengthUnit.IN) == RECORD
     (request,) = made[1]
     assert request.headers["prefer"] == f"wait={module.WAIT_S}"
@@ -91,14 +91,14 @@ def test_a_request_that_changes_nothing_is_tried_again(trouble: Callable[[], htt
 
 
 def test_a_question_that_is_sent_again_is_the_same_question() -> None:
-    with (made := client(json(AWAY, 503), httpx.ReadError("cut off"), json(RECORD)))[0] as asking:
+    with (made := client(json(AWAY, 503), httpx.ReadError("cut off"), json(DONE)))[0] as asking:
         assert asking.ask(MODEL, "?") == RECORD
     keys = {request.headers["idempotency-key"] for request in made[1]}
     assert (len(made[1]), len(keys)) == (3, 1)
 
 
 def test_two_questions_are_two_questions() -> None:
-    with (made := client(json(RECORD), json(RECORD)))[0] as asking:
+    with (made := client(json(DONE), json(DONE)))[0] as asking:
         asking.ask(MODEL, "?")
         asking.ask(MODEL, "?")
     assert len({request.headers["idempotency-key"] for request in made[1]}) == 2
@@ -125,7 +125,7 @@ def test_the_key_goes_with_every_request() -> None:
 
     def answer(request: httpx.Request) -> httpx.Response:
         requests.append(request)
-        return json(RECORD)
+        return json(DONE)
 
     with Client("http://service", "qc_1_2", httpx.MockTransport(answer)) as asking:
         asking.ask(MODEL, "?")

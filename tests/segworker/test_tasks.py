@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from celery.exceptions import SoftTimeLimitExceeded
 from PIL import Image
 from redis import Redis
 
@@ -230,9 +231,15 @@ def test_a_bad_file_is_a_failure_that_says_why(settings: SegworkerSettings, tabl
     assert "DATA" in failure["message"]
 
 
-def test_artefacts_that_are_gone_are_made_anew(settings: SegworkerSettings, model: str) -> None:
-    shutil.rmtree(settings.models)
-    shape = table_of(make_tasks(settings))[TaskName.SHAPE]({"model": model})
+def test_a_file_is_read_anew_by_an_ingest_and_by_nothing_else(settings: SegworkerSettings, model: str) -> None:
+    (artefacts,) = settings.models.glob(f"{model[:2]}/{model}/v*")
+    artefacts.rename(artefacts.with_name("v1"))  # those of an older version
+    anew = table_of(make_tasks(settings))
+    for name in (TaskName.SHAPE, TaskName.PARTS, TaskName.GLB):
+        assert anew[name]({"model": model})["failure"]["kind"] == "not_read"
+    assert not artefacts.exists()
+    assert anew[TaskName.INGEST]({"model": model, "file_name": "flange.step"})["failure"] is None
+    shape = anew[TaskName.SHAPE]({"model": model})
     assert shape["failure"] is None
     assert shape["value"]["extents"][0] == pytest.approx(0.17)
 
@@ -240,6 +247,7 @@ def test_artefacts_that_are_gone_are_made_anew(settings: SegworkerSettings, mode
 def test_no_more_models_are_kept_in_memory_than_allowed(settings: SegworkerSettings, model: str, flange: Path) -> None:
     cache = make_tasks(settings).cache
     other = put(settings, flange.read_bytes() + b"\n")
+    cache.read(other, "flange.step")
     first = cache.segcad(model)
     assert cache.segcad(model) is first
     cache.segcad(other)
@@ -266,7 +274,7 @@ def test_what_is_made_of_a_model_that_was_deleted_meanwhile_goes_too(
 def test_a_picture_of_a_model_that_was_deleted_meanwhile_goes_too(settings: SegworkerSettings, flange: Path) -> None:
     deleted = put(settings, flange.read_bytes() + b"\n\n\n")
     cache = make_tasks(settings).cache
-    cache.segcad(deleted)
+    cache.read(deleted, "flange.step")
     name = picture_name("2" * 32)
     cache.made(name, lambda path: Image.new("RGB", (1, 1)).save(path))
     cache.drop_if_deleted(deleted, name)
@@ -321,4 +329,46 @@ def test_who_called_is_told_at_once_of_what_fails(
     with Redis.from_url(redis_url) as redis:
         assert json.loads(redis.lpop(reply_key("flawed")))["failure"]["kind"] == "internal"
     task.pop_request()
+    app.close()
+
+
+def test_what_is_stopped_since_its_model_was_deleted_ends_at_once_and_anything_else_begins_anew(
+    redis_url: str, settings: SegworkerSettings, monkeypatch: pytest.MonkeyPatch, flange: Path
+) -> None:
+    stopped = put(settings, flange.read_bytes() + b"\n\n\n\n")
+    deletes = True
+
+    def interrupted(*given: Any, **more: Any) -> Any:
+        monkeypatch.setattr("querycad_segworker.tasks.ingest", ingest)
+        if deletes:
+            settings.upload(stopped).unlink()
+        raise SoftTimeLimitExceeded
+
+    app = make_app(settings.model_copy(update={"redis_url": redis_url}))
+    task = app.tasks[TaskName.INGEST.value]
+
+    def outcome() -> Any:
+        monkeypatch.setattr("querycad_segworker.tasks.ingest", interrupted)
+        task.push_request(id="stopped", delivery_info={})
+        try:
+            return task.run({"model": stopped, "file_name": "flange.step"})
+        finally:
+            task.pop_request()
+
+    assert "upload its file first" in outcome()["failure"]["message"]
+    put(settings, flange.read_bytes() + b"\n\n\n\n")
+    deletes = False
+    assert outcome()["failure"] is None
+    app.close()
+
+
+def test_what_its_caller_has_abandoned_is_not_begun(redis_url: str, settings: SegworkerSettings, model: str) -> None:
+    app = make_app(settings.model_copy(update={"redis_url": redis_url}))
+    task = app.tasks[TaskName.SHAPE.value]
+    with Redis.from_url(redis_url) as redis:
+        redis.rpush(reply_key("abandoned"), "null")
+        task.push_request(id="abandoned", delivery_info={})
+        task.run({"model": model})
+        task.pop_request()
+        assert redis.lrange(reply_key("abandoned"), 0, -1) == [b"null"]
     app.close()

@@ -9,7 +9,7 @@ from uuid import uuid4
 
 from pydantic import Field
 
-from .answers import AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
+from .answers import Answer, AnswerOptions, AnswerRecord, AnswerType, Failure, LengthUnit
 from .geometry import Frozen, GroundedBy, Part, PartKind, Shape, Side, Vector
 from .logs import current_request
 from .queries import FaceQuery, Grounded, PartQuery
@@ -53,6 +53,7 @@ class TaskName(StrEnum):
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
     DESCRIPTION = "querycad.description"  # DescribeTask -> TaskOutcome[Description], by the question workers
+    PARAMETERS = "querycad.parameters"  # ParametersTask -> TaskOutcome[ParameterSet], by the question workers
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
     MODEL_READ = "querycad.model_read"  # TaskOutcome[ModelSummary], model, tenant, uploaded -> nothing; after an ingest
     MODEL_LOST = "querycad.model_lost"  # task id, model, tenant, uploaded -> nothing; after one that was stopped
@@ -69,6 +70,7 @@ _QUEUES = {
     TaskName.VIEW: Queue.PICTURES,
     TaskName.GLB: Queue.PICTURES,
     TaskName.DESCRIPTION: Queue.QUESTIONS,
+    TaskName.PARAMETERS: Queue.QUESTIONS,
     TaskName.QUESTION: Queue.QUESTIONS,
     TaskName.MODEL_READ: Queue.QUESTIONS,
     TaskName.MODEL_LOST: Queue.QUESTIONS,
@@ -241,6 +243,8 @@ class TaskFailureKind(StrEnum):
     """Whose fault was it?"""
 
     FILE = "file"
+    NOT_READ = "not_read"
+    """Nobody's: nothing is kept of the file that this version can use, and an ingest has to read it first."""
     UNKNOWN_ID = "unknown_id"
     INTERNAL = "internal"
 
@@ -325,6 +329,14 @@ class DescribeTask(ModelTask):
     unit: LengthUnit = LengthUnit.MM
 
 
+class ProblemError(Frozen):
+    """One place where a request is not as documented."""
+
+    detail: str
+    pointer: str = Field("", description="JSON pointer into the body, as a URI fragment: '#/questions/0/unit'.")
+    parameter: str = Field("", description="Name of the parameter of path, query or header, where it is one of these.")
+
+
 class Problem(Frozen):
     """What went wrong with a request: `application/problem+json`, RFC 9457."""
 
@@ -333,7 +345,7 @@ class Problem(Frozen):
     status: int = Field(description="The HTTP status code.")
     detail: str = ""
     retryable: bool = Field(False, description="Whether the same request may succeed later.")
-    errors: tuple[str, ...] = Field((), description="Where the request is not as documented, one line each.")
+    errors: tuple[ProblemError, ...] = Field((), description="Where the request is not as documented.")
 
 
 class ModelStatus(StrEnum):
@@ -342,6 +354,10 @@ class ModelStatus(StrEnum):
     READING = "reading"
     READY = "ready"
     FAILED = "failed"
+
+
+Links = dict[str, str]
+"""Paths on the same service, by what they lead to."""
 
 
 class ModelResource(Frozen):
@@ -354,6 +370,7 @@ class ModelResource(Frozen):
     status: ModelStatus
     summary: ModelSummary | None = Field(None, description="Of a model that is ready.")
     failure: Failure | None = Field(None, description="Why the file cannot be answered about.")
+    links: Links = Field({}, description="Where to go on: `self`, `questions`, `parts`, `description`, `view`, `glb` …")
 
 
 class PartsPage(Frozen):
@@ -388,7 +405,7 @@ class JobStatus(StrEnum):
 
 
 class Job(Frozen):
-    """One asked question."""
+    """One asked question, and what came of it once it is done: the same shape, whether one waits for it or not."""
 
     id: JobId
     model: ModelId
@@ -397,7 +414,13 @@ class Job(Frozen):
     status: JobStatus
     created: datetime
     finished: datetime | None = None
-    record: AnswerRecord | None = Field(None, description="The outcome, once the job is done.")
+    answer: Answer | None = Field(None, description="As in `record`.")
+    confidence: float | None = Field(None, description="As in `record`.")
+    part_ids: tuple[str, ...] = Field((), description="Ids of the parts that the answer rests on, however many.")
+    links: Links = Field({}, description="Where to go on: `self`, `model`, `events`; once answered `picture`, `parts`.")
+    record: AnswerRecord | None = Field(
+        None, description="The whole outcome, once the job is done, as `querycad ask --json` prints it."
+    )
 
 
 class JobsPage(Frozen):

@@ -27,6 +27,8 @@ from querycad_contracts import (
     LengthUnit,
     ModelResource,
     ModelsPage,
+    ParameterSet,
+    ParametersRequest,
     PartsPage,
     ProgramRequest,
     RunOutcome,
@@ -118,6 +120,10 @@ class Client:
     def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
         """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
         return self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
+
+    def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
+        """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
+        return self._run(flows.parameters(model, asked))
 
     def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
         """The PNG file that shows the model from there."""
@@ -280,6 +286,10 @@ class AsyncClient:
     async def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
         """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
         return await self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
+
+    async def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
+        """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
+        return await self._run(flows.parameters(model, asked))
 
     async def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
         """The PNG file that shows the model from there."""

@@ -34,6 +34,8 @@ from querycad_contracts import (
     ModelResource,
     ModelsPage,
     ModelStatus,
+    ParameterSet,
+    ParametersRequest,
     PartsPage,
     Problem,
     ProgramRequest,
@@ -55,8 +57,8 @@ TRIES = 5
 """Of a request that may be repeated, while the service has trouble; with the pauses, a restart is survived."""
 PAUSE_S = 1.0
 LONGEST_PAUSE_S = 10.0
-PROGRAM_S = 120.0
-"""Longer than a service lets a program run."""
+PROGRAM_S = 150.0
+"""Longer than a service lets a program run, or looks for parameters."""
 GATEWAY = (502, 503, 504)
 """What a proxy answers whose service is away."""
 
@@ -175,6 +177,13 @@ def run_program(model_id: str, program: ProgramRequest) -> Flow[RunOutcome]:
     return _parsed(RunOutcome, (yield from _sent(send)))
 
 
+def parameters(model_id: str, asked: ParametersRequest) -> Flow[ParameterSet]:
+    """What are the parameters?"""
+    options = {"json": asked.model_dump(mode="json", exclude_unset=True), "timeout": PROGRAM_S}
+    send = Send("POST", f"/v1/models/{model_id}/parameters", options=options)
+    return _parsed(ParameterSet, (yield from _sent(send, repeatable=True)))
+
+
 def view(model_id: str, name: ViewName, width: int, height: int) -> Flow[bytes]:
     """How does the model look from there?"""
     query = {"width": width, "height": height}
@@ -217,10 +226,8 @@ def ask(
 ) -> Flow[AnswerRecord]:
     """Asks, and waits."""
     deadline = time.monotonic() + timeout_s
-    response = yield from _asked(model_id, _request(question, unit, options), _prefer(deadline))
-    if response.status_code == httpx.codes.OK:
-        return _parsed(AnswerRecord, response)
-    return (yield from wait(_parsed(Job, response).id, deadline - time.monotonic()))
+    asked = _parsed(Job, (yield from _asked(model_id, _request(question, unit, options), _prefer(deadline))))
+    return asked.record or (yield from wait(asked.id, deadline - time.monotonic()))
 
 
 def job(job_id: str) -> Flow[Job]:

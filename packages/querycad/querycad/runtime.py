@@ -5,13 +5,14 @@ from __future__ import annotations
 import time
 from collections import OrderedDict
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from querycad_answering.answering import NO_OPTIONS, answer_question, described
 from querycad_answering.llm import LlmSettings, LlmWriter
+from querycad_answering.parameters import fill_parameters
 from querycad_answering.understanding import ModelView, Run
 from querycad_contracts import (
     AnswerOptions,
@@ -20,6 +21,8 @@ from querycad_contracts import (
     GroundedBy,
     LengthUnit,
     ModelSummary,
+    ParameterSet,
+    ParametersRequest,
     Part,
     Program,
     RunOutcome,
@@ -131,6 +134,17 @@ class EmbeddedRuntime:
         found = described(self._runner(segcad), _view(segcad), unit)
         assert found is not None
         return found
+
+    def parameters(self, file: Path | str, asked: ParametersRequest, other: Path | str | None = None) -> ParameterSet:
+        """What are these named, typed parameters of the model? Raises FileProblem.
+
+        `other` is the file whose holes and shafts are mated with this one's; `asked.other` is a service's.
+        """
+        segcad = self.model(file)
+        view, run = _view(segcad, asked.grounding), self._runner(segcad, asked.grounding)
+        others = None if other is None else partial(self.parts, other)
+        told = summary(segcad.model) if self._llm.settings.is_configured else None
+        return fill_parameters(asked, view, run, other=others, summary=told, llm=self._llm)
 
     def parts(self, file: Path | str) -> tuple[Part, ...]:
         """All parts of the model. Raises FileProblem."""

@@ -28,11 +28,23 @@ from .connections import limits
 from .dependencies import Application
 from .jobs import endpoints as jobs
 from .models import endpoints as models
-from .models import geometry, programs
+from .models import geometry, parameters, programs
 from .models.body_limit import BodyLimit
-from .ops import health, metrics
+from .ops import health, metrics, reference
+from .ops.delivery import Compressed, Head, Tagged
 from .ops.observability import REQUEST_ID, HttpMetrics, Observe
-from .problems import PROBLEM_SCHEMA, NotAllowed, NotAuthenticated, TooManyRequests, add_handlers, responses
+from .problems import (
+    UPLOAD_PATH,
+    ApiProblem,
+    Malformed,
+    NotAllowed,
+    NotAsDocumented,
+    NotAuthenticated,
+    NotThere,
+    TooManyRequests,
+    add_handlers,
+    responses,
+)
 from .questions import endpoints as questions
 from .settings import ApiSettings
 from .store.broker import Broker
@@ -51,6 +63,8 @@ CONNECTIONS = 1000
 GRACE_S = 10
 """What requests have to end when the process is told to."""
 EXIT_BAD_INPUT = 2
+GZIP_BYTES, GZIP_LEVEL = 2048, 5
+"""What is smaller fits in two packets; a higher level takes three times as long for a tenth less."""
 
 log = logging.getLogger(__name__)
 
@@ -86,28 +100,37 @@ def make_app(settings: ApiSettings) -> FastAPI:
         description="Ask a CAD model a question in plain language and get a precise, grounded answer. SI units.",
         version=INTERFACE_VERSION,
         lifespan=lifespan,
-        docs_url=None,  # these pages load scripts from elsewhere
+        docs_url=None,  # FastAPI's own pages load scripts from elsewhere; `reference` has them here
         redoc_url=None,
         redirect_slashes=False,  # behind a proxy with TLS it would send clients, and their keys, to one without
         generate_unique_id_function=lambda route: route.name,
     )
     app.state.registry = CollectorRegistry()
-    app.add_middleware(BodyLimit, upload_path="/v1/models", max_bytes=settings.upload_mib * 2**20)
+    app.add_middleware(Tagged)
+    app.add_middleware(Compressed, minimum_size=GZIP_BYTES, compresslevel=GZIP_LEVEL)
+    app.add_middleware(BodyLimit, upload_path=UPLOAD_PATH, max_bytes=settings.upload_mib * 2**20)
     app.add_middleware(Gate)
+    app.add_middleware(Head)
     if settings.origins:
         app.add_middleware(
             CORSMiddleware,
             allow_origins=settings.origins,
             allow_methods=["GET", "POST", "DELETE"],
-            allow_headers=["Authorization", "Content-Type", "Prefer", "Idempotency-Key", "Last-Event-ID", REQUEST_ID],
-            expose_headers=["Location", "Preference-Applied", "Retry-After", REQUEST_ID],
+            allow_headers=[
+                *("Authorization", "Content-Type", "Prefer", "Idempotency-Key", "Last-Event-ID", REQUEST_ID),
+                *("If-None-Match", "Range", "If-Range"),
+            ],
+            expose_headers=[
+                *("Location", "Link", "Preference-Applied", "Retry-After", REQUEST_ID),
+                *("ETag", "Accept-Ranges", "Content-Range"),
+            ],
         )
     app.add_middleware(Observe, metrics=HttpMetrics(app.state.registry))
     start_tracing("querycad-api", settings.traces, app)
     add_handlers(app)
-    for each in (models, geometry, programs, questions, jobs, metrics):
+    for each in (models, geometry, programs, parameters, questions, jobs, metrics):
         app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
-    for public in (health, web):
+    for public in (health, reference, web):
         app.include_router(public.router)
     app.openapi = lambda: _openapi(app, settings.asks_for_keys)  # type: ignore[method-assign]
     return app
@@ -127,7 +150,7 @@ def _openapi(app: FastAPI, asks_for_keys: bool) -> dict[str, Any]:
         schemas["Body_upload_model"]["additionalProperties"] = False  # a form with many fields is refused unread
         for path in schema["paths"].values():
             for operation in path.values():
-                _document_problems(operation["responses"])
+                _document_problems(operation)
                 if "security" in operation and not asks_for_keys:
                     operation["security"].append({})  # as OpenAPI says that it may be left out
         events = schema["paths"]["/v1/jobs/{job_id}/events"]["get"]["responses"]["200"]["content"]["text/event-stream"]
@@ -139,12 +162,16 @@ def _openapi(app: FastAPI, asks_for_keys: bool) -> dict[str, Any]:
     return app.openapi_schema
 
 
-def _document_problems(documented: dict[str, Any]) -> None:
-    for status, entry in documented.items():
-        if status == "422":
-            entry["content"] = PROBLEM_SCHEMA
-            if entry["description"] == "Validation Error":
-                entry["description"] = "The request is not as documented."
+def _document_problems(operation: dict[str, Any]) -> None:
+    """Says what a request is told that is not as documented: see `problems`, where it is decided."""
+    documented: dict[str, Any] = operation["responses"]
+    if documented.get("422", {}).get("description") == "Validation Error":  # FastAPI's own
+        del documented["422"]
+    places = {parameter["in"] for parameter in operation.get("parameters", ())}
+    kinds: list[type[ApiProblem]] = [NotThere] * ("path" in places) + [Malformed] * bool(places & {"query", "header"})
+    kinds += [NotAsDocumented] * ("requestBody" in operation)
+    for status, entry in responses(*kinds).items():
+        documented.setdefault(str(status), entry)
 
 
 def main() -> None:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import Annotated, cast
 
 from fastapi import Depends, Header, Query, Request
@@ -15,12 +16,13 @@ from querycad_contracts import FileStore, Job, ModelResource, ModelStatus
 
 from .accounts.dependencies import CallerDep
 from .accounts.schemas import Caller
-from .problems import JobNotFound, ModelNotFound, ModelNotReady, ModelUnreadable
+from .problems import JobNotFound, Malformed, ModelNotFound, ModelNotReady, ModelUnreadable
 from .settings import ApiSettings
 from .store.broker import Broker
 from .store.state import State
 
-_WAIT = re.compile(r"(?:^|[,;\s])wait\s*=\s*(\d{1,6})\b")
+_WAIT = re.compile(r"(?:^|[,;\s])wait(?:\s*=\s*(?:\"(\d+)\"|(\d+)(?=[,;\s]|$)))?", re.IGNORECASE)
+"""The preference `wait`; without its seconds it is malformed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,11 +99,36 @@ async def preferred_wait_s(
         Header(description="`wait=N`: answer within N seconds (RFC 7240).", examples=["wait=10"]),
     ] = None,
 ) -> int:
-    """How long does the client want to wait, as far as it is granted? 0 when it did not say."""
+    """How long does the client want to wait, as far as it is granted? 0 when it did not say. Raises Malformed."""
     wanted = _WAIT.search(prefer or "")
-    return min(int(wanted[1]), _shared(request).settings.wait_s) if wanted else 0
+    if wanted is None:
+        return 0
+    seconds = wanted[1] or wanted[2]
+    if seconds is None:
+        raise Malformed("`Prefer: wait=N` takes whole seconds, such as wait=10")
+    return min(int(seconds[:9]), _shared(request).settings.wait_s)
 
 
 WaitDep = Annotated[int, Depends(preferred_wait_s)]
 OffsetDep = Annotated[int, Query(ge=0, le=2**31 - 1, description="How many to pass over.")]
 LimitDep = Annotated[int, Query(ge=1, le=1000, description="How many at most.")]
+
+
+class PartsShown(StrEnum):
+    """How the parts that answers rest on are told."""
+
+    IDS = "ids"
+    FULL = "full"
+
+
+PartsShownDep = Annotated[
+    PartsShown,
+    Query(alias="parts", description="`ids`: only `part_ids` are told, and `record.parts` is empty."),
+]
+
+
+def shown(job: Job, parts: PartsShown) -> Job:
+    """The job with its parts told so."""
+    if parts is PartsShown.FULL or job.record is None:
+        return job
+    return job.model_copy(update={"record": job.record.model_copy(update={"parts": ()})})

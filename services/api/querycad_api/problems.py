@@ -2,6 +2,8 @@
 
 ApiProblem
 ├── Malformed            400
+├── NotAsDocumented      422
+├── NotThere             404
 ├── NotAuthenticated     401
 ├── NotAllowed           403
 ├── ModelNotFound        404
@@ -14,6 +16,8 @@ ApiProblem
 ├── TooLarge             413
 ├── FileTooLarge         413
 ├── NotStepFile          415
+├── WrongMediaType       415
+├── RangeNotSatisfiable  416
 ├── ModelNotReady        409
 ├── ModelUnreadable      422
 └── ServiceUnavailable   503
@@ -23,16 +27,21 @@ from __future__ import annotations
 
 import logging
 import re
+from collections.abc import Mapping, Sequence
 from http import HTTPStatus
 from typing import Any, ClassVar
+from urllib.parse import quote
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from redis.exceptions import RedisError
 from starlette.exceptions import HTTPException
 
-from querycad_contracts import Problem
+from querycad_contracts import Problem, ProblemError
 
+STREAM = "/events"
+"""Where the paths of streams end."""
+UPLOAD_PATH = "/v1/models"
 PROBLEM_JSON = "application/problem+json"
 PROBLEM_SCHEMA: dict[str, Any] = {PROBLEM_JSON: {"schema": {"$ref": "#/components/schemas/Problem"}}}
 RETRY_AFTER_S = 2
@@ -65,6 +74,38 @@ class Malformed(ApiProblem):
 
     status = HTTPStatus.BAD_REQUEST
     title = "Bad Request"
+
+
+class WrongMediaType(ApiProblem):
+    """The body is of another media type than the one that is documented."""
+
+    status = HTTPStatus.UNSUPPORTED_MEDIA_TYPE
+    title = "Unsupported media type"
+
+
+class RangeNotSatisfiable(ApiProblem):
+    """The range begins behind the file's end."""
+
+    status = HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE
+    title = "Range not satisfiable"
+
+    def __init__(self, size: int) -> None:
+        super().__init__(f"the file has {size} bytes")
+        self.headers = {"Content-Range": f"bytes */{size}"}  # type: ignore[misc]
+
+
+class NotAsDocumented(ApiProblem):
+    """The body is not as documented; `errors` says where."""
+
+    status = HTTPStatus.UNPROCESSABLE_ENTITY
+    title = "Not as documented"
+
+
+class NotThere(ApiProblem):
+    """The path leads nowhere: an id, or a name in it, is none."""
+
+    status = HTTPStatus.NOT_FOUND
+    title = "Nothing there"
 
 
 class TooLarge(ApiProblem):
@@ -210,13 +251,8 @@ def add_handlers(app: FastAPI) -> None:
         return Response(status_code=HTTPStatus.NO_CONTENT)
 
     @app.exception_handler(RequestValidationError)
-    async def of_input(_: Request, error: RequestValidationError) -> Response:
-        lines = tuple(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
-        if any(each["type"] == "json_invalid" for each in error.errors()):
-            return problem_response(Malformed("; ".join(lines)).problem())
-        status = HTTPStatus.UNPROCESSABLE_ENTITY
-        problem = Problem(title="Not as documented", status=status, detail="; ".join(lines), errors=lines)
-        return problem_response(problem)
+    async def of_input(request: Request, error: RequestValidationError) -> Response:
+        return problem_response(_of_input(request, error.errors()))
 
     @app.exception_handler(HTTPException)
     async def of_http(request: Request, error: HTTPException) -> Response:
@@ -245,6 +281,36 @@ def add_handlers(app: FastAPI) -> None:
         return problem_response(ServiceUnavailable("files cannot be kept or read; try again in a moment").problem())
 
 
+def _of_input(request: Request, errors: Sequence[Mapping[str, Any]]) -> Problem:
+    """What is wrong with a request that is not as documented.
+
+    A path that cannot lead anywhere is 404, what is wrong in query or headers 400, in the body 415, 400 or 422.
+    """
+    places = {str(each["loc"][0]) for each in errors}
+    told = tuple(_told(each) for each in errors)
+    lines = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in errors)
+    if "path" in places:
+        return NotThere(lines).problem().model_copy(update={"errors": told})
+    if places != {"body"}:
+        return Malformed(lines).problem().model_copy(update={"errors": told})
+    takes = "multipart/form-data" if request.url.path == UPLOAD_PATH else "application/json"
+    sent = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+    if sent and sent != takes:
+        return WrongMediaType(f"the body must be {takes}, not {sent}").problem()
+    if any(each["type"] == "json_invalid" for each in errors):
+        return Malformed(lines).problem()
+    return NotAsDocumented(lines).problem().model_copy(update={"errors": told})
+
+
+def _told(error: Mapping[str, Any]) -> ProblemError:
+    """One error with the place that it is at: a JSON pointer (RFC 6901) into a body, a parameter's name."""
+    place, *steps = map(str, error["loc"])
+    if place != "body":
+        return ProblemError(detail=error["msg"], parameter=".".join(steps))
+    escaped = (quote(step.replace("~", "~0").replace("/", "~1")) for step in steps)
+    return ProblemError(detail=error["msg"], pointer="#" + "".join(f"/{step}" for step in escaped))
+
+
 def _allowed(app: FastAPI, path: str) -> list[str]:
     """Which methods does this path take? The router tells only those of the first route that fits."""
     fitting = (
@@ -252,4 +318,5 @@ def _allowed(app: FastAPI, path: str) -> list[str]:
         for template, operations in app.openapi()["paths"].items()
         if re.fullmatch(re.sub(r"\\{\w+\\}", "[^/]+", re.escape(template)), path)
     )
-    return sorted({method.upper() for operations in fitting for method in operations})
+    methods = {method.upper() for operations in fitting for method in operations}
+    return sorted(methods | ({"HEAD"} if "GET" in methods and not path.endswith(STREAM) else set()))

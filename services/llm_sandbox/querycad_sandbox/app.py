@@ -127,8 +127,8 @@ class _Runs:
         try:
             asked = RunRequest.model_validate_json(body)
         except ValidationError as error:
-            lines = tuple(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
-            return _problem(Problem(title="Not a run request", status=422, errors=lines))
+            detail = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
+            return _problem(Problem(title="Not a run request", status=422, detail=detail))
         carry_trace(request.headers)
         if not self._walled():
             detail = f"walls are not up: {', '.join(self._missing())}"
@@ -204,7 +204,8 @@ class _Runs:
         except SegCadUnavailable as error:
             raise NotRun(Problem(title="SegCAD unavailable", status=503, detail=str(error), retryable=True)) from error
         except SegCadFailed as error:
-            status = 422 if error.failure.kind is TaskFailureKind.FILE else 502
+            statuses = {TaskFailureKind.FILE: 422, TaskFailureKind.NOT_READ: 409}
+            status = statuses.get(error.failure.kind, 502)
             problem = Problem(title="SegCAD failed", status=status, detail=error.failure.message)
             raise NotRun(problem.model_copy(update={"retryable": error.failure.retryable})) from error
         except Exception as error:

@@ -11,8 +11,6 @@ from collections.abc import Sequence
 from typing import Final, Protocol, TypeVar, cast
 from uuid import uuid4
 
-from celery import Celery
-from kombu.exceptions import OperationalError
 from pydantic import TypeAdapter
 from redis import Redis
 from redis.exceptions import RedisError
@@ -96,14 +94,9 @@ class Caller(Protocol):
 
 
 class QueueCaller:
-    """Sends tasks to the segworkers and takes their replies; Celery tells them what not to begin. Thread safe."""
+    """Sends tasks to the segworkers and takes their replies; what is abandoned, they do not begin. Thread safe."""
 
     def __init__(self, redis_url: str) -> None:
-        self._app = Celery("querycad_sandbox", broker=redis_url, set_as_current=False)
-        self._app.conf.update(
-            broker_transport_options={"socket_connect_timeout": CONNECT_S, "max_retries": 1},
-            task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
-        )
         self._redis = Redis.from_url(redis_url, socket_connect_timeout=CONNECT_S, socket_timeout=None)
 
     def __call__(self, name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> bytes:
@@ -143,18 +136,18 @@ class QueueCaller:
         return cast("tuple[bytes, bytes] | None", self._redis.blpop(keys, timeout_s - soon))
 
     def _abandon(self, task: str) -> None:
-        """Wakes whoever waits for the task's reply, and tells the segworkers not to begin it."""
+        """Wakes whoever waits for the task's reply; what stays in its place tells the segworkers not to begin it."""
         key = reply_key(task)
         try:
-            self._redis.rpush(key, b"null")
-            self._redis.expire(key, KEPT_S)
-            self._app.control.revoke(task)
-        except (OperationalError, RedisError) as error:
-            log.warning("task %s could not be revoked: %s", task, error)
+            with self._redis.pipeline(transaction=False) as pipe:
+                pipe.rpush(key, b"null", b"null")
+                pipe.expire(key, KEPT_S)
+                pipe.execute()
+        except RedisError as error:
+            log.warning("task %s could not be abandoned: %s", task, error)
 
     def close(self) -> None:
         """Closes the connections."""
-        self._app.close()
         self._redis.close()
 
 

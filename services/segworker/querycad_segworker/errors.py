@@ -5,6 +5,7 @@ FileProblem
 ├── IncompleteFile     empty, cut short, or without geometry
 ├── NoLengthUnit       its numbers have no unit
 ├── UnreadableFile     the kernel cannot make sense of it
+├── NotRead            it is known, and has to be read first
 ├── FileTooLarge       over the size limit
 ├── KernelDied         the kernel crashed, hung or ran out of memory on it
 ├── KernelKilled       the kernel's process was killed by somebody else
@@ -37,6 +38,12 @@ class NoLengthUnit(FileProblem):
 
 class UnreadableFile(FileProblem):
     """The kernel refused the file."""
+
+
+class NotRead(FileProblem):
+    """The file is known, but nothing is kept of it that this version can use: an ingest has to read it first."""
+
+    retryable = True
 
 
 class FileTooLarge(FileProblem):

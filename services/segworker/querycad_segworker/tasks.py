@@ -50,7 +50,7 @@ from querycad_contracts import (
     working_for,
 )
 
-from .errors import DiskFull, FileProblem
+from .errors import DiskFull, FileProblem, NotRead
 from .grounding.vision import Networks, networks_in
 from .ingest import IngestLimits, ingest
 from .local import LocalSegCad
@@ -77,14 +77,24 @@ class ModelCache:
         self._store = ModelStore(settings.models)
         self._kept: OrderedDict[str, LocalSegCad] = OrderedDict()
 
-    def artefacts(self, model: str, file_name: str | None = None) -> Artefacts:
-        """What is kept of an uploaded model; its file is read now if that was not done yet. Raises FileProblem."""
+    def artefacts(self, model: str) -> Artefacts:
+        """What is kept of an uploaded model. Raises NotRead where an ingest has to read its file first."""
         known = self._store.find(model)
         if known is not None:
             return known
         folder = self._name(self._store.folder(model))
         if self.files.fetch_folder(folder) and (known := self._store.find(model)) is not None:
             return known
+        if not self.files.exists(upload_name(model)):
+            raise UnknownModelError("no such model: upload its file first")
+        raise NotRead("the file has to be read first")
+
+    def read(self, model: str, file_name: str) -> Artefacts:
+        """What is kept of an uploaded model; its file is read now if need be. Raises FileProblem."""
+        try:
+            return self.artefacts(model)
+        except NotRead:
+            folder = self._name(self._store.folder(model))
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
@@ -156,7 +166,7 @@ class Tasks:
 
     def ingest(self, task: IngestTask) -> ModelSummary:
         """What does the uploaded file hold? Read once; known content is answered at once."""
-        found = summary(self.cache.artefacts(task.model, task.file_name).load_model())
+        found = summary(self.cache.read(task.model, task.file_name).load_model())
         self.cache.drop_if_deleted(task.model)
         return found
 
@@ -293,7 +303,8 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
     try:
         return TaskOutcome[Any](value=work())
     except FileProblem as problem:
-        failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(problem), retryable=problem.retryable)
+        kind = TaskFailureKind.NOT_READ if isinstance(problem, NotRead) else TaskFailureKind.FILE
+        failure = TaskFailure(kind=kind, message=str(problem), retryable=problem.retryable)
     except OSError as error:
         if error.errno not in DiskFull.CODES:
             raise

@@ -17,6 +17,7 @@ from typing import Any, cast
 
 from celery import Celery, Task
 from celery.bootsteps import StartStopStep
+from celery.exceptions import SoftTimeLimitExceeded
 from celery.signals import heartbeat_sent, setup_logging, worker_process_init
 from kombu import Queue as KombuQueue
 from redis import Redis
@@ -138,9 +139,11 @@ def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str,
     """The task as Celery does it: an ingest hands its outcome to what follows it, a call leaves it to who called."""
 
     def run(self: Task, payload: dict[str, Any]) -> dict[str, Any] | None:
+        if name is not TaskName.INGEST and redis.exists(reply_key(self.request.id)):
+            return None  # who called has gone, or a worker that died has answered
         again = bool(self.request.delivery_info.get("redelivered"))
         try:
-            outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else work(payload)
+            outcome = _given_up() if again and _deaths(redis, self.request.id) >= ATTEMPTS else _worked(work, payload)
         except Exception:
             if name is TaskName.INGEST:  # Celery tells what follows it
                 raise
@@ -155,6 +158,15 @@ def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str,
         return None
 
     return run
+
+
+def _worked(work: Work, payload: dict[str, Any]) -> str:
+    """The outcome. What is stopped since its model was deleted ends at once; if another was meant, it begins anew."""
+    try:
+        return work(payload)
+    except SoftTimeLimitExceeded:
+        log.info("stopped")
+        return work(payload)
 
 
 def _deaths(redis: Redis, task: str) -> int:

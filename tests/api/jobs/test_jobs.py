@@ -88,7 +88,7 @@ def test_who_comes_back_is_told_only_what_came_after(
     worker.answer(task_of(redis, job))
     told = events(client, job)
     assert events(client, job, **{"Last-Event-ID": told[2][0]}) == told[3:]
-    assert client.get(f"/v1/jobs/{job}/events", headers={"Last-Event-ID": "yesterday"}).status_code == 422
+    assert client.get(f"/v1/jobs/{job}/events", headers={"Last-Event-ID": "yesterday"}).status_code == 400
 
 
 def test_who_was_told_all_need_not_come_back(client: httpx.Client, model: str, redis: Redis, worker: Questions) -> None:
@@ -259,4 +259,5 @@ def test_models_come_in_pages_the_newest_first(client: httpx.Client) -> None:
 @pytest.mark.parametrize("query", ["limit=0", "limit=1001", "offset=-1", "limit=x"])
 def test_a_page_that_cannot_be_is_a_problem(client: httpx.Client, model: str, path: str, query: str) -> None:
     response = client.get(f"/v1/{path}?{query}")
-    assert (response.status_code, response.headers["content-type"]) == (422, "application/problem+json")
+    assert (response.status_code, response.headers["content-type"]) == (400, "application/problem+json")
+    assert response.json()["errors"][0]["parameter"] == query.partition("=")[0]

@@ -8,16 +8,20 @@ import json
 import socket
 import tempfile
 import threading
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import httpx
 import pytest
-from fastapi import FastAPI, Response
+from fastapi import FastAPI, Request, Response
 from redis import Redis
+from starlette.middleware.gzip import GZipMiddleware
 
 from querycad_api.models.drawings import whole
 from querycad_api.models.uploads import shown_name
+from querycad_api.ops.delivery import Tagged
+from querycad_api.problems import add_handlers
 from querycad_api.settings import ApiSettings
 from querycad_api.store.ledger import Ledger
 from querycad_api.store.state import READ_S
@@ -194,23 +198,85 @@ def test_an_upload_is_put_together_where_files_are_kept(tmp_path: Path, monkeypa
     assert (tmp_path / "home").is_dir()
 
 
-@pytest.mark.parametrize("asked", ["bytes=0-3", "bytes=99-", "nonsense"])
-def test_a_file_comes_whole_whatever_range_is_asked_for_and_whoever_deletes_it(
-    tmp_path: Path, serving: Any, asked: str
-) -> None:
-    app, content = FastAPI(), bytes(range(256)) * 4096
+CONTENT = bytes(range(256)) * 4096
+SIZE = len(CONTENT)
 
-    @app.get("/")
-    async def drawn() -> Response:
-        (tmp_path / "a.png").write_bytes(content)
-        response = whole(tmp_path / "a.png", "image/png")
-        (tmp_path / "a.png").unlink()
+
+@pytest.fixture
+def file_client(tmp_path: Path, serving: Any) -> Iterator[httpx.Client]:
+    """Of a file that is deleted as soon as its response is made."""
+    app = FastAPI()
+    add_handlers(app)
+    app.add_middleware(Tagged)
+    app.add_middleware(GZipMiddleware)
+
+    @app.get("/{name}")
+    async def drawn(name: str, request: Request) -> Response:
+        (tmp_path / name).write_bytes(CONTENT)
+        media = {"png": "image/png", "glb": "model/gltf-binary"}[name.rpartition(".")[2]]
+        response = whole(tmp_path / name, media, "tag", request.headers)
+        (tmp_path / name).unlink()
         return response
 
     with serving(app) as client:
-        response = client.get("/", headers={"Range": asked})
-    assert (response.status_code, response.content) == (200, content)
-    assert response.headers["content-length"] == str(len(content))
+        client.headers["Accept-Encoding"] = "identity"
+        yield client
+
+
+@pytest.mark.parametrize("asked", ["nonsense", "bytes=0-1,5-6", "bytes=-", "lines=0-3"])
+def test_a_file_comes_whole_where_no_one_range_is_asked_for_and_whoever_deletes_it(
+    file_client: httpx.Client, asked: str
+) -> None:
+    response = file_client.get("/a.png", headers={"Range": asked})
+    assert (response.status_code, response.content) == (200, CONTENT)
+    assert (response.headers["content-length"], response.headers["accept-ranges"]) == (str(SIZE), "bytes")
+    assert "immutable" in response.headers["cache-control"]
+
+
+@pytest.mark.parametrize(
+    ("asked", "first", "end"),
+    [
+        ("bytes=0-3", 0, 4),
+        ("bytes=300000-", 300_000, SIZE),
+        ("bytes=-5", SIZE - 5, SIZE),
+        (f"bytes=5-{10 * SIZE}", 5, SIZE),
+        (f"bytes=-{10 * SIZE}", 0, SIZE),
+    ],
+)
+def test_a_range_of_a_file_comes_alone(file_client: httpx.Client, asked: str, first: int, end: int) -> None:
+    response = file_client.get("/a.png", headers={"Range": asked, "If-Range": '"tag"'})
+    assert (response.status_code, response.content) == (206, CONTENT[first:end])
+    assert response.headers["content-range"] == f"bytes {first}-{end - 1}/{SIZE}"
+    other = file_client.get("/a.png", headers={"Range": asked, "If-Range": '"of another file"'})
+    assert (other.status_code, other.content) == (200, CONTENT)
+
+
+@pytest.mark.parametrize("asked", [f"bytes={SIZE}-", "bytes=9-3", "bytes=-0"])
+def test_a_range_behind_the_end_is_refused_and_told_the_size(file_client: httpx.Client, asked: str) -> None:
+    response = file_client.get("/a.png", headers={"Range": asked})
+    problem(response, 416)
+    assert response.headers["content-range"] == f"bytes */{SIZE}"
+
+
+def test_triangles_come_compressed_to_who_takes_that_and_ranges_do_not(file_client: httpx.Client) -> None:
+    takes = {"Accept-Encoding": "gzip"}
+    compressed = file_client.get("/a.glb", headers=takes)
+    assert (compressed.headers["content-encoding"], compressed.content) == ("gzip", CONTENT)
+    assert compressed.headers["etag"] == 'W/"tag"'
+    part = file_client.get("/a.glb", headers={**takes, "Range": "bytes=0-9999"})
+    assert (part.status_code, part.content) == (206, CONTENT[:10_000])
+    assert (part.headers.get("content-encoding"), part.headers["etag"]) == (None, '"tag"')
+    assert "content-encoding" not in file_client.get("/a.png", headers=takes).headers
+
+
+@pytest.mark.parametrize(
+    ("known", "status"), [('"tag"', 304), ('W/"x", W/"tag"', 304), ("*", 304), ('"x"', 200)], ids=range(4)
+)
+def test_who_has_a_file_is_told_so(file_client: httpx.Client, known: str, status: int) -> None:
+    response = file_client.get("/a.png", headers={"If-None-Match": known})
+    assert response.status_code == status
+    assert response.content == (b"" if status == 304 else CONTENT)
+    assert response.headers["etag"] == '"tag"'
 
 
 @pytest.mark.parametrize("path", ["/v1/models/", f"/v1/models/{SHA256}/"])
@@ -225,13 +291,17 @@ def test_of_several_files_none_is_lost_unsaid(client: httpx.Client) -> None:
 
 
 def test_a_request_without_a_file_is_not_as_documented(client: httpx.Client) -> None:
-    assert problem(client.post("/v1/models", data={"other": "x"}), 422)["errors"]
+    found = problem(client.post("/v1/models", files={"other": ("x.step", STEP)}), 422)
+    assert [error["pointer"] for error in found["errors"]] == ["#/file"]
+    problem(client.post("/v1/models", data={"file": "x"}), 415)
+    problem(client.post("/v1/models", content=STEP, headers={"Content-Type": "model/step"}), 415)
 
 
 @pytest.mark.parametrize("path", ["", "/parts"])
 def test_an_unknown_model_is_not_found(client: httpx.Client, path: str) -> None:
     problem(client.get(f"/v1/models/{SHA256}{path}"), 404)
-    problem(client.get(f"/v1/models/not-a-hash{path}"), 422)
+    nowhere = problem(client.get(f"/v1/models/not-a-hash{path}"), 404)
+    assert nowhere["errors"][0]["parameter"] == "model_id"
 
 
 def test_parts_of_a_model_that_is_being_read_come_later(client: httpx.Client) -> None:
@@ -271,3 +341,28 @@ def test_it_is_ready_when_every_queue_has_a_worker(client: httpx.Client, redis: 
     assert response.status_code == 503
     wanted = {"store": True, "ingest": False, "segcad": True, "pictures": False, "questions": False, "sandbox": False}
     assert response.json()["checks"] == wanted
+
+
+def test_a_model_that_is_deleted_while_it_is_read_stops_the_reading(
+    client: httpx.Client, redis: Redis, ledger: Ledger
+) -> None:
+    def told_to_stop() -> list[str]:
+        """What all workers are told, by Celery's own broadcast."""
+        message = listening.get_message(timeout=5)
+        while message is not None and message["type"] != "pmessage":
+            message = listening.get_message(timeout=5)
+        return [] if message is None else json.loads(base64.b64decode(json.loads(message["data"])["body"]))
+
+    with redis.pubsub() as listening:  # type: ignore[no-untyped-call]
+        listening.psubscribe("*celery.pidbox*")
+        upload(client)
+        (message,) = [json.loads(str(each)) for each in redis.lrange(Queue.INGEST.value, 0, 0)]
+        client.delete(f"/v1/models/{SHA256}")
+        stop: Any = told_to_stop()
+        assert (stop["method"], stop["arguments"]["terminate"]) == ("revoke", True)
+        assert stop["arguments"]["task_id"] == [message["headers"]["id"]]
+        upload(client)
+        ledger.finish_model(NO_ACCOUNTS, SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
+        client.delete(f"/v1/models/{SHA256}")
+        listening.get_message(timeout=0.5)
+        assert listening.get_message(timeout=0.5) is None  # it was read: there is nothing to stop

@@ -23,6 +23,7 @@ from querycad_contracts import (
     DescribeTask,
     Description,
     Failure,
+    Job,
     ModelSummary,
     QuestionTask,
     Status,
@@ -61,7 +62,9 @@ def test_an_answered_job_holds_the_record(client: httpx.Client, model: str, redi
     assert record.warnings == ("it was tilted", "there is no hole")
 
 
-def test_who_waits_gets_the_very_record(client: httpx.Client, model: str, redis: Redis, worker: Questions) -> None:
+def test_who_waits_gets_what_the_job_tells_later(
+    client: httpx.Client, model: str, redis: Redis, worker: Questions
+) -> None:
     def answer_soon() -> None:
         (key,) = redis.scan_iter("querycad:job:*")
         worker.answer(task_of(redis, str(key).rpartition(":")[2]))
@@ -73,8 +76,8 @@ def test_who_waits_gets_the_very_record(client: httpx.Client, model: str, redis:
     assert response.status_code == 200
     assert response.headers["preference-applied"] == "wait=2"
     job = client.get(response.headers["location"]).json()
-    assert AnswerRecord.model_validate_json(response.content).model_dump_json() == response.text
-    assert response.json() == job["record"]
+    assert Job.model_validate_json(response.content).model_dump_json() == response.text
+    assert response.json() == job
 
 
 def test_a_wait_that_is_not_met_leaves_the_job_to_be_asked_for(client: httpx.Client, model: str) -> None:

@@ -11,7 +11,16 @@ from fastapi.responses import Response
 from fastapi.sse import EventSourceResponse, ServerSentEvent
 from redis.exceptions import RedisError
 
-from querycad_api.dependencies import ServicesDep, WaitDep
+from querycad_api.dependencies import (
+    LimitDep,
+    OffsetDep,
+    PartsShown,
+    PartsShownDep,
+    ServicesDep,
+    WaitDep,
+    shown,
+)
+from querycad_api.links import link_next
 from querycad_api.models.drawings import PNG, drawn
 from querycad_api.problems import (
     JobIsDone,
@@ -19,11 +28,12 @@ from querycad_api.problems import (
     ModelNotFound,
     ModelUnreadable,
     PictureNotFound,
+    RangeNotSatisfiable,
     ServiceUnavailable,
     TooManyRequests,
     responses,
 )
-from querycad_contracts import Job, JobId, ModelId, PictureTask, TaskName, picture_name
+from querycad_contracts import Job, JobId, ModelId, PartsPage, PictureTask, TaskName, picture_name
 
 from .service import answered, cancel, followed
 
@@ -35,12 +45,12 @@ router = APIRouter(prefix="/v1", tags=["jobs"])
 
 
 @router.get("/jobs/{job_id}", response_model=Job, responses=responses(JobNotFound, ServiceUnavailable))
-async def get_job(job_id: JobId, services: ServicesDep, wait_s: WaitDep) -> Job:
+async def get_job(job_id: JobId, services: ServicesDep, wait_s: WaitDep, parts: PartsShownDep = PartsShown.FULL) -> Job:
     """How far is the question? With `Prefer: wait=N`, once it is done or after N seconds."""
     found = await services.job(job_id)
     if found.record is None and wait_s and await services.state.job_done(job_id, wait_s):
         found = await services.job(job_id)
-    return found
+    return shown(found, parts)
 
 
 LastEventDep = Annotated[
@@ -106,13 +116,36 @@ async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
     "/models/{model_id}/answers/{job_id}/picture",
     response_class=Response,
     responses={
-        **responses(ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, ServiceUnavailable),
-        200: PNG,
+        **responses(
+            ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, RangeNotSatisfiable, ServiceUnavailable
+        ),
+        **PNG,
     },
 )
-async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep) -> Response:
+async def get_picture(model_id: ModelId, job_id: JobId, services: ServicesDep, request: Request) -> Response:
     """The parts that an answer rests on, marked and numbered in a picture of the model."""
     await services.must_know(model_id)
     record = await answered(services, model_id, job_id)
     task = PictureTask(model=model_id, record=record, name=picture_name(job_id))
-    return await drawn(services, TaskName.PICTURE, task, "image/png")
+    return await drawn(services, TaskName.PICTURE, task, "image/png", request.headers)
+
+
+@router.get(
+    "/models/{model_id}/answers/{job_id}/parts",
+    response_model=PartsPage,
+    responses=responses(ModelNotFound, JobNotFound, PictureNotFound, ServiceUnavailable),
+)
+async def list_answer_parts(
+    model_id: ModelId,
+    job_id: JobId,
+    services: ServicesDep,
+    request: Request,
+    response: Response,
+    offset: OffsetDep = 0,
+    limit: LimitDep = 100,
+) -> PartsPage:
+    """The parts that an answer rests on, page by page; `Link` tells the next."""
+    await services.must_know(model_id)
+    found = (await answered(services, model_id, job_id)).parts
+    link_next(request, response, offset, limit, len(found))
+    return PartsPage(items=found[offset : offset + limit], total=len(found))

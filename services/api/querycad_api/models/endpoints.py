@@ -7,6 +7,7 @@ from typing import Annotated, Any
 from fastapi import APIRouter, File, Request, Response, UploadFile
 
 from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep, WaitDep
+from querycad_api.links import link_next
 from querycad_api.problems import (
     FileTooLarge,
     Malformed,
@@ -14,6 +15,7 @@ from querycad_api.problems import (
     NotStepFile,
     ServiceUnavailable,
     TooSlow,
+    WrongMediaType,
     responses,
 )
 from querycad_contracts import ModelId, ModelResource, ModelsPage, ModelStatus
@@ -31,7 +33,7 @@ FORM: Any = {"max_files": 2, "max_fields": 2, "max_part_size": 1024}
     response_model=ModelResource,
     form_limits=FORM,
     responses={
-        **responses(Malformed, ModelNotFound, TooSlow, FileTooLarge, NotStepFile, ServiceUnavailable),
+        **responses(Malformed, ModelNotFound, TooSlow, FileTooLarge, NotStepFile, WrongMediaType, ServiceUnavailable),
         200: {"description": "The file was there already; it has been read.", "model": ModelResource},
         201: {"description": "The file has been read within the wait that was preferred.", "model": ModelResource},
         202: {"description": "The file was accepted and is being read.", "model": ModelResource},
@@ -58,9 +60,13 @@ async def upload_model(
 
 
 @router.get("", response_model=ModelsPage, responses=responses(ServiceUnavailable))
-async def list_models(services: ServicesDep, offset: OffsetDep = 0, limit: LimitDep = 100) -> ModelsPage:
-    """Which models are there? The newest first."""
-    return await services.state.models(services.caller.tenant, offset, limit)
+async def list_models(
+    services: ServicesDep, request: Request, response: Response, offset: OffsetDep = 0, limit: LimitDep = 100
+) -> ModelsPage:
+    """Which models are there? The newest first; `Link` tells the next page."""
+    page = await services.state.models(services.caller.tenant, offset, limit)
+    link_next(request, response, offset, limit, page.total)
+    return page
 
 
 @router.get("/{model_id}", response_model=ModelResource, responses=responses(ModelNotFound, ServiceUnavailable))

@@ -5,20 +5,23 @@ from __future__ import annotations
 import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
 from pydantic import TypeAdapter
 
 from querycad_answering.drawing.tables import table
 from querycad_answering.drawing.writing import written
 from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
+from querycad_api.links import link_next
 from querycad_api.problems import (
     Malformed,
     ModelNotFound,
     ModelNotReady,
     ModelUnreadable,
+    RangeNotSatisfiable,
     ServiceUnavailable,
     TooLarge,
+    WrongMediaType,
     responses,
 )
 from querycad_contracts import (
@@ -31,6 +34,7 @@ from querycad_contracts import (
     ModelId,
     ModelTask,
     Part,
+    PartKind,
     PartsPage,
     PartsTask,
     SegmentRequest,
@@ -44,6 +48,7 @@ from querycad_contracts import (
 )
 
 from .drawings import DRAW_S, GLB, PNG, drawn
+from .service import called
 
 CALL_S = 20.0
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
@@ -59,7 +64,7 @@ TEXT_MEDIA = {
 }
 
 PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
-BODY_PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
+BODY_PROBLEMS = {**PROBLEMS, **responses(Malformed, TooLarge, WrongMediaType)}
 
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["geometry"])
 
@@ -68,14 +73,18 @@ router = APIRouter(prefix="/v1/models/{model_id}", tags=["geometry"])
 async def list_parts(
     model_id: ModelId,
     services: ServicesDep,
-    kind: Annotated[str | None, Query(description="Only this kind: 'hole', 'boss' …", max_length=100)] = None,
+    request: Request,
+    response: Response,
+    kind: Annotated[PartKind | None, Query(description="Only this kind.")] = None,
     offset: OffsetDep = 0,
     limit: LimitDep = 100,
 ) -> PartsPage:
-    """Which parts were recognised in the model?"""
+    """Which parts were recognised in the model? `Link` tells the next page."""
     await services.ready_model(model_id)
     task = PartsTask(model=model_id, kind=kind, offset=offset, limit=limit)
-    return await services.broker.call(TaskName.PARTS, task, _PARTS, CALL_S)
+    page = await called(services, TaskName.PARTS, task, _PARTS, CALL_S)
+    link_next(request, response, offset, limit, page.total)
+    return page
 
 
 @router.get(
@@ -117,14 +126,14 @@ async def get_description(
     model = await services.ready_model(model_id)
     assert model.summary is not None
     task = DescribeTask(model=model_id, summary=model.summary, unit=unit)
-    return await services.broker.call(TaskName.DESCRIPTION, task, _DESCRIPTION, DESCRIBE_S)
+    return await called(services, TaskName.DESCRIPTION, task, _DESCRIPTION, DESCRIBE_S)
 
 
 async def _all_parts(services: Services, model: str) -> tuple[Part, ...]:
     found: list[Part] = []
     while True:
         task = PartsTask(model=model, offset=len(found), limit=PAGE)
-        page = await services.broker.call(TaskName.PARTS, task, _PARTS, CALL_S)
+        page = await called(services, TaskName.PARTS, task, _PARTS, CALL_S)
         found += page.items
         if not page.items or len(found) >= page.total:
             return tuple(found)
@@ -136,25 +145,26 @@ async def segment(model_id: ModelId, asked: SegmentRequest, services: ServicesDe
     await services.ready_model(model_id)
     task = FindPartsTask(model=model_id, description=asked.description, sides=asked.sides, grounding=asked.grounding)
     wait_s = CALL_S if asked.grounding is GroundedBy.GEOMETRY else DRAW_S
-    return await services.broker.call(TaskName.FIND_PARTS, task, _GROUNDING, wait_s)
+    return await called(services, TaskName.FIND_PARTS, task, _GROUNDING, wait_s)
 
 
-@router.get("/views/{view}", response_class=Response, responses={**PROBLEMS, 200: PNG})
+@router.get("/views/{view}", response_class=Response, responses={**PROBLEMS, **responses(RangeNotSatisfiable), **PNG})
 async def get_view(
     model_id: ModelId,
     view: ViewName,
     services: ServicesDep,
+    request: Request,
     width: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 800,
     height: Annotated[int, Query(ge=64, le=2048, description="Pixels.")] = 600,
 ) -> Response:
     """How does the model look from there? Orthographic; a side's camera stands one degree off its axis."""
     await services.ready_model(model_id)
     task = ViewTask(model=model_id, view=view, width=width, height=height)
-    return await drawn(services, TaskName.VIEW, task, "image/png")
+    return await drawn(services, TaskName.VIEW, task, "image/png", request.headers)
 
 
-@router.get("/glb", response_class=Response, responses={**PROBLEMS, 200: GLB})
-async def get_glb(model_id: ModelId, services: ServicesDep) -> Response:
+@router.get("/glb", response_class=Response, responses={**PROBLEMS, **responses(RangeNotSatisfiable), **GLB})
+async def get_glb(model_id: ModelId, services: ServicesDep, request: Request) -> Response:
     """The model's triangles as binary glTF 2.0, metres; the vertex attribute `_FACE_ID` holds the id of the face."""
     await services.ready_model(model_id)
-    return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary")
+    return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary", request.headers)

@@ -16,9 +16,12 @@ from querycad_api.problems import (
     ModelUnreadable,
     ServiceUnavailable,
     TooLarge,
+    WrongMediaType,
     responses,
 )
 from querycad_contracts import ModelId, Problem, ProgramRequest, RunLimits, RunOutcome, RunRequest, carried_trace
+
+from .service import read_again
 
 LIMITS = RunLimits(segcad_s=60.0, wall_s=90.0)
 """As of every program; in all less than of a question's, since the caller waits for it."""
@@ -31,7 +34,10 @@ router = APIRouter(prefix="/v1/models/{model_id}", tags=["programs"])
 @router.post(
     "/programs",
     response_model=RunOutcome,
-    responses=responses(Malformed, TooLarge, ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable),
+    responses={
+        **responses(Malformed, TooLarge, WrongMediaType, ModelNotFound),
+        **responses(ModelNotReady, ModelUnreadable, ServiceUnavailable),
+    },
 )
 async def run_program(
     model_id: ModelId, program: ProgramRequest, services: ServicesDep, request: Request
@@ -52,6 +58,9 @@ async def run_program(
         problem = Problem.model_validate_json(answer.content)
     except (httpx.HTTPError, ValidationError) as error:
         raise ServiceUnavailable("the sandbox does not answer; try again in a moment") from error
+    if problem.status == HTTPStatus.CONFLICT:
+        await read_again(services, model_id)
+        raise ModelNotReady("the file is being read anew; try again in a moment")
     if problem.status == HTTPStatus.UNPROCESSABLE_ENTITY:
         raise ModelUnreadable(problem.detail)
     raise ServiceUnavailable(problem.detail or problem.title)

@@ -6,13 +6,29 @@ import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from datetime import UTC, datetime
-from typing import BinaryIO
+from typing import BinaryIO, TypeVar
+from uuid import uuid4
+
+from pydantic import TypeAdapter
 
 from querycad_api.dependencies import Services
-from querycad_api.problems import ServiceUnavailable
-from querycad_contracts import AnswerRecord, ModelResource, ModelStatus, models_name, picture_name, upload_name
+from querycad_api.problems import ModelNotReady, ServiceUnavailable
+from querycad_api.store.keyspace import ModelStale
+from querycad_contracts import (
+    AnswerRecord,
+    ModelResource,
+    ModelStatus,
+    ModelTask,
+    TaskName,
+    TaskOutcome,
+    models_name,
+    picture_name,
+    upload_name,
+)
 
 from .uploads import Received, received, shown_name
+
+T = TypeVar("T")
 
 
 async def add(services: Services, file: BinaryIO, file_name: str | None) -> tuple[str, bool]:
@@ -39,10 +55,14 @@ async def add(services: Services, file: BinaryIO, file_name: str | None) -> tupl
 
 
 async def delete(services: Services, model: str) -> None:
-    """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
+    """Deletes the model with its file, questions and answers.
+
+    Questions that are under way end as cancelled; where the file is being read, that is stopped.
+    """
     state, tenant = services.state, services.caller.tenant
     tasks = await state.tasks_about(tenant, model)
-    stopped = [task.job for task in tasks if await state.end_job(task, AnswerRecord.cancelled(task.question))]
+    stopped = [reader] if (reader := await state.ingest_of(tenant, model)) is not None else []
+    stopped += [task.job for task in tasks if await state.end_job(task, AnswerRecord.cancelled(task.question))]
     async with state.files_of(model):
         nobodys = await state.forget_model(tenant, model)
         await state.forget_jobs(tasks)
@@ -50,6 +70,27 @@ async def delete(services: Services, model: str) -> None:
         names += [picture_name(task.job) for task in tasks]
         await asyncio.to_thread(_remove, services, names)
     await services.broker.stop(stopped)
+
+
+async def called(
+    services: Services, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float
+) -> T:
+    """What does a worker say of the model? Raises ModelUnreadable, ServiceUnavailable, and ModelNotReady.
+
+    The last where its file was read by an older version: it is read anew then, by an ingest, while nobody waits.
+    """
+    try:
+        return await services.broker.call(name, task, value, timeout_s)
+    except ModelStale:
+        await read_again(services, task.model)
+        raise ModelNotReady("the file is being read anew; try again in a moment") from None
+
+
+async def read_again(services: Services, model: str) -> None:
+    """Has the file of a model read anew that was read before. Raises ModelNotFound and ServiceUnavailable."""
+    known = await services.model(model)
+    if known.status is ModelStatus.READY:
+        await _read(services, known, new=False)
 
 
 @asynccontextmanager
@@ -67,9 +108,10 @@ async def _read(services: Services, resource: ModelResource, new: bool) -> None:
     tenant = services.caller.tenant
     if not new:
         await services.state.forget_outcome(tenant, resource.id)
-    await services.state.reading(tenant, resource.id)
+    task = uuid4().hex
+    await services.state.reading(tenant, resource.id, task)
     try:
-        await services.broker.ingest(resource, tenant)
+        await services.broker.ingest(resource, tenant, task)
     except ServiceUnavailable:
         await services.state.forget_model(tenant, resource.id)
         raise

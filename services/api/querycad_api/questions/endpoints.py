@@ -5,9 +5,20 @@ from __future__ import annotations
 import asyncio
 from typing import Annotated
 
-from fastapi import APIRouter, Header, Response
+from fastapi import APIRouter, Header, Request, Response
+from redis.exceptions import RedisError
 
-from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep, WaitDep
+from querycad_api.dependencies import (
+    LimitDep,
+    OffsetDep,
+    PartsShown,
+    PartsShownDep,
+    Services,
+    ServicesDep,
+    WaitDep,
+    shown,
+)
+from querycad_api.links import link_next
 from querycad_api.problems import (
     KeyReused,
     Malformed,
@@ -15,9 +26,10 @@ from querycad_api.problems import (
     ServiceUnavailable,
     TooLarge,
     TooManyRequests,
+    WrongMediaType,
     responses,
 )
-from querycad_contracts import AnswerRecord, Job, JobsPage, JobStatus, ModelId, QuestionRequest, QuestionsRequest
+from querycad_contracts import Job, JobsPage, JobStatus, ModelId, QuestionRequest, QuestionsRequest
 
 from .service import accept, done
 
@@ -32,7 +44,7 @@ IdempotencyKeyDep = Annotated[
     ),
 ]
 
-PROBLEMS = responses(Malformed, TooLarge, ModelNotFound, KeyReused, TooManyRequests, ServiceUnavailable)
+PROBLEMS = responses(Malformed, TooLarge, WrongMediaType, ModelNotFound, KeyReused, TooManyRequests, ServiceUnavailable)
 
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["questions"])
 
@@ -43,24 +55,28 @@ router = APIRouter(prefix="/v1/models/{model_id}", tags=["questions"])
     status_code=202,
     responses={
         **PROBLEMS,
-        200: {
-            "description": "The answer, or why there is none; the same as `querycad ask --json` prints.",
-            "model": AnswerRecord,
-        },
+        200: {"description": "The job is done: its `record` has the answer, or why there is none.", "model": Job},
         202: {"description": "The question was accepted; the job at `Location` will hold the answer.", "model": Job},
     },
 )
 async def ask(
-    model_id: ModelId, asked: QuestionRequest, services: ServicesDep, wait_s: WaitDep, once: IdempotencyKeyDep = None
+    model_id: ModelId,
+    asked: QuestionRequest,
+    services: ServicesDep,
+    wait_s: WaitDep,
+    once: IdempotencyKeyDep = None,
+    parts: PartsShownDep = PartsShown.FULL,
 ) -> Response:
     """Asks a question about a model. With `Prefer: wait=N` the answer comes at once if it is there within N seconds."""
     (job,) = await accept(services, model_id, (asked,), once)
     headers = {"Location": f"/v1/jobs/{job.id}"}
     if wait_s and await done(services, job, wait_s):
-        record = await services.state.record(job.id)
+        job = await _now(services, job)
+    is_done = job.status is JobStatus.DONE
+    if wait_s and is_done:
         headers["Preference-Applied"] = f"wait={wait_s}"
-        return Response(record, 200, headers, media_type="application/json")
-    return Response(job.model_dump_json(), 202, headers, media_type="application/json")
+    body = shown(job, parts).model_dump_json()
+    return Response(body, 200 if is_done else 202, headers, media_type="application/json")
 
 
 @router.post(
@@ -74,7 +90,12 @@ async def ask(
     },
 )
 async def ask_many(
-    model_id: ModelId, asked: QuestionsRequest, services: ServicesDep, wait_s: WaitDep, once: IdempotencyKeyDep = None
+    model_id: ModelId,
+    asked: QuestionsRequest,
+    services: ServicesDep,
+    wait_s: WaitDep,
+    once: IdempotencyKeyDep = None,
+    parts: PartsShownDep = PartsShown.FULL,
 ) -> Response:
     """Asks several questions about a model at once: all are accepted, or none. With `Prefer: wait=N` as for one."""
     jobs = await accept(services, model_id, asked.questions, once)
@@ -83,19 +104,34 @@ async def ask_many(
         deadline = asyncio.get_running_loop().time() + wait_s
         for job in jobs:
             await done(services, job, max(0.0, deadline - asyncio.get_running_loop().time()))
-        found = [await services.state.job(services.caller.tenant, job.id) for job in jobs]
-        jobs = tuple(now or before for now, before in zip(found, jobs, strict=True))
+        jobs = tuple([await _now(services, job) for job in jobs])
     all_done = all(job.status is JobStatus.DONE for job in jobs)
     if wait_s and all_done:
         headers["Preference-Applied"] = f"wait={wait_s}"
-    page = JobsPage(items=jobs, total=len(jobs))
+    page = JobsPage(items=tuple(shown(job, parts) for job in jobs), total=len(jobs))
     return Response(page.model_dump_json(), 200 if all_done else 202, headers, media_type="application/json")
 
 
 @router.get("/answers", response_model=JobsPage, responses=responses(ModelNotFound, ServiceUnavailable))
 async def list_answers(
-    model_id: ModelId, services: ServicesDep, offset: OffsetDep = 0, limit: LimitDep = 100
+    model_id: ModelId,
+    services: ServicesDep,
+    request: Request,
+    response: Response,
+    offset: OffsetDep = 0,
+    limit: LimitDep = 100,
+    parts: PartsShownDep = PartsShown.FULL,
 ) -> JobsPage:
-    """What was asked about the model, and what came of it? The newest first."""
+    """What was asked about the model, and what came of it? The newest first; `Link` tells the next page."""
     await services.must_know(model_id)
-    return await services.state.jobs(services.caller.tenant, model_id, offset, limit)
+    page = await services.state.jobs(services.caller.tenant, model_id, offset, limit)
+    link_next(request, response, offset, limit, page.total)
+    return JobsPage(items=tuple(shown(job, parts) for job in page.items), total=page.total)
+
+
+async def _now(services: Services, job: Job) -> Job:
+    """The job as it is by now, if it can be found out."""
+    try:
+        return await services.state.job(services.caller.tenant, job.id) or job
+    except RedisError:
+        return job

@@ -13,6 +13,7 @@ from urllib.parse import urlsplit
 
 from pydantic import ValidationError
 
+from querycad_api.store.keyspace import ModelStale
 from querycad_contracts import Failure, GroundedBy, Problem, Program, RunOutcome, RunRequest, carried_trace
 
 CONNECT_S = 3.0
@@ -44,7 +45,7 @@ class SandboxClient:
         self._timeout_s = timeout_s
 
     def run(self, program: Program, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> RunOutcome:
-        """What comes of the program, run against the model? Raises SandboxUnavailable and RunRefused.
+        """What comes of the program, run against the model? Raises SandboxUnavailable, RunRefused and ModelStale.
 
         Whatever else interrupts it, a signal among that, hangs up, which cancels the run.
         """
@@ -62,6 +63,8 @@ class SandboxClient:
             problem = Problem.model_validate_json(body)
         except (HTTPException, OSError, ValidationError) as error:
             raise SandboxUnavailable(str(error)) from error
+        if status == HTTPStatus.CONFLICT:
+            raise ModelStale(problem.detail)
         if problem.retryable:
             raise SandboxUnavailable(problem.detail)
         category = "bad_input" if status == HTTPStatus.UNPROCESSABLE_ENTITY else "internal"

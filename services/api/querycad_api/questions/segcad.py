@@ -12,6 +12,7 @@ from redis import Redis
 from redis.exceptions import RedisError
 
 from querycad_answering.understanding import ModelView
+from querycad_api.store.keyspace import ModelStale
 from querycad_contracts import (
     Failure,
     Grounded,
@@ -50,7 +51,7 @@ class SegcadClient:
         self._known: OrderedDict[str, GroundedParts] = OrderedDict()
 
     def view(self, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:
-        """What readings are ranked on. Raises SandboxUnavailable and RunRefused, as its `ground` does."""
+        """What readings are ranked on. Raises SandboxUnavailable, RunRefused and ModelStale, as its `ground` does."""
         known = self._known.get(model)
         if known is None:
             known = self._known[model] = self._ask(GroundTask(model=model, queries=()))
@@ -93,6 +94,9 @@ class SegcadClient:
         if outcome.value is not None:
             return outcome.value
         failure = outcome.failure
+        if failure is not None and failure.kind is TaskFailureKind.NOT_READ:
+            self._known.pop(task.model, None)
+            raise ModelStale(failure.message)
         if failure is None or failure.kind is not TaskFailureKind.FILE:
             raise RunRefused(Failure(category="internal", message="the segworker could not do this; its log says why"))
         raise RunRefused(Failure(category="bad_input", message=failure.message, retryable=failure.retryable))

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import logging
 import time
+from collections.abc import Callable
 from dataclasses import replace
-from functools import cache
-from typing import Any
+from functools import cache, partial
+from typing import Any, TypeVar
 
 from celery import Celery, Task
 from celery.exceptions import SoftTimeLimitExceeded
@@ -20,8 +21,10 @@ from redis.retry import Retry
 
 from querycad_answering.answering import answer_question, described
 from querycad_answering.llm import LlmWriter
+from querycad_answering.parameters import fill_parameters
 from querycad_answering.understanding import ModelView
 from querycad_api.settings import ApiSettings
+from querycad_api.store.keyspace import ModelStale
 from querycad_api.store.ledger import Begun, Ledger
 from querycad_contracts import (
     AnswerRecord,
@@ -33,6 +36,8 @@ from querycad_contracts import (
     ModelStatus,
     ModelSummary,
     ModelTask,
+    ParameterSet,
+    ParametersTask,
     Program,
     QuestionTask,
     RunOutcome,
@@ -54,6 +59,7 @@ RETRIES = 5
 PAUSE_S = 2.0
 READING_S = 0.2
 """Between two looks at a model that is still being read, growing to five times that."""
+BEING_READ = "the model's file is being read"
 READING_AT_MOST_S = 3600.0
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
@@ -61,6 +67,7 @@ STORE_TRIES, STORE_PAUSE_S = 100, 1.0
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 
 log = logging.getLogger(__name__)
+T = TypeVar("T")
 
 
 def register(app: Celery, questions: Questions) -> None:
@@ -78,6 +85,12 @@ def register(app: Celery, questions: Questions) -> None:
         with working_for(task.request):
             questions.reply(self.request.id, questions.described(task))
 
+    def parameters(self: Task, payload: dict[str, Any]) -> None:
+        task = ParametersTask.model_validate(payload)
+        with working_for(task.request):
+            questions.reply(self.request.id, questions.filled(task))
+
+    app.task(parameters, name=TaskName.PARAMETERS.value, bind=True)
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
     app.task(description, name=TaskName.DESCRIPTION.value, bind=True)
 
@@ -134,11 +147,15 @@ class Questions:
             self._finish(task, job, AnswerRecord.failed(task.question, Failure(category="internal", message=message)))
             return None
         if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
-            self.ledger.wait_job(task.job, "the model's file is being read")
+            self.ledger.wait_job(task.job, BEING_READ)
             return READING_S * min(5, 1 + retries)
         model_ms = round((time.perf_counter() - start) * 1e3, 3)
         try:
             record = self._record(task, job.model, model_ms)
+        except ModelStale:
+            self.ledger.read_again(task.tenant, task.model)
+            self.ledger.wait_job(task.job, BEING_READ)
+            return READING_S
         except SandboxUnavailable as error:
             log.warning("job %s: sandbox: %s", task.job, error)
             if retries < RETRIES:
@@ -162,16 +179,26 @@ class Questions:
         def run(program: Program) -> RunOutcome:
             return self.sandbox.run(program, task.model)
 
-        try:
-            return TaskOutcome[Description](value=described(run, self._view(task, task.summary), task.unit))
-        except RunRefused as refused:
-            failure = TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
-        except SandboxUnavailable as error:
-            log.warning("description: sandbox: %s", error)
-            failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
-        return TaskOutcome[Description](failure=failure)
+        found, failure = _tried(lambda: described(run, self._view(task, task.summary), task.unit))
+        return TaskOutcome[Description](value=found, failure=failure)
 
-    def reply(self, task_id: str, outcome: TaskOutcome[Description]) -> None:
+    def filled(self, task: ParametersTask) -> TaskOutcome[ParameterSet]:
+        """What are the parameters of a model?"""
+        asked, grounding = task.asked, task.asked.grounding
+        other = cache(partial(self.segcad.parts, asked.other)) if asked.other is not None else None
+
+        def run(program: Program) -> RunOutcome:
+            return self.sandbox.run(program, task.model, grounding)
+
+        def fill() -> ParameterSet:
+            view = self._view(task, task.summary, grounding)
+            found = fill_parameters(asked, view, run, other=other, summary=task.summary, llm=self._llm)
+            return found.model_copy(update={"model": task.model})
+
+        value, failure = _tried(fill)
+        return TaskOutcome[ParameterSet](value=value, failure=failure)
+
+    def reply(self, task_id: str, outcome: TaskOutcome[Any]) -> None:
         """Leaves the outcome for whoever waits for it."""
         with self._redis() as redis, redis.pipeline() as pipe:
             pipe.rpush(reply_key(task_id), outcome.model_dump_json())
@@ -209,7 +236,7 @@ class Questions:
             record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=self._llm)
         except RunRefused as refused:
             return AnswerRecord.failed(task.question, refused.failure)
-        except (SoftTimeLimitExceeded, SandboxUnavailable):
+        except (SoftTimeLimitExceeded, SandboxUnavailable, ModelStale):
             raise
         except Exception:
             log.exception("job %s failed", task.job)
@@ -218,3 +245,16 @@ class Questions:
             )
         warnings = tuple(dict.fromkeys((*summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
+
+
+def _tried(work: Callable[[], T]) -> tuple[T | None, TaskFailure | None]:
+    """What comes of work that somebody waits for, or why nothing does."""
+    try:
+        return work(), None
+    except RunRefused as refused:
+        return None, TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
+    except ModelStale as stale:
+        return None, TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
+    except SandboxUnavailable as error:
+        log.warning("sandbox: %s", error)
+        return None, TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)

@@ -28,12 +28,12 @@ from querycad_contracts import (
     task_message,
 )
 
-from .keyspace import uploaded
+from .keyspace import ModelStale, uploaded
 from .state import READ_S
 
 CONNECT_S = 2
 STOP_SIGNAL = "SIGUSR1"
-"""Celery's signal of a passed time limit: the question's process raises SoftTimeLimitExceeded, and lives on."""
+"""Celery's signal of a passed time limit: the task's process raises SoftTimeLimitExceeded, and lives on."""
 
 T = TypeVar("T")
 
@@ -49,8 +49,8 @@ class Broker:
             task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
         )
 
-    async def ingest(self, resource: ModelResource, tenant: str) -> None:
-        """Has an uploaded file read; the question workers are told what came of it."""
+    async def ingest(self, resource: ModelResource, tenant: str, task_id: str) -> None:
+        """Has an uploaded file read; the question workers are told what came of it. `stop` takes the task's id."""
         task = IngestTask(model=resource.id, file_name=resource.file_name)
         follow = {"model": resource.id, "tenant": tenant, "uploaded": uploaded(resource)}
         try:
@@ -59,6 +59,7 @@ class Broker:
                 TaskName.INGEST.value,
                 args=[task.model_dump(mode="json")],
                 queue=TaskName.INGEST.queue.value,
+                task_id=task_id,
                 ignore_result=True,
                 link=self._follow(TaskName.MODEL_READ, follow),
                 link_error=self._follow(TaskName.MODEL_LOST, follow),
@@ -72,23 +73,25 @@ class Broker:
         if messages:
             await self._put(TaskName.QUESTION.queue, *messages)
 
-    async def stop(self, jobs: Sequence[str]) -> None:
-        """Has what is done for jobs that were ended from outside stopped, if it was begun. Never raises."""
-        if not jobs:
+    async def stop(self, tasks: Sequence[str]) -> None:
+        """Has what is done for jobs, or files, that are not wanted any more stopped, if it was begun. Never raises."""
+        if not tasks:
             return
         try:
-            await asyncio.to_thread(self._app.control.revoke, list(jobs), terminate=True, signal=STOP_SIGNAL)
+            await asyncio.to_thread(self._app.control.revoke, list(tasks), terminate=True, signal=STOP_SIGNAL)
         except (OperationalError, RedisError):
             return  # what is answered for nothing is passed over when it is done
 
     async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
-        """What does a worker say to this? Raises ModelUnreadable too."""
+        """What does a worker say to this? Raises ModelUnreadable and ModelStale too."""
         sent = uuid4().hex
         await self._put(queue_of(name, task), task_message(name, task, sent, timeout_s))
         reply = await self._reply(sent, timeout_s)
         if reply is None:
             raise ServiceUnavailable("no worker answered; try again in a moment")
         outcome = value.validate_json(reply)
+        if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.NOT_READ:
+            raise ModelStale(outcome.failure.message)
         if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.FILE:
             raise ModelUnreadable(outcome.failure.message)
         if outcome.value is None:

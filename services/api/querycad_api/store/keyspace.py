@@ -1,6 +1,7 @@
 """Where what is known of models and jobs is kept in Redis, and how it is read back.
 
-querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), outcome (TaskOutcome[ModelSummary])
+querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), ingest (id of the task that reads its
+                               file), outcome (TaskOutcome[ModelSummary])
 querycad:models:<tenant>       sorted set: ids of the tenant's models by the time of their upload
 querycad:owners:<id>           set: tenants that have a model with this content; its files go with the last one
 querycad:job:<id>              hash: task (QuestionTask), created, attempts, started, waits, record, finished
@@ -19,6 +20,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from datetime import UTC, datetime
 
+from querycad_api.links import job_links, model_links
 from querycad_contracts import (
     AnswerRecord,
     Failure,
@@ -40,6 +42,10 @@ PENDING = "querycad:pending"
 READING = "querycad:reading"
 TOLD_S = 3600
 """How long it is told that a job is done; nobody waits for longer, and who comes later reads it from the job."""
+
+
+class ModelStale(Exception):
+    """What is known of a model is an older version's: its file has to be read anew first."""
 
 
 def model_key(tenant: str, model: str) -> str:
@@ -98,13 +104,15 @@ def model_of(fields: dict[str, str]) -> ModelResource | None:
         return None
     resource = ModelResource.model_validate_json(fields["resource"])
     if "outcome" not in fields:
-        return resource
+        return resource.model_copy(update={"links": model_links(resource.id, ready=False)})
     outcome = TaskOutcome[ModelSummary].model_validate_json(fields["outcome"])
     if outcome.failure is None:
-        return resource.model_copy(update={"status": ModelStatus.READY, "summary": outcome.value})
+        links = model_links(resource.id, ready=True)
+        return resource.model_copy(update={"status": ModelStatus.READY, "summary": outcome.value, "links": links})
     category = "bad_input" if outcome.failure.kind is TaskFailureKind.FILE else "internal"
     failure = Failure(category=category, message=outcome.failure.message, retryable=outcome.failure.retryable)
-    return resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure})
+    links = model_links(resource.id, ready=False)
+    return resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure, "links": links})
 
 
 def uploaded(resource: ModelResource) -> str:
@@ -122,17 +130,21 @@ def job_of(fields: dict[str, str]) -> Job | None:
     task = task_of(fields)
     if task is None:
         return None
-    record = fields.get("record")
+    record = AnswerRecord.model_validate_json(fields["record"]) if "record" in fields else None
     waits = JobStatus.RUNNING if "started" in fields else JobStatus.QUEUED
     return Job(
         id=task.job,
         model=task.model,
         question=task.question,
         unit=task.unit,
-        status=JobStatus.DONE if record else waits,
+        status=JobStatus.DONE if record is not None else waits,
         created=datetime.fromisoformat(fields["created"]),
         finished=datetime.fromisoformat(fields["finished"]) if "finished" in fields else None,
-        record=AnswerRecord.model_validate_json(record) if record else None,
+        answer=record.answer if record is not None else None,
+        confidence=record.confidence if record is not None else None,
+        part_ids=tuple(part.id for part in record.parts) if record is not None else (),
+        links=job_links(task.model, task.job, record),
+        record=record,
     )
 
 

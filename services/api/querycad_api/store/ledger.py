@@ -69,6 +69,14 @@ class Ledger:
         keys = [model_key(tenant, model), model_events_key(tenant, model), READING]
         self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded])
 
+    def read_again(self, tenant: str, model: str) -> None:
+        """Makes a model unread, whose file an api will have read anew within seconds."""
+        with self._redis.pipeline() as pipe:
+            pipe.hdel(model_key(tenant, model), "outcome")
+            pipe.delete(model_events_key(tenant, model))
+            pipe.zadd(READING, {f"{tenant}:{model}": now().timestamp()})
+            pipe.execute()
+
     def begin_job(self, task: QuestionTask) -> Begun | None:
         """Notes that somebody works on it. None: it is done, or not there any more."""
         started = entry(JobEvent(kind=JobEventKind.STARTED, at=now()))["event"]

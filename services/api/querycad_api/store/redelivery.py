@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+from uuid import uuid4
 
 from redis.exceptions import RedisError
 
@@ -50,4 +51,6 @@ async def redeliver_once(application: Application) -> None:
         return
     for tenant, model in await state.stalled_models():
         log.warning("sent again", extra={"model": model.id})
-        await broker.ingest(model, tenant)
+        ingest = uuid4().hex
+        await state.reading(tenant, model.id, ingest)
+        await broker.ingest(model, tenant, ingest)

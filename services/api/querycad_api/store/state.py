@@ -266,9 +266,17 @@ class State:
 
     # What was lost
 
-    async def reading(self, tenant: str, model: str) -> None:
-        """Notes that the model's file is to be read."""
-        await self._redis.zadd(READING, {f"{tenant}:{model}": now().timestamp() + READ_AGAIN_S})
+    async def reading(self, tenant: str, model: str, task: str) -> None:
+        """Notes that the model's file is to be read, by the task of this id."""
+        async with self._redis.pipeline() as pipe:
+            pipe.zadd(READING, {f"{tenant}:{model}": now().timestamp() + READ_AGAIN_S})
+            pipe.hset(model_key(tenant, model), "ingest", task)
+            await pipe.execute()
+
+    async def ingest_of(self, tenant: str, model: str) -> str | None:
+        """The id of the task that reads the model's file, while it does."""
+        fields = await self._hash(model_key(tenant, model))
+        return fields.get("ingest") if "outcome" not in fields else None
 
     async def turn(self, name: str, seconds: float) -> bool:
         """Is it this process's turn to do what is done once in so many seconds by all processes together?"""

@@ -1,0 +1,120 @@
+"""Parameters of real models: values in unit and frame, and reasons in the place of what is not sure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from querycad.runtime import EmbeddedRuntime
+from querycad_contracts import ParametersRequest, ParameterValue
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+BEARING = EXAMPLES / "bearing_assembly.step"
+
+
+@pytest.fixture(scope="module")
+def runtime() -> Iterator[EmbeddedRuntime]:
+    with EmbeddedRuntime() as runtime:
+        yield runtime
+
+
+def fill(runtime: EmbeddedRuntime, file: Path, parameter: dict[str, Any], **more: Any) -> ParameterValue:
+    asked = ParametersRequest.model_validate({"parameters": [{"name": "x", **parameter}], **more})
+    found = runtime.parameters(file, asked)
+    (value,) = found.parameters
+    assert found.open == (() if value.status == "answered" else ("x",))
+    assert (value.value is not None) == (value.status == "answered")
+    assert bool(value.reason) == (value.status != "answered")
+    return value
+
+
+def test_a_count_needs_no_more_than_a_name(runtime: EmbeddedRuntime) -> None:
+    found = fill(runtime, BEARING, {"name": "screw_count", "type": "count"})
+    assert (found.value, found.asked, found.unit) == (4, "How many screw are there?", "")
+    assert found.code is not None
+
+
+@pytest.mark.parametrize(("unit", "value"), [("mm", 26.0), ("m", 0.026), ("in", 26 / 25.4)])
+def test_a_length_is_in_the_unit_that_is_asked_for(runtime: EmbeddedRuntime, unit: str, value: float) -> None:
+    wanted = {"type": "length", "question": "What is the width of the gear?", "unit": unit}
+    found = fill(runtime, EXAMPLES / "gear_shaft.step", wanted)
+    assert found.value == pytest.approx(value)
+    assert found.unit == unit
+    assert [part.id for part in found.parts] == ["gear-1"]
+    assert len(found.faces) > 24
+
+
+def test_several_values_are_no_one_value(runtime: EmbeddedRuntime) -> None:
+    found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the holes?"})
+    assert found.status == "unsure"
+    assert "there are several: 4 x 9 mm" in found.reason
+
+
+def test_what_is_not_there_has_a_reason(runtime: EmbeddedRuntime) -> None:
+    found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the gear?"})
+    assert found.status == "unanswered"
+    assert "gear" in found.reason
+
+
+def test_a_pose_stands_in_the_hole_and_looks_into_it(runtime: EmbeddedRuntime) -> None:
+    bore = {"type": "pose", "question": "Where is the hole in the bearing block?"}
+    unsure = fill(runtime, BEARING, bore)
+    assert unsure.status == "unsure"
+    assert "`side`" in unsure.reason
+    assert len(unsure.alternatives) >= 2
+    found = fill(runtime, BEARING, {**bore, "side": "front"})
+    assert [row[2] for row in found.value["matrix"][:3]] == pytest.approx([0, 1, 0])
+    assert found.value["position"] == pytest.approx([0, 0, 53])
+
+
+def test_approach_and_insertion_are_opposite_ways(runtime: EmbeddedRuntime) -> None:
+    end = {"question": "the shaft", "side": "front"}
+    approach = fill(runtime, BEARING, {**end, "type": "approach"}).value
+    insertion = fill(runtime, BEARING, {**end, "type": "insertion"}).value
+    assert approach["point"] == insertion["point"] == pytest.approx([0, -60, 53])
+    assert (approach["direction"], insertion["direction"]) == ([0, 1, 0], [0, -1, 0])
+
+
+def test_grasps_are_pairs_of_faces_at_their_distance(runtime: EmbeddedRuntime) -> None:
+    wanted = {"type": "grasps", "question": "Where is the bearing block?"}
+    found = fill(runtime, BEARING, wanted)
+    best = found.value[0]
+    assert (best["distance"], [abs(each) for each in best["closing"]]) == (pytest.approx(36), [0, 1, 0])
+    assert [grasp["distance"] for grasp in fill(runtime, BEARING, {**wanted, "at_most": 10}).value] == [9, 9]
+    assert "within 1 mm" in fill(runtime, BEARING, {**wanted, "at_most": 1}).reason
+
+
+def test_mates_of_an_assembly_are_what_is_assembled(runtime: EmbeddedRuntime) -> None:
+    found = fill(runtime, BEARING, {"type": "mates"})
+    pairs = {(mate["shaft"], mate["hole"]) for mate in found.value}
+    assert {("body-4", "hole-14"), ("body-3", "hole-9")} <= pairs
+    assert all(mate["assembled"] for mate in found.value)
+    screws = [mate for mate in found.value if mate["hole_diameter"] == pytest.approx(5.5)]
+    assert [mate["clearance"] for mate in screws] == pytest.approx([0.5] * 4)
+
+
+def test_mates_of_two_files_are_by_size(runtime: EmbeddedRuntime) -> None:
+    asked = ParametersRequest.model_validate({"parameters": [{"name": "mates", "type": "mates"}], "unit": "m"})
+    (found,) = runtime.parameters(EXAMPLES / "gear_shaft.step", asked, EXAMPLES / "flange.step").parameters
+    assert found.status == "unanswered"
+    assert "no hole takes a shaft of the other model" in found.reason
+
+
+def test_places_are_seen_from_the_frame_that_is_asked_for(runtime: EmbeddedRuntime) -> None:
+    center = {"type": "point", "question": "What is the center of the object?"}
+    world = [[0, -1, 0, 100], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    given = fill(runtime, BEARING, {**center, "frame": {"of": "given", "matrix": world}})
+    assert given.value == pytest.approx([0, 100, 38])
+    plain = fill(runtime, BEARING, center)
+    assert plain.value == pytest.approx([0, 0, 38])
+    assert plain.frame is not None
+    of_part = fill(runtime, BEARING, {**center, "frame": {"of": "part", "part": "hole-9"}})
+    distance = sum(each**2 for each in of_part.value) ** 0.5
+    assert distance == pytest.approx(15)  # the bore's middle is 15 mm above, in whichever frame
+    lost = fill(runtime, BEARING, {**center, "frame": {"of": "part", "part": "the gear"}})
+    assert "frame is not known" in lost.reason
+    size = {"type": "size", "question": "What is the size of the object?"}
+    assert "axes" in fill(runtime, BEARING, {**size, "frame": {"of": "given", "matrix": world}}).reason
