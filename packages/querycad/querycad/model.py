@@ -169,6 +169,8 @@ class Reply(AnswerRecord):
 class Source(Protocol):
     """What a model is read through: the runtime on this machine, or a service."""
 
+    id: str
+    """SHA-256 of the file."""
     name: str
     """Of the file."""
 
@@ -215,6 +217,11 @@ class Model:
     def __repr__(self) -> str:
         x, y, z = (each / self.unit.metres for each in self.shape.extents)
         return f"<querycad.Model {self.name!r}: {x:.6g} x {y:.6g} x {z:.6g} {self.unit}, {len(self.parts)} parts>"
+
+    @property
+    def id(self) -> str:
+        """SHA-256 of its file, hexadecimal."""
+        return self._source.id
 
     @property
     def name(self) -> str:

@@ -177,6 +177,7 @@ class _Opened:
     """A file that was opened: what it held then, whatever becomes of it."""
 
     def __init__(self, runtime: EmbeddedRuntime, segcad: LocalSegCad, name: str, opening_s: float) -> None:
+        self.id = segcad.model.sha256
         self.name = name
         self._runtime = runtime
         self._segcad = segcad

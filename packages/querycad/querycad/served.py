@@ -52,14 +52,14 @@ class Served:
 
     def __init__(self, found: ModelResource, do: Does) -> None:
         self.name = found.file_name
-        self._id = found.id
+        self.id = found.id
         self._summary = found.summary
         self._do = do
 
     def ask(self, question: str, unit: LengthUnit, options: AnswerOptions) -> tuple[AnswerRecord, Callable[[], bytes]]:
         """The answer, and what fetches its picture."""
-        job = self._do(flows.submit(self._id, question, unit, options)).id
-        return self._do(flows.wait(job, ANSWER_S)), lambda: self._do(flows.picture(self._id, job))
+        job = self._do(flows.submit(self.id, question, unit, options)).id
+        return self._do(flows.wait(job, ANSWER_S)), lambda: self._do(flows.picture(self.id, job))
 
     def summary(self) -> ModelSummary:
         """As it was when the model was opened."""
@@ -71,30 +71,30 @@ class Served:
         """Page by page."""
         found: list[Part] = []
         while True:
-            page = self._do(flows.parts(self._id, None, len(found), PAGE))
+            page = self._do(flows.parts(self.id, None, len(found), PAGE))
             found += page.items
             if not page.items or len(found) >= page.total:
                 return tuple(found)
 
     def find_parts(self, description: str, sides: Sequence[Side] | None, grounding: GroundedBy) -> Grounding:
         """Which parts are meant?"""
-        return self._do(flows.find_parts(self._id, description, sides, grounding))
+        return self._do(flows.find_parts(self.id, description, sides, grounding))
 
     def describe(self, unit: LengthUnit) -> Description:
         """What is it?"""
-        return self._do(flows.describe(self._id, unit))
+        return self._do(flows.describe(self.id, unit))
 
     def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:  # noqa: ARG002
         """A row each; the texts are in millimetres."""
-        return self._do(flows.table(self._id, kind, grouped))
+        return self._do(flows.table(self.id, kind, grouped))
 
     def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
         """What comes of the program?"""
-        return self._do(flows.run(self._id, ProgramRequest(code=code, expects=expects)))
+        return self._do(flows.run(self.id, ProgramRequest(code=code, expects=expects)))
 
     def view(self, view: ViewName, width: int, height: int) -> bytes:
         """A PNG file, sizes in pixels."""
-        return self._do(flows.view(self._id, view, width, height))
+        return self._do(flows.view(self.id, view, width, height))
 
 
 def _awaited(
@@ -114,6 +114,7 @@ class AsyncModel:
 
     def __init__(self, model: Model) -> None:
         self._model = model
+        self.id = model.id
         self.name = model.name
         self.unit = model.unit
 

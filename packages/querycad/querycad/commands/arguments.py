@@ -38,6 +38,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_prompt(commands)
     _add_run(commands)
     add_segment(commands)
+    _add_mcp(commands)
     _add_serve(commands)
     _add_keys(commands)
     add_models(commands)
@@ -193,6 +194,16 @@ def _add_run(commands: Commands[argparse.ArgumentParser]) -> None:
     run.add_argument("--model", required=True, metavar="FILE.step", help="a STEP file")
     with_examples(run, "run program.py --model part.step", "run - --model part.step --expects length < program.py")
     run.set_defaults(run=_runs("run", "run"))
+
+
+def _add_mcp(commands: Commands[argparse.ArgumentParser]) -> None:
+    mcp = commands.add_parser("mcp", help="let an agent use QueryCAD: a server of the Model Context Protocol")
+    mcp.add_argument("--http", type=_port, metavar="PORT", help="over HTTP on this port of this machine, not stdio")
+    mcp.add_argument(
+        "--folder", metavar="DIR", help="open only files in DIR (default: any; with --http the current folder)"
+    )
+    with_examples(mcp, "mcp", "mcp --http 8765 --folder models")
+    mcp.set_defaults(run=_runs("mcp", "mcp"))
 
 
 def _add_serve(commands: Commands[argparse.ArgumentParser]) -> None:
