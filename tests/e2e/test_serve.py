@@ -17,6 +17,7 @@ from typing import Any
 import httpx
 import pytest
 
+import querycad
 from querycad.client import Client, ServerProblem
 from querycad_contracts import AnswerRecord, ModelStatus, Status, TableKind
 
@@ -304,6 +305,20 @@ def test_what_runs_for_a_cancelled_question_is_stopped(service: Service, client:
     assert [client.job(job.id).record for job in ended] == [job.record for job in ended]
 
 
+def test_a_model_that_the_service_holds_is_used_like_one_here(client: Client, flange: Path) -> None:
+    here, there = querycad.open(flange), client.open(flange)
+    assert (there.id, there.name, there.shape, there.parts) == (here.id, here.name, here.shape, here.parts)
+    reply = there.ask(QUESTION, unit="in")
+    assert (reply.value, reply.text) == (here.ask(QUESTION, unit="in").value, here.ask(QUESTION, unit="in").text)
+    assert reply.picture() == here.ask(QUESTION, unit="in").picture()
+    assert there.find_parts("counterbored holes") == here.find_parts("counterbored holes")
+    assert there.measure("depth", ["hole-1", "hole-11"]) == here.measure("depth", ["hole-1", "hole-11"])
+    assert there.distance("hole-4", "hole-6") == here.distance("hole-4", "hole-6")
+    assert there.describe("in") == here.describe("in")
+    assert there.table("holes") == here.table("holes")
+    assert there.picture("top", 320, 200) == here.picture("top", 320, 200)
+
+
 def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client, model: str) -> None:
     drawing = list(service.pids(queue="pictures"))
     for pid in drawing:
@@ -312,7 +327,7 @@ def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client,
         with ThreadPoolExecutor(4) as pool:
             views = [pool.submit(client.view, model, width=1000 + number) for number in range(4)]
             assert client.ask(model, "What is the depth of the part?").status is Status.ANSWERED
-            assert client.segment(model, "hole").parts
+            assert client.find_parts(model, "hole").parts
             assert not any(view.done() for view in views)
             for pid in drawing:
                 os.kill(pid, signal.SIGCONT)

@@ -175,7 +175,7 @@ class Session:
             if not path.resolve().is_relative_to(self._folder):
                 raise ToolError(f"only files in {self._folder} are opened; {_there(self._folder)}")
         if not path.is_file():
-            near = self._folder or (path.parent if path.parent.is_dir() else Path.cwd())
+            near = path.parent if path.parent.is_dir() else self._folder or Path.cwd()
             raise ToolError(f"no such file: {path}; {_there(near)}")
         model = self._runtime.open(path)
         name = f"{path.stem}-{model.id[:8]}"

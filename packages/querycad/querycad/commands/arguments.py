@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import importlib.util
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
 
@@ -228,10 +229,13 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _add_keys(commands: Commands[argparse.ArgumentParser]) -> None:
-    from querycad_api.accounts.commands import add_arguments
-
     keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
-    add_arguments(keys)
+    if importlib.util.find_spec("querycad_api") is None:  # an extra; `_keys` says so
+        keys.add_argument("rest", nargs=argparse.REMAINDER)
+    else:
+        from querycad_api.accounts.commands import add_arguments
+
+        add_arguments(keys)
     with_examples(keys, "keys create --tenant design --name laptop", "keys list", "keys revoke 0123456789ab")
     keys.set_defaults(run=_keys)
 

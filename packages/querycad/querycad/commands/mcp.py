@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import sys
 from pathlib import Path
 
-EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+EXIT_DONE, EXIT_BAD_INPUT = 0, 2
 LOOPBACK = "127.0.0.1"
 """There are no keys: nobody but this machine may ask."""
 
 
 def mcp(options: argparse.Namespace) -> int:
     """Serves until standard input ends, or Ctrl-C; returns the exit code."""
-    if importlib.util.find_spec("mcp") is None:
-        print("querycad: the MCP server is an extra: pip install 'querycad[mcp]'", file=sys.stderr)
-        return EXIT_FAILED
     folder = Path(options.folder) if options.folder else Path.cwd() if options.http is not None else None
     if folder is not None and not folder.is_dir():
         print(f"querycad: {folder}: no such folder", file=sys.stderr)
