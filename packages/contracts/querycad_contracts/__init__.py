@@ -22,6 +22,7 @@ from .answers import (
     Unit,
 )
 from .drawings import Callout, Column, Description, Quantity, Table, TableFormat, TableKind
+from .file_kinds import HEAD_BYTES, FileKind, file_kind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
@@ -106,6 +107,7 @@ from .task_messages import task_message
 from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
 __all__ = [
+    "HEAD_BYTES",
     "NO_ACCOUNTS",
     "Agreement",
     "Alternative",
@@ -132,6 +134,7 @@ __all__ = [
     "FaceQuery",
     "FacesTask",
     "Failure",
+    "FileKind",
     "FileStore",
     "FindFacesTask",
     "FindPartsTask",
@@ -227,6 +230,7 @@ __all__ = [
     "carry_trace",
     "current_request",
     "end_with_parent",
+    "file_kind",
     "file_store",
     "models_name",
     "picture_name",

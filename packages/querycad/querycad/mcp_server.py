@@ -60,7 +60,7 @@ ROWS_SHOWN = 50
 PRINTED_CHARS = 4000
 LOOK_S = 0.01
 """Between two looks whether all has been answered."""
-SUFFIXES = (".step", ".stp")
+SUFFIXES = (".step", ".stp", ".stpz", ".igs", ".iges", ".brep", ".zip")
 READS = ToolAnnotations(read_only_hint=True, open_world_hint=False, idempotent_hint=True)
 INSTRUCTIONS = """\
 QueryCAD reads CAD models and answers questions about them from exact geometry. Begin with open_model; the id that it
@@ -279,7 +279,7 @@ async def over_stdio(made: MCPServer) -> None:
 def _add_reading(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def open_model(
-        file: Annotated[str, Field(description="Path of a CAD file on this machine: STEP.")],
+        file: Annotated[str, Field(description="Path of a CAD file on this machine: STEP, IGES, BREP, .stpz, .zip.")],
         unit: UnitArg = LengthUnit.MM,
     ) -> Opened:
         """Read a CAD file, and say what it holds. The first time takes seconds, after that milliseconds."""
