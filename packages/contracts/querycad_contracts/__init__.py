@@ -21,7 +21,18 @@ from .answers import (
     TokenUse,
     Unit,
 )
-from .drawings import Callout, Column, Description, Quantity, Table, TableFormat, TableKind
+from .drawings import (
+    Callout,
+    Change,
+    ChangeKind,
+    Column,
+    Comparison,
+    Description,
+    Quantity,
+    Table,
+    TableFormat,
+    TableKind,
+)
 from .file_kinds import HEAD_BYTES, FileKind, file_kind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
@@ -120,8 +131,11 @@ __all__ = [
     "BrokerSettings",
     "BucketStore",
     "Callout",
+    "Change",
+    "ChangeKind",
     "Codegen",
     "Column",
+    "Comparison",
     "Convexity",
     "DescribeTask",
     "Description",

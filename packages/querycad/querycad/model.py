@@ -16,6 +16,7 @@ from pydantic import PrivateAttr
 
 from querycad_answering.answering import NO_OPTIONS
 from querycad_answering.drawing.callouts import callouts
+from querycad_answering.drawing.comparing import compare
 from querycad_answering.drawing.numbers import unit_name
 from querycad_answering.typed import WrongAnswerType, typed_answer
 from querycad_contracts import (
@@ -23,6 +24,7 @@ from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
     AnswerType,
+    Comparison,
     Description,
     Expectation,
     GroundedBy,
@@ -364,6 +366,11 @@ class Model:
         `grouped`: a row for all that are alike; None: so for fasteners and bodies. `unit`: of lengths in texts.
         """
         return self._source.table(TableKind(kind), grouped, LengthUnit(unit or self.unit))
+
+    def compare(self, after: Model, unit: UnitName | None = None) -> Comparison:
+        """What is different in another model, part by part? `text` has all of it for a person."""
+        sides = (self.summary, self.parts), (after.summary, after.parts)
+        return compare(*sides, LengthUnit(unit or self.unit))
 
     def run(self, code: str, expects: AnswerType | str | None = None) -> RunOutcome:
         """What comes of a program of the guest API (docs/guest-api.md)? It runs in the sandbox; all it sees is SI.

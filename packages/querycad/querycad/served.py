@@ -137,5 +137,6 @@ class AsyncModel:
     angle = _awaited(Model.angle)
     describe = _awaited(Model.describe)
     table = _awaited(Model.table)
+    compare = _awaited(Model.compare)
     run = _awaited(Model.run)
     picture = _awaited(Model.picture)

@@ -33,6 +33,7 @@ def make_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_ask(commands)
     _add_describe(commands)
+    _add_compare(commands)
     _add_table(commands)
     _add_features(commands)
     _add_explain(commands)
@@ -131,6 +132,16 @@ def _add_describe(commands: Commands[argparse.ArgumentParser]) -> None:
     describe.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     with_examples(describe, "describe part.step", "describe part.step --unit in", "describe part.step --json")
     describe.set_defaults(run=_runs("describe", "describe"))
+
+
+def _add_compare(commands: Commands[argparse.ArgumentParser]) -> None:
+    compare = commands.add_parser("compare", help="tell what changed between two files, part by part")
+    compare.add_argument("before", metavar="A", help="a CAD file")
+    compare.add_argument("after", metavar="B", help="a later state of it")
+    _add_unit(compare)
+    compare.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    with_examples(compare, "compare part-v1.step part-v2.step", "compare part.step part.igs --json")
+    compare.set_defaults(run=_runs("describe", "compare"))
 
 
 def _add_table(commands: Commands[argparse.ArgumentParser]) -> None:
