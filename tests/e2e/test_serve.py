@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -317,6 +319,21 @@ def test_a_model_that_the_service_holds_is_used_like_one_here(client: Client, fl
     assert there.describe("in") == here.describe("in")
     assert there.table("holes") == here.table("holes")
     assert there.picture("top", 320, 200) == here.picture("top", 320, 200)
+
+
+def test_the_requests_of_the_readme_are_answered(service: Service, model: str) -> None:
+    curl = shutil.which("curl")
+    if curl is None:
+        pytest.skip("there is no curl here")
+    lines = re.findall(r"^curl (.*)$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    said = []
+    for line in lines:
+        words = shlex.split(line.replace("http://127.0.0.1:8000", service.url).replace("MODEL", model))
+        done = subprocess.run([curl, "--silent", "--fail", *words], cwd=ROOT, capture_output=True, check=True)
+        said.append(json.loads(done.stdout))
+    uploaded, answered = said
+    assert uploaded["id"] == model
+    assert answered["answer"]["value"] == 11
 
 
 def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client, model: str) -> None:
