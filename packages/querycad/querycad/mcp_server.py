@@ -32,7 +32,6 @@ from pydantic import Field
 from querycad_answering.drawing.callouts import callouts, ids_text
 from querycad_answering.drawing.writing import written
 from querycad_contracts import (
-    Frozen,
     LengthUnit,
     Measure,
     Part,
@@ -45,6 +44,7 @@ from querycad_contracts import (
 from querycad_contracts.guest_reference import guest_api_prompt
 from querycad_segworker.errors import FileProblem
 
+from .mcp_outputs import Answered, FoundParts, Group, Measured, Opened, Ran, TablePage
 from .model import Model, NoValue, Reply
 from .runtime import EmbeddedRuntime
 
@@ -72,75 +72,6 @@ question says, measure parts by their ids, or run_program a short Python program
 ModelArg = Annotated[str, Field(description="The model's id, from open_model.")]
 UnitArg = Annotated[LengthUnit, Field(description="Unit of lengths in texts; values stay SI.")]
 PartArg = Annotated[str, Field(description="Id of a part, such as 'hole-4'.")]
-
-
-class Group(Frozen):
-    """Parts that are alike."""
-
-    what: str = Field(description="As a drawing calls them out, lengths in the unit asked for.")
-    count: int
-    ids: str = Field(description="In short: 'hole-1..3' are hole-1, hole-2, hole-3.")
-
-
-class Opened(Frozen):
-    """A model that is open."""
-
-    model: str = Field(description="The id for all other tools.")
-    text: str = Field(description="Size, features, patterns, and questions that it surely answers.")
-    warnings: tuple[str, ...] = ()
-
-
-class Answered(Frozen):
-    """The answer to a question."""
-
-    answer: str = Field(description="Id of this answer: look(answer=…) shows what it rests on.")
-    status: Status
-    text: str
-    value: Any = Field(None, description="SI; null where there is no answer.")
-    type: str = ""
-    unit: str = Field("", description="SI unit of the value.")
-    confidence: float | None = Field(None, description="Probability that the value is right.")
-    understood_as: str = ""
-    parts: tuple[Group, ...] = Field((), description="What the answer rests on.")
-    notes: tuple[str, ...] = ()
-    alternatives: tuple[str, ...] = Field((), description="Other readings, and their answers.")
-    next: str = Field("", description="What to do where there is no sure answer.")
-
-
-class FoundParts(Frozen):
-    """Parts that words mean."""
-
-    count: int
-    groups: tuple[Group, ...]
-    notes: tuple[str, ...] = ()
-    next: str = ""
-
-
-class Measured(Frozen):
-    """A measure."""
-
-    value: Any = Field(description="SI.")
-    unit: str
-    text: str
-
-
-class TablePage(Frozen):
-    """Some rows of a table."""
-
-    rows: int = Field(description="Of the whole table.")
-    parts: int = Field(description="That the rows stand for.")
-    text: str = Field(description="Markdown.")
-    next: str = ""
-
-
-class Ran(Frozen):
-    """What came of a program."""
-
-    status: RunStatus
-    value: Any = Field(None, description="Of `solution`, SI; a part is {'part': id}.")
-    message: str = ""
-    printed: str = ""
-    next: str = ""
 
 
 class Session:
