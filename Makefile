@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test attack parity check format serve bench fit openapi examples lock clean
+.PHONY: help setup demo test attack parity check format serve bench fit openapi examples lock dist clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -56,6 +56,11 @@ examples: setup ## rebuild the example models and their pictures
 lock: setup ## resolve requirements.lock anew; PACKAGES="numpy …" upgrades only those
 	scripts/lock.sh $(PACKAGES)
 
+dist: setup ## build the wheels of all packages into dist/
+	rm -rf dist
+	for package in packages/* services/*; do $(BIN)/uv build --quiet --no-config --wheel --no-build-isolation --python $(BIN)/python --out-dir dist $$package || exit 1; done
+	@ls dist
+
 clean: ## remove what can be rebuilt, the environment included
-	rm -rf .venv build .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
+	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
 	find packages services examples tests scripts benchmark -name __pycache__ -type d -prune -exec rm -rf {} +

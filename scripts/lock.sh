@@ -18,4 +18,4 @@ done
     --no-emit-package querycad-contracts --no-emit-package querycad-language \
     --no-emit-package querycad-answering --no-emit-package querycad-api \
     --no-emit-package querycad-segworker --no-emit-package querycad-sandbox \
-    $upgrade --output-file requirements.lock --group dev packages/querycad/pyproject.toml
+    $upgrade --output-file requirements.lock --all-extras --group dev packages/querycad/pyproject.toml

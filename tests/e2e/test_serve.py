@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -18,6 +20,7 @@ import httpx
 import numpy as np
 import pytest
 
+import querycad
 from querycad.client import Client, ServerProblem
 from querycad.runtime import EmbeddedRuntime
 from querycad_contracts import AnswerRecord, ModelStatus, ParametersRequest, Status, TableKind
@@ -368,6 +371,35 @@ def test_what_runs_for_a_cancelled_question_is_stopped(service: Service, client:
     assert [client.job(job.id).record for job in ended] == [job.record for job in ended]
 
 
+def test_a_model_that_the_service_holds_is_used_like_one_here(client: Client, flange: Path) -> None:
+    here, there = querycad.open(flange), client.open(flange)
+    assert (there.id, there.name, there.shape, there.parts) == (here.id, here.name, here.shape, here.parts)
+    reply = there.ask(QUESTION, unit="in")
+    assert (reply.value, reply.text) == (here.ask(QUESTION, unit="in").value, here.ask(QUESTION, unit="in").text)
+    assert reply.picture() == here.ask(QUESTION, unit="in").picture()
+    assert there.find_parts("counterbored holes") == here.find_parts("counterbored holes")
+    assert there.measure("depth", ["hole-1", "hole-11"]) == here.measure("depth", ["hole-1", "hole-11"])
+    assert there.distance("hole-4", "hole-6") == here.distance("hole-4", "hole-6")
+    assert there.describe("in") == here.describe("in")
+    assert there.table("holes") == here.table("holes")
+    assert there.picture("top", 320, 200) == here.picture("top", 320, 200)
+
+
+def test_the_requests_of_the_readme_are_answered(service: Service, model: str) -> None:
+    curl = shutil.which("curl")
+    if curl is None:
+        pytest.skip("there is no curl here")
+    lines = re.findall(r"^curl (.*)$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    said = []
+    for line in lines:
+        words = shlex.split(line.replace("http://127.0.0.1:8000", service.url).replace("MODEL", model))
+        done = subprocess.run([curl, "--silent", "--fail", *words], cwd=ROOT, capture_output=True, check=True)
+        said.append(json.loads(done.stdout))
+    uploaded, answered = said
+    assert uploaded["id"] == model
+    assert answered["answer"]["value"] == 11
+
+
 def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client, model: str) -> None:
     drawing = list(service.pids(queue="pictures"))
     for pid in drawing:
@@ -376,7 +408,7 @@ def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client,
         with ThreadPoolExecutor(4) as pool:
             views = [pool.submit(client.view, model, width=1000 + number) for number in range(4)]
             assert client.ask(model, "What is the depth of the part?").status is Status.ANSWERED
-            assert client.segment(model, "hole").parts
+            assert client.find_parts(model, "hole").parts
             assert not any(view.done() for view in views)
             for pid in drawing:
                 os.kill(pid, signal.SIGCONT)

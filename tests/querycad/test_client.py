@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import inspect
+import socket
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from querycad import flows as module
 from querycad.cli import main
 from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
 from querycad.commands.ask_server import KEY_VARIABLE
+from querycad.flows import NobodyThere
 from querycad_contracts import (
     AnswerRecord,
     AnswerType,
@@ -83,7 +85,7 @@ def test_waiting_ends() -> None:
         asking.wait(JOB, 0.0)
 
 
-@pytest.mark.parametrize("trouble", [lambda: json(AWAY, 503), lambda: httpx.ConnectError("refused")])
+@pytest.mark.parametrize("trouble", [lambda: json(AWAY, 503), lambda: httpx.ReadError("cut off")])
 def test_a_request_that_changes_nothing_is_tried_again(trouble: Callable[[], httpx.Response | Exception]) -> None:
     with (made := client(trouble(), trouble(), json(DONE)))[0] as asking:
         assert asking.wait(JOB) == RECORD
@@ -106,17 +108,17 @@ def test_two_questions_are_two_questions() -> None:
 
 def test_a_phrase_is_asked_for_once() -> None:
     with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
-        asking.segment(MODEL, "hole")
+        asking.find_parts(MODEL, "hole")
     assert len(made[1]) == 1
 
 
 def test_a_program_is_run_once_and_its_outcome_comes_back() -> None:
     with (made := client(json(RunOutcome(status=RunStatus.OK, value=3))))[0] as asking:
-        assert asking.run_program(MODEL, "solution = 3", AnswerType.COUNT).value == 3
+        assert asking.run(MODEL, "solution = 3", AnswerType.COUNT).value == 3
     assert made[1][0].url.path == f"/v1/models/{MODEL}/programs"
     assert b'"expects":"count"' in made[1][0].content
     with (made := client(json(AWAY, 503)))[0] as asking, pytest.raises(ServerProblem, match="away"):
-        asking.run_program(MODEL, "solution = 3")
+        asking.run(MODEL, "solution = 3")
     assert len(made[1]) == 1
 
 
@@ -191,8 +193,48 @@ def test_both_clients_have_the_same_methods() -> None:
 
 
 def test_trouble_that_stays_is_told() -> None:
-    with client(*[httpx.ConnectError("refused")] * 5)[0] as asking, pytest.raises(ServerUnreachable, match="refused"):
+    with client(*[httpx.ReadError("cut off")] * 5)[0] as asking, pytest.raises(ServerUnreachable, match="cut off"):
         asking.model(MODEL)
+
+
+REFUSED = [httpx.ConnectError("refused"), httpx.ConnectTimeout("timed out")]
+
+
+@pytest.mark.parametrize("error", REFUSED, ids=lambda error: type(error).__name__)
+def test_where_nothing_ever_answered_is_said_at_once(error: httpx.HTTPError) -> None:
+    for act in (lambda one: one.health(), lambda one: list(one.events(JOB)), lambda one: one.ask(MODEL, "?")):
+        asking, requests = client(error)
+        with asking, pytest.raises(NobodyThere, match=r"no service answers at http://service.*querycad serve"):
+            act(asking)
+        assert len(requests) == 1
+
+
+def test_a_service_that_answered_before_is_waited_for_while_it_starts_again() -> None:
+    with (made := client(json(DONE), *REFUSED, json(DONE)))[0] as asking:
+        assert asking.job(JOB) == DONE
+        assert asking.job(JOB) == DONE
+    assert len(made[1]) == 4
+
+
+def test_the_asynchronous_client_says_so_too() -> None:
+    def refuse(_: httpx.Request) -> httpx.Response:
+        raise httpx.ConnectError("refused")
+
+    async def ask() -> None:
+        async with AsyncClient("http://service", transport=httpx.MockTransport(refuse)) as asking:
+            with pytest.raises(NobodyThere):
+                await asking.health()
+            with pytest.raises(NobodyThere):
+                _ = [event async for event in asking.events(JOB)]
+
+    asyncio.run(ask())
+
+
+def test_a_port_where_nobody_listens_is_refused_by_the_system_itself() -> None:
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        with Client(f"http://127.0.0.1:{free.getsockname()[1]}") as asking, pytest.raises(NobodyThere, match="refused"):
+            asking.health()
 
 
 def test_a_refusal_tells_why() -> None:

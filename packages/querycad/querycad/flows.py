@@ -5,10 +5,12 @@
 ClientError
 ├── ServerProblem      the service refused; `problem` says why (RFC 9457)
 └── ServerUnreachable  no answer
+    └── NobodyThere    and there never was one
 """
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -48,11 +50,13 @@ from querycad_contracts import (
     TableKind,
     ViewName,
 )
+from querycad_segworker.errors import FileProblem
 
 WAIT_S = 30
 """How long the service is asked to wait in one request; longer waits are several requests."""
 MARGIN_S = 10.0
-CONNECT_RETRIES = 3
+CONNECT_S = 0.9
+"""A handshake is done by the system, however busy the service is."""
 TRIES = 5
 """Of a request that may be repeated, while the service has trouble; with the pauses, a restart is survived."""
 PAUSE_S = 1.0
@@ -61,6 +65,8 @@ PROGRAM_S = 150.0
 """Longer than a service lets a program run, or looks for parameters."""
 GATEWAY = (502, 503, 504)
 """What a proxy answers whose service is away."""
+
+_ID = re.compile(r"[0-9a-f]{64}")
 
 M = TypeVar("M", bound=BaseModel)
 T = TypeVar("T")
@@ -83,6 +89,16 @@ class ServerProblem(ClientError):
 
 class ServerUnreachable(ClientError):
     """The service did not answer, or not as a QueryCAD service does."""
+
+
+class NobodyThere(ServerUnreachable):
+    """Nothing has ever answered at the service's address. Waiting would not help: it is said at once."""
+
+    def __init__(self, url: httpx.URL, error: httpx.HTTPError) -> None:
+        super().__init__(f"no service answers at {url} ({error}); `querycad serve` starts one on this machine")
+
+
+NO_CONNECTION = (httpx.ConnectError, httpx.ConnectTimeout)
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,6 +145,21 @@ def upload(path: Path, wait_s: float, progress: Progress | None) -> Flow[ModelRe
     return found
 
 
+def opened(file: str, timeout_s: float) -> Flow[ModelResource]:
+    """The model in the file, or with the id, once it has been read."""
+    if _ID.fullmatch(file):
+        found = yield from model(file, timeout_s)
+    else:
+        found = yield from upload(Path(file), timeout_s, None)
+    if found.status is ModelStatus.READING:
+        raise TimeoutError(f"the service did not read the file within {timeout_s:g} s")
+    if found.failure is not None:
+        problem = FileProblem(found.failure.message)
+        problem.retryable = found.failure.retryable
+        raise problem
+    return found
+
+
 def model(model_id: str, wait_s: float) -> Flow[ModelResource]:
     """What is known of the model?"""
     return (yield from _got(ModelResource, f"/v1/models/{model_id}", headers=_prefer(time.monotonic() + wait_s)))
@@ -161,7 +192,7 @@ def describe(model_id: str, unit: LengthUnit) -> Flow[Description]:
     return (yield from _got(Description, f"/v1/models/{model_id}/description", {"unit": LengthUnit(unit).value}))
 
 
-def segment(
+def find_parts(
     model_id: str, description: str, sides: Sequence[Side] | None, grounding: GroundedBy = GroundedBy.GEOMETRY
 ) -> Flow[Grounding]:
     """Which parts does the phrase mean?"""
@@ -170,7 +201,7 @@ def segment(
     return _parsed(Grounding, (yield from _sent(send)))
 
 
-def run_program(model_id: str, program: ProgramRequest) -> Flow[RunOutcome]:
+def run(model_id: str, program: ProgramRequest) -> Flow[RunOutcome]:
     """What comes of the program?"""
     options = {"json": program.model_dump(mode="json"), "timeout": PROGRAM_S}
     send = Send("POST", f"/v1/models/{model_id}/programs", options=options)

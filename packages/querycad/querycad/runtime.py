@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import atexit
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache, partial
+from io import BytesIO
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Self
 
 from querycad_answering.answering import NO_OPTIONS, answer_question, described
+from querycad_answering.drawing.tables import table
 from querycad_answering.llm import LlmSettings, LlmWriter
 from querycad_answering.parameters import fill_parameters
 from querycad_answering.understanding import ModelView, Run
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
+    AnswerType,
     Description,
     GroundedBy,
+    Grounding,
     LengthUnit,
     ModelSummary,
     ParameterSet,
@@ -27,6 +32,10 @@ from querycad_contracts import (
     Program,
     RunOutcome,
     RunStatus,
+    Side,
+    Table,
+    TableKind,
+    ViewName,
 )
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
@@ -36,6 +45,7 @@ from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import Artefacts, ModelStore
 from querycad_segworker.summary import summary
 
+from .model import Model, UnitName
 from .settings import model_store, weights_folder
 
 if TYPE_CHECKING:
@@ -88,7 +98,23 @@ class EmbeddedRuntime:
         """What is the answer to the question about this STEP file? Raises FileProblem when the file cannot be read."""
         start = time.perf_counter()
         segcad = self.model(file, progress)
-        model_ms = round((time.perf_counter() - start) * 1e3, 3)
+        return self._asked(segcad, question, unit, options, time.perf_counter() - start)
+
+    def open(
+        self,
+        file: Path | str,
+        unit: UnitName = LengthUnit.MM,
+        progress: Callable[[str], None] | None = None,
+    ) -> Model:
+        """The model in this file, read now if its content is not known yet. Raises FileProblem."""
+        start = time.perf_counter()
+        segcad = self.model(file, progress)
+        return Model(_Opened(self, segcad, Path(file).name, time.perf_counter() - start), unit)
+
+    def _asked(
+        self, segcad: LocalSegCad, question: str, unit: LengthUnit, options: AnswerOptions, opening_s: float
+    ) -> AnswerRecord:
+        model_ms = round(opening_s * 1e3, 3)
         view, run = _view(segcad, options.grounding), self._runner(segcad, options.grounding)
         told = summary(segcad.model) if self._llm.settings.is_configured else None
         record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm)
@@ -130,7 +156,9 @@ class EmbeddedRuntime:
         self, file: Path | str, unit: LengthUnit = LengthUnit.MM, progress: Callable[[str], None] | None = None
     ) -> Description:
         """What is the model, and what can be asked about it? Raises FileProblem."""
-        segcad = self.model(file, progress)
+        return self._described(self.model(file, progress), unit)
+
+    def _described(self, segcad: LocalSegCad, unit: LengthUnit) -> Description:
         found = described(self._runner(segcad), _view(segcad), unit)
         assert found is not None
         return found
@@ -158,11 +186,62 @@ class EmbeddedRuntime:
         """What is kept of this file: its mesh, faces and parts. Raises FileProblem."""
         return ingest(Path(file), self.store, progress=progress)
 
-    def draw(self, file: Path | str, record: AnswerRecord, path: Path) -> None:
-        """Writes the picture of what an answer rests on. Raises OSError."""
+
+class _Opened:
+    """A file that was opened: what it held then, whatever becomes of it."""
+
+    def __init__(self, runtime: EmbeddedRuntime, segcad: LocalSegCad, name: str, opening_s: float) -> None:
+        self.id = segcad.model.sha256
+        self.name = name
+        self._runtime = runtime
+        self._segcad = segcad
+        self._opening_s = opening_s
+
+    def ask(self, question: str, unit: LengthUnit, options: AnswerOptions) -> tuple[AnswerRecord, Callable[[], bytes]]:
+        record = self._runtime._asked(self._segcad, question, unit, options, self._opening_s)
+        return record, lambda: self._drawn(record)
+
+    def summary(self) -> ModelSummary:
+        return summary(self._segcad.model)
+
+    def parts(self) -> tuple[Part, ...]:
+        return self._segcad.model.parts
+
+    def find_parts(self, description: str, sides: Sequence[Side] | None, grounding: GroundedBy) -> Grounding:
+        return self._segcad.grounded_by(grounding).find_parts(description, sides)
+
+    def describe(self, unit: LengthUnit) -> Description:
+        return self._runtime._described(self._segcad, unit)
+
+    def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:
+        return table(kind, self.parts(), grouped=grouped, unit=unit)
+
+    def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
+        return self._runtime._runner(self._segcad)(Program(code=code, codegen="", expects=expects))
+
+    def view(self, view: ViewName, width: int, height: int) -> bytes:
+        from querycad_segworker.render.plain import draw_view  # here: trimesh and pictures take a moment to load
+
+        return _png(lambda into: draw_view(self._segcad.artefacts, view, (width, height), into))
+
+    def _drawn(self, record: AnswerRecord) -> bytes:
         from querycad_segworker.render.evidence import draw_evidence
 
-        draw_evidence(self.artefacts(file), record, path)
+        return _png(lambda into: draw_evidence(self._segcad.artefacts, record, into))
+
+
+def _png(draw: Callable[[BytesIO], None]) -> bytes:
+    into = BytesIO()
+    draw(into)
+    return into.getvalue()
+
+
+@cache
+def this_machine() -> EmbeddedRuntime:
+    """The runtime of this process, which `querycad.open` uses; it ends with the process."""
+    runtime = EmbeddedRuntime()
+    atexit.register(runtime.close)
+    return runtime
 
 
 def _view(segcad: LocalSegCad, grounding: GroundedBy = GroundedBy.GEOMETRY) -> ModelView:

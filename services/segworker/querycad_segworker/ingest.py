@@ -17,7 +17,8 @@ from . import errors
 from .errors import DiskFull, FileProblem, KernelDied, KernelKilled, NotStep
 from .kernel_process import KernelProcess, start_host
 from .model import Artefacts, ModelStore, file_sha256
-from .sniff import check_step, missing_entities
+from .sniff import MAX_FILE_BYTES, check_file, kind_of, missing_entities
+from .unpack import unpack
 
 Progress = Callable[[str], None]
 """Told the stage that begins: 'read', 'measure', 'tessellate', 'look', 'recognise'."""
@@ -59,15 +60,21 @@ def ingest(
     known = store.find(sha256) if sha256 else None
     if known is not None:
         return known
-    cleaned = check_step(path)
     scratch: Path | None = None
     try:
-        scratch = store.scratch()
         source = path.resolve()
+        kind = kind_of(path)
+        if kind is not None and kind.is_packed:
+            scratch = store.scratch()
+            source = scratch / "unpacked"
+            unpack(path, kind, source, MAX_FILE_BYTES)
+        cleaned = check_file(source)
+        scratch = scratch or store.scratch()
         if cleaned is not None:
             source = scratch / "cleaned.step"
             source.write_bytes(cleaned)
         _run_child(source, file_name or path.name, sha256, scratch, limits or IngestLimits(), progress)
+        (scratch / "unpacked").unlink(missing_ok=True)
         return store.keep(sha256, scratch)
     except OSError as error:
         if error.errno in DiskFull.CODES:

@@ -13,11 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
-from querycad_contracts import Face, Part, Shape
+from querycad_contracts import Face, FileKind, Part, Shape
 
 from .brep.extract import extract
+from .brep.files import read_file
 from .brep.measure import save_faces
-from .brep.step import read_step
 from .brep.tessellate import tessellate
 from .errors import FileProblem, UnreadableFile
 from .features.faces import faces_of
@@ -25,7 +25,7 @@ from .features.recognise import recognise
 from .features.sheet.material_thickness import material_thickness
 from .model import Artefacts, Model
 from .orientation import outward
-from .sniff import strange_number
+from .sniff import kind_of, strange_number
 from .vectors import dist
 from .visibility.faces import shows_backs, visible_pixels
 from .visibility.raycast import Scene
@@ -69,9 +69,12 @@ def _limit_memory(memory_bytes: int) -> None:
 def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> None:
     clock = _Clock()
     clock.begin("read")
-    if strange := strange_number(source):
+    kind = kind_of(source)
+    if kind not in (FileKind.IGES, FileKind.BREP) and (strange := strange_number(source)):
         raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
-    content = read_step(source)
+    content = read_file(source, kind)
+    if kind in (FileKind.IGES, FileKind.BREP):  # these have names of entities, not of the model
+        content = replace(content, name=Path(file_name).stem)
     clock.begin("measure")
     extracted = extract(content)
     brep = extracted.brep

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
 from collections.abc import Sequence
 from copy import copy
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING
 
 from querycad_contracts import (
@@ -35,6 +36,8 @@ if TYPE_CHECKING:
     from .segcad.ports import VisionOptions
 
 _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+NO_EYES = "geometry alone answered: networks that look at pictures are an extra, 'querycad[vision]'"
 
 
 class LocalSegCad:
@@ -116,6 +119,8 @@ class LocalSegCad:
         by_words = find(self._inventory, description, sides)
         if self.grounding is GroundedBy.GEOMETRY:
             return by_words
+        if not can_look():
+            return by_words.model_copy(update={"warnings": (*by_words.warnings, NO_EYES)})
         return self._vision.ground(by_words, self.grounding, self.model.parts, self._faces)
 
     def parts(self) -> tuple[Part, ...]:
@@ -167,6 +172,12 @@ class LocalSegCad:
             if found.edge_distance is not None
             else self._kernel.measure("edge_distance", found.faces)
         )
+
+
+@cache
+def can_look() -> bool:
+    """Is the extra installed that networks run with?"""
+    return all(importlib.util.find_spec(name) is not None for name in ("cv2", "onnxruntime", "tokenizers"))
 
 
 def _said(query: FaceQuery) -> str:

@@ -1,9 +1,11 @@
-"""Is this a STEP file worth giving to the kernel? Checked as text, before anything that could crash sees it."""
+"""Is this a file worth giving to the kernel? Checked as text, before anything that could crash sees it."""
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
+
+from querycad_contracts import HEAD_BYTES, FileKind, file_kind
 
 from .errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
@@ -24,8 +26,22 @@ _POWER = re.compile(
 )
 LARGEST = 2e100
 """What the kernel takes for infinite, and some programs write for a line without end."""
-_IGES = re.compile(rb"[^\r\n]{72}S[ 0]{6}1")
-"""The first line of an IGES file: 72 columns of text, the letter of the start section, a number of seven places."""
+
+
+def check_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
+    """As `check_step`, of any file that can be read: what else there is the kernel alone knows."""
+    if path.is_file() and path.stat().st_size <= max_bytes and kind_of(path) in (FileKind.IGES, FileKind.BREP):
+        return None
+    return check_step(path, max_bytes)
+
+
+def kind_of(path: Path) -> FileKind | None:
+    """What kind of file is it? None where it cannot be read."""
+    try:
+        with path.open("rb") as file:
+            return file_kind(file.read(HEAD_BYTES))
+    except OSError:
+        return None
 
 
 def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
@@ -104,17 +120,11 @@ def _start(data: bytes) -> int:
 
 def _looks_like(data: bytes) -> str:
     head = data[:512].lstrip(_BOM).lstrip()
-    if data.startswith(b"\x1f\x8b"):
-        return "it is compressed with gzip; unpack it first"
-    if data.startswith(b"PK\x03\x04"):
-        return "it is a zip archive; unpack it first"
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "it is encoded as UTF-16; save it as plain text first"
     if head[:1] == b"<":
         return "it is an HTML or XML document"
-    if _IGES.match(data):
-        return "it is an IGES file; export it as STEP"
-    if head.startswith((b"solid", b"DBRep_DrawableShape", b"CASCADE Topology")):
+    if head.startswith(b"solid"):
         return "it is another CAD or mesh format; export it as STEP"
     if b"\x00" in data[:4096]:
         return "it holds binary data"

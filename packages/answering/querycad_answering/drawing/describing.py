@@ -37,14 +37,19 @@ Ask = Callable[[str], Answer | None]
 """The answer to a question on the model; None where there is none, or it is unsure."""
 
 
+def featured(parts: Sequence[Part]) -> list[Part]:
+    """The features that a drawing would call out: no surfaces, walls or wholes."""
+    return [part for part in parts if part.kind not in _IN_FEATURES]
+
+
 def describe(
     summary: ModelSummary, parts: Sequence[Part], unit: LengthUnit = LengthUnit.MM, ask: Ask | None = None
 ) -> Description:
     """The description. Suggested are only questions that `ask` answers, and with the true value; none without it."""
     known = {part.id: part for part in parts}
     carried = carried_sections(parts)
-    featured = [part for part in parts if part.kind not in _IN_FEATURES and part.id not in carried]
-    features = callouts(distinct(featured), unit, known)
+    told = [part for part in featured(parts) if part.id not in carried]
+    features = callouts(distinct(told), unit, known)
     patterns = callouts((part for part in parts if part.kind is PartKind.PATTERN), unit, known)
     shape = summary.shape
     found = Description(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import importlib.util
 from collections.abc import Callable, Sequence
 from importlib.metadata import version
 
@@ -32,12 +33,14 @@ def make_parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     _add_ask(commands)
     _add_describe(commands)
+    _add_compare(commands)
     _add_table(commands)
     _add_features(commands)
     _add_explain(commands)
     _add_prompt(commands)
     _add_run(commands)
     add_segment(commands)
+    _add_mcp(commands)
     _add_serve(commands)
     _add_keys(commands)
     add_models(commands)
@@ -70,7 +73,7 @@ def _runs(module: str, name: str) -> Callable[[argparse.Namespace], int]:
 
 
 def _add_file(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", metavar="FILE", help="a STEP file")
+    parser.add_argument("file", metavar="FILE", help="a STEP, IGES or BREP file, or one in a .stpz or .zip")
 
 
 def _add_unit(parser: argparse.ArgumentParser, of: str = "of lengths in text") -> None:
@@ -129,6 +132,16 @@ def _add_describe(commands: Commands[argparse.ArgumentParser]) -> None:
     describe.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     with_examples(describe, "describe part.step", "describe part.step --unit in", "describe part.step --json")
     describe.set_defaults(run=_runs("describe", "describe"))
+
+
+def _add_compare(commands: Commands[argparse.ArgumentParser]) -> None:
+    compare = commands.add_parser("compare", help="tell what changed between two files, part by part")
+    compare.add_argument("before", metavar="A", help="a CAD file")
+    compare.add_argument("after", metavar="B", help="a later state of it")
+    _add_unit(compare)
+    compare.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
+    with_examples(compare, "compare part-v1.step part-v2.step", "compare part.step part.igs --json")
+    compare.set_defaults(run=_runs("describe", "compare"))
 
 
 def _add_table(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -195,6 +208,16 @@ def _add_run(commands: Commands[argparse.ArgumentParser]) -> None:
     run.set_defaults(run=_runs("run", "run"))
 
 
+def _add_mcp(commands: Commands[argparse.ArgumentParser]) -> None:
+    mcp = commands.add_parser("mcp", help="let an agent use QueryCAD: a server of the Model Context Protocol")
+    mcp.add_argument("--http", type=_port, metavar="PORT", help="over HTTP on this port of this machine, not stdio")
+    mcp.add_argument(
+        "--folder", metavar="DIR", help="open only files in DIR (default: any; with --http the current folder)"
+    )
+    with_examples(mcp, "mcp", "mcp --http 8765 --folder models")
+    mcp.set_defaults(run=_runs("mcp", "mcp"))
+
+
 def _add_serve(commands: Commands[argparse.ArgumentParser]) -> None:
     serve = commands.add_parser("serve", help="run all services on this machine")
     serve.add_argument(
@@ -217,10 +240,13 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _add_keys(commands: Commands[argparse.ArgumentParser]) -> None:
-    from querycad_api.accounts.commands import add_arguments
-
     keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
-    add_arguments(keys)
+    if importlib.util.find_spec("querycad_api") is None:  # an extra; `_keys` says so
+        keys.add_argument("rest", nargs=argparse.REMAINDER)
+    else:
+        from querycad_api.accounts.commands import add_arguments
+
+        add_arguments(keys)
     with_examples(keys, "keys create --tenant design --name laptop", "keys list", "keys revoke 0123456789ab")
     keys.set_defaults(run=_keys)
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, TextIO, TypeAlias
 
 from pydantic import ValidationError
 
@@ -22,8 +22,10 @@ from .features import listed
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
 
 if TYPE_CHECKING:
-    from .ask_server import ServerRuntime
+    from querycad.model import Model, Reply
 
+OpenModel: TypeAlias = "Callable[[Callable[[str], None]], Model]"
+"""Opens the file that is asked about, and tells the stages of reading it."""
 EXIT_ANSWERED, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 _BAD_INPUT = ("bad_input", "not_grounded", "not_understood", "unexpected")
 _STAGES = {
@@ -46,12 +48,13 @@ def ask(options: argparse.Namespace) -> int:
     if options.server:
         from .ask_server import ask_server  # here: no HTTP client is loaded where nothing is sent
 
-        return ask_server(options, lambda runtime: _ask_each(runtime, options, questions))
+        return ask_server(options, lambda open_model: _ask_each(open_model, options, questions))
     try:
         llm = llm_settings(options)
     except ValidationError as error:
         return _complain(_first(error))
-    return _ask_each(EmbeddedRuntime(llm=llm), options, questions)
+    with EmbeddedRuntime(llm=llm) as runtime:
+        return _ask_each(lambda progress: runtime.open(options.file, progress=progress), options, questions)
 
 
 def prompt(options: argparse.Namespace) -> int:
@@ -75,32 +78,29 @@ def prompt(options: argparse.Namespace) -> int:
     return EXIT_ANSWERED
 
 
-def _ask_each(runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, questions: list[str]) -> int:
-    unit = LengthUnit(options.unit)
+def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: list[str]) -> int:
     try:
         how = answer_options(options)
     except ValidationError as error:
         return _complain(_first(error))
-    worst = EXIT_ANSWERED
-    with runtime:
-        for number, question in enumerate(questions):
-            with _ProgressLine(sys.stderr) as progress:
-                try:
-                    record = runtime.ask(options.file, question, unit, progress.stage, how)
-                except FileProblem as problem:
-                    progress.clear()
-                    if options.json:
-                        print(_unreadable(question, problem).model_dump_json())
-                    return _complain(f"{options.file}: {problem}")
-            code = _exit_code(record)
-            worst = max(worst, code)
+    with _ProgressLine(sys.stderr) as progress:
+        try:
+            model = open_model(progress.stage)
+        except FileProblem as problem:
+            progress.clear()
             if options.json:
-                print(record.model_dump_json(), flush=True)
-            else:
-                _print_record(record, options, runtime.parts(options.file))
-            if options.picture and record.answer is not None:
-                path = _picture_path(options.picture, number, len(questions))
-                worst = max(worst, _draw(runtime, options, record, path))
+                print(_unreadable(questions[0], problem).model_dump_json())
+            return _complain(f"{options.file}: {problem}")
+    worst = EXIT_ANSWERED
+    for number, question in enumerate(questions):
+        reply = model.ask(question, unit=LengthUnit(options.unit), options=how)
+        worst = max(worst, _exit_code(reply))
+        if options.json:
+            print(reply.model_dump_json(), flush=True)
+        else:
+            _print_record(reply, options, model.parts)
+        if options.picture and reply.answer is not None:
+            worst = max(worst, _draw(reply, options, _picture_path(options.picture, number, len(questions))))
     return worst
 
 
@@ -189,12 +189,10 @@ def _picture_path(given: str, number: int, count: int) -> Path:
     return path if count == 1 else path.with_stem(f"{path.stem}-{number + 1}")
 
 
-def _draw(
-    runtime: EmbeddedRuntime | ServerRuntime, options: argparse.Namespace, record: AnswerRecord, path: Path
-) -> int:
+def _draw(reply: Reply, options: argparse.Namespace, path: Path) -> int:
     """Writes the picture; returns the exit code."""
     try:
-        runtime.draw(options.file, record, path)
+        reply.picture().save(path)
     except OSError as error:
         return _complain(f"{path}: the picture cannot be written: {error.strerror}")
     if not options.json:

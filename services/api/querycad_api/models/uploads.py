@@ -13,22 +13,19 @@ from pathlib import Path, PurePosixPath
 from typing import BinaryIO
 
 from querycad_api.problems import FileTooLarge, NotStepFile
+from querycad_contracts import HEAD_BYTES, file_kind
 
 CHUNK_BYTES = 2**20
 NAME_CHARS = 120
 """Longest file name kept; it is only shown."""
 
-_HEAD_BYTES = 4096
-_MAGIC = b"ISO-10303-21"
-_BOM = b"\xef\xbb\xbf"
-
 
 def check_head(head: bytes) -> None:
-    """Raises NotStepFile for what cannot be a STEP file; whether it is a good one is for the segworker to say."""
+    """Raises NotStepFile for what can be no CAD file; whether it is a good one is for the segworker to say."""
     if not head:
         raise NotStepFile("the file is empty")
-    if not head.removeprefix(_BOM).lstrip().startswith(_MAGIC):
-        raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21")
+    if file_kind(head) is None:
+        raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21; nor IGES, BREP or an archive")
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +40,7 @@ class Received:
 @contextmanager
 def received(upload: BinaryIO, home: Path, max_bytes: int) -> Iterator[Received]:
     """The upload as a file in `home`, gone afterwards unless it was moved. Raises FileTooLarge and NotStepFile."""
-    head = upload.read(_HEAD_BYTES)
+    head = upload.read(HEAD_BYTES)
     check_head(head)
     home.mkdir(parents=True, exist_ok=True)
     digest, size = hashlib.sha256(), 0

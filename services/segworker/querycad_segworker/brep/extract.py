@@ -36,7 +36,7 @@ class Extracted:
 
 def extract(content: StepContent) -> Extracted:
     """What is the file's B-rep? Raises IncompleteFile where there is no face at all."""
-    warnings: list[str] = []
+    warnings = list(content.warnings)
     faces = _faces(content.shape, warnings)
     if not faces:
         raise IncompleteFile("the file holds no geometry: no face was found in it")

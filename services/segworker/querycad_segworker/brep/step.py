@@ -50,13 +50,14 @@ class NamedShape:
 
 @dataclass(frozen=True, slots=True)
 class StepContent:
-    """What a STEP file holds. `shape` is everything as one compound; `products` are its leaves, placed."""
+    """What a CAD file holds. `shape` is everything as one compound; `products` are its leaves, placed."""
 
     shape: TopoDS_Shape
     name: str
     products: tuple[NamedShape, ...]
     units: tuple[str, ...] = ()
     """Names of the length units that the file declares, such as 'millimetre'."""
+    warnings: tuple[str, ...] = ()
 
 
 def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]:
@@ -68,7 +69,7 @@ def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]
 
 def read_step(path: Path) -> StepContent:
     """What does the STEP file hold? Raises UnreadableFile when the kernel cannot read or transfer it."""
-    _quiet()
+    quiet()
     document = TDocStd_Document(TCollection_ExtendedString("XCAF"))
     reader = STEPCAFControl_Reader()
     reader.SetNameMode(True)
@@ -79,6 +80,11 @@ def read_step(path: Path) -> StepContent:
         raise UnreadableFile("the CAD kernel cannot parse this STEP file")
     if not reader.Transfer(document):
         raise UnreadableFile("the CAD kernel finds nothing in this STEP file that it can transfer")
+    return content_of(document, _units(reader))
+
+
+def content_of(document: TDocStd_Document, units: tuple[str, ...]) -> StepContent:
+    """The products of a document that a reader has filled."""
     shape_tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     color_tool = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     roots = _labels(shape_tool, None)
@@ -88,7 +94,7 @@ def read_step(path: Path) -> StepContent:
     for root in roots:
         builder.Add(compound, shape_tool.GetShape_s(root))
         products.extend(_products(shape_tool, color_tool, root, TopLoc_Location(), _label_color(color_tool, root)))
-    return StepContent(compound, _name(roots[0]) if len(roots) == 1 else "", tuple(products), _units(reader))
+    return StepContent(compound, _name(roots[0]) if len(roots) == 1 else "", tuple(products), units)
 
 
 def _units(reader: STEPCAFControl_Reader) -> tuple[str, ...]:
@@ -99,7 +105,7 @@ def _units(reader: STEPCAFControl_Reader) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names))
 
 
-def _quiet() -> None:
+def quiet() -> None:
     """Keep the kernel's chatter off standard output: its messages are not for users."""
     for printer in Message.DefaultMessenger_s().Printers():
         printer.SetTraceLevel(Message_Gravity.Message_Fail)

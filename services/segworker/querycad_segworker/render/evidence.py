@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 
 from PIL import Image
@@ -14,14 +15,15 @@ from querycad_segworker.model import Artefacts, sheets_of
 from .pictures import Mark, annotate, save_png
 
 
-def draw_evidence(artefacts: Artefacts, record: AnswerRecord, path: Path) -> None:
-    """Draws what an answer rests on into a PNG file. Raises OSError when it cannot be written.
+def draw_evidence(artefacts: Artefacts, record: AnswerRecord, path: Path | BytesIO) -> None:
+    """Draws what an answer rests on into a PNG file, or memory. Raises OSError when it cannot be written.
 
     Where vision had a say, the sheets that show what it saw stand below.
     """
     marks = [Mark(part.label, part.faces, part.opening or part.tip) for part in record.parts]
     answer = record.answer.text if record.answer is not None else (record.failure.message if record.failure else "")
-    path.parent.mkdir(parents=True, exist_ok=True)
+    if isinstance(path, Path):
+        path.parent.mkdir(parents=True, exist_ok=True)
     picture = annotate(Mesh.load(artefacts.mesh), marks, record.question, answer)
     save_png(_stacked([picture, *_sheets(artefacts, sheets_of(record))]), path)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -68,8 +69,8 @@ def annotate(
     return sheet.finish()
 
 
-def save_png(image: Image.Image, path: Path) -> None:
-    """Writes the picture as a PNG file; the folder must exist."""
+def save_png(image: Image.Image, path: Path | BytesIO) -> None:
+    """Writes the picture as a PNG file, or into memory; the folder must exist."""
     image.save(path, format="PNG")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -21,8 +22,8 @@ OVERSAMPLING = 2
 MARGIN = 0.05
 
 
-def draw_view(artefacts: Artefacts, view: ViewName, size: tuple[int, int], path: Path) -> None:
-    """Draws the model into a PNG file of `size` pixels (width, height). Raises OSError when it cannot be written."""
+def draw_view(artefacts: Artefacts, view: ViewName, size: tuple[int, int], path: Path | BytesIO) -> None:
+    """Draws the model into a PNG file, or memory; `size`: pixels (width, height). Raises OSError."""
     save_png(picture_of(Mesh.load(artefacts.mesh), view, size), path)
 
 
