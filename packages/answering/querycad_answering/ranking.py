@@ -37,6 +37,9 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "empty": ("empty", "nothing", "counts_none", "get_of_none", "value_zero"),
     "yes_no": ("form_check", "form_every", "form_uniform", "form_exists"),
     "apart": ("form_distance", "form_combine", "form_angle"),
+    "long": ("words",),
+    "strange": ("strange_words",),
+    "whole_model": ("whole_sense",),
     "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between", "from_plane"),
 }  # fmt: skip
 """What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""

@@ -54,7 +54,7 @@ def passable(question: Question) -> list[Passable]:
 
 def finished(question: Question, draft: Draft, words: Sequence[Passable]) -> Reading:
     """The reading with what it skips, by class. `words` are the passable ones."""
-    features = dict(draft.features)
+    features = {**draft.features, **question.hardness}
     skipped = [word for word in words if word.at not in draft.used]
     for word in skipped:
         features[word.feature] = features.get(word.feature, 0.0) + 1.0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from functools import cached_property
 
@@ -30,6 +31,13 @@ class Question:
                 found.append(phrase)
             at = phrase.end if phrase is not None else at + 1
         return found
+
+    @cached_property
+    def hardness(self) -> dict[str, float]:
+        """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
+        text = self.text
+        strange = (at for at in range(len(text)) if text.is_content(at) and not text.find(at, *_TOLD))
+        return {"words": math.log(max(1, len(text))), "strange_words": float(len(list(strange)))}
 
     def in_question(self, at: int) -> bool:
         """Is the token in the sentence that asks?"""
@@ -93,6 +101,7 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     return (before[-1], True) if before else (best[1], False)
 
 
+_TOLD = ("noun", "measure", "adjective")
 _IN_TAGS = ("confirm", "be", "pronoun", "article", "function", "whole")
 
 
