@@ -23,6 +23,13 @@ ARGUMENTS = [
     "--enable-unsafe-swiftshader",
     "--ignore-gpu-blocklist",
 ]
+_FONTS = """<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig>
+  <dir>{folder}/fonts</dir>
+  <cachedir>{folder}/fonts-cache</cachedir>
+</fontconfig>
+"""
 _UNPACK = 'import chromium from "@sparticuz/chromium"; await chromium.executablePath();'
 
 
@@ -49,6 +56,8 @@ def executable() -> Path:
         result = subprocess.run(command, cwd=ROOT / "web", env=environment, capture_output=True, text=True, check=False)
         if result.returncode or not found.exists():
             raise Missing(f"Chromium could not be unpacked: {result.stderr.strip()[-500:]}")
+        # its own configuration looks for the fonts in /tmp, and without any the browser dies
+        (UNPACKED / "fonts/fonts.conf").write_text(_FONTS.format(folder=UNPACKED), encoding="utf-8")
         (UNPACKED / "complete").touch()
     return found
 
