@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test attack parity check format serve bench fit openapi examples lock dist clean
+.PHONY: help setup demo test attack parity check format serve web bench fit openapi examples lock dist clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -41,6 +41,9 @@ format: setup ## rewrite the sources as the formatter wants them
 serve: setup ## start all services on this machine; stop with Ctrl-C
 	$(BIN)/querycad serve
 
+web: setup ## build the page from web/; says what stands in the way
+	@scripts/page.sh
+
 bench: setup ## measure accuracy; arguments for querycad bench in ARGS
 	$(BIN)/querycad bench $(ARGS)
 
@@ -62,5 +65,5 @@ dist: setup ## build the wheels of all packages into dist/
 	@ls dist
 
 clean: ## remove what can be rebuilt, the environment included
-	rm -rf .venv build dist .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
+	rm -rf .venv build dist web/node_modules services/api/querycad_api/web/dist .setup-*.log .mypy_cache .pytest_cache .ruff_cache .import_linter_cache .hypothesis .benchmarks
 	find packages services examples tests scripts benchmark -name __pycache__ -type d -prune -exec rm -rf {} +

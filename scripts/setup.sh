@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes .venv: the newest Python that the packages run on, everything in requirements.lock by its hashes, and the
-# project's own packages from the tree. Does nothing when nothing changed since it last ran.
+# project's own packages from the tree; and builds the page that the service serves. Does nothing when nothing changed since it last ran.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -86,9 +86,13 @@ install_uv() {
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: -r .venv/uv.lock
 }
 
+# The service and all commands work without the page: a machine that cannot reach npm is told, and goes on.
+build_page() { [ ! -x scripts/page.sh ] || scripts/page.sh --unless-failed || true; }
+
 main() {
     if [ -x .venv/bin/python ] && [ "$(cat "$STAMP" 2>/dev/null)" = "$(fingerprint)" ]; then
         system_packages .venv/bin/python
+        build_page
         return
     fi
     python=$(find_python)
@@ -103,6 +107,7 @@ main() {
     # shellcheck disable=SC2086  # a list of words
     .venv/bin/uv pip install --quiet --python .venv/bin/python --no-deps --no-build-isolation --no-config $editables
     fingerprint > "$STAMP"
+    build_page
     say "ready: .venv/bin/querycad"
 }
 

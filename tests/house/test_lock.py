@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
 from pathlib import Path
@@ -59,6 +60,16 @@ def test_each_declared_dependency_is_pinned_within_its_range(where: str, require
     version = PINNED.get(canonicalize_name(requirement.name))
     assert version is not None, f"{where} needs {requirement}: run `make lock`"
     assert version in requirement.specifier
+
+
+def test_the_pages_packages_are_pinned_by_hash_without_where_they_come_from() -> None:
+    lock = json.loads((ROOT / "web/package-lock.json").read_text())["packages"]
+    wanted = json.loads((ROOT / "web/package.json").read_text())
+    named = {**wanted["dependencies"], **wanted["devDependencies"]}
+    assert {name: lock[f"node_modules/{name}"]["version"] for name in named} == named
+    packages = [entry for place, entry in lock.items() if place]
+    assert all(entry["integrity"].startswith("sha512-") for entry in packages)
+    assert not any("resolved" in entry for entry in packages)
 
 
 def test_no_deep_learning_framework_comes_along() -> None:

@@ -22,6 +22,7 @@ from querycad_contracts import (
     GroundTask,
     Part,
     PartQuery,
+    ReadingStage,
     Status,
     TaskName,
     models_name,
@@ -218,6 +219,22 @@ def test_parts_come_in_pages(table: Table, model: str) -> None:
     assert {page["total"] for page in pages} == {11}
     assert [len(page["items"]) for page in pages] == [4, 4, 3]
     assert len({part["id"] for page in pages for part in page["items"]}) == 11
+
+
+def test_parts_are_given_by_their_ids(table: Table, model: str) -> None:
+    page = table[TaskName.PARTS]({"model": model, "ids": ["hole-4", "hole-2", "hole-99"]})["value"]
+    assert [part["id"] for part in page["items"]] == ["hole-2", "hole-4"]
+    assert page["total"] == 2
+
+
+def test_every_stage_of_reading_is_told_in_order_and_none_of_a_file_that_is_known(tmp_path: Path, flange: Path) -> None:
+    told: list[tuple[str, ReadingStage]] = []
+    settings = SegworkerSettings(home=tmp_path)
+    model = put(settings, flange.read_bytes())
+    table = table_of(make_tasks(settings, lambda *stage: told.append(stage)))
+    for _ in range(2):
+        assert table[TaskName.INGEST]({"model": model, "file_name": "flange.step"})["failure"] is None
+    assert told == [(model, stage) for stage in ReadingStage]
 
 
 def test_a_model_that_was_never_uploaded_is_a_failure(table: Table) -> None:

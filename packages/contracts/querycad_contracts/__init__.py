@@ -111,6 +111,7 @@ from .services import (
     QuestionsRequest,
     QuestionTask,
     Queue,
+    ReadingStage,
     RunRequest,
     SegmentRequest,
     TaskFailure,
@@ -123,6 +124,7 @@ from .services import (
     alive_key,
     queue_of,
     reply_key,
+    stage_key,
 )
 from .settings import (
     BrokerSettings,
@@ -238,6 +240,7 @@ __all__ = [
     "QuestionsRequest",
     "Queue",
     "Rank",
+    "ReadingStage",
     "ReferenceFrame",
     "Refusal",
     "Relation",
@@ -286,6 +289,7 @@ __all__ = [
     "picture_name",
     "queue_of",
     "reply_key",
+    "stage_key",
     "start_logging",
     "start_tracing",
     "start_worker_tracing",

@@ -72,6 +72,7 @@ class Table(Frozen):
     kind: TableKind
     columns: tuple[Column, ...]
     rows: tuple[tuple[Cell, ...], ...]
+    ids: tuple[tuple[str, ...], ...] = Field((), description="Of each row the ids of its parts.")
     parts: int = Field(description="How many parts the rows stand for.")
 
 

@@ -87,6 +87,21 @@ def reply_key(task: str) -> str:
     return f"querycad:reply:{task}"
 
 
+def stage_key(model: str) -> str:
+    """Under which Redis key does a segworker say which `ReadingStage` of the file it is at?"""
+    return f"querycad:stage:{model}"
+
+
+class ReadingStage(StrEnum):
+    """What is being done while a file is read, in this order."""
+
+    READ = "read"
+    MEASURE = "measure"
+    TESSELLATE = "tessellate"
+    LOOK = "look"
+    RECOGNISE = "recognise"
+
+
 class ModelTask(Frozen):
     """What is asked of one known model."""
 
@@ -193,6 +208,7 @@ class PartsTask(ModelTask):
     """Which parts does the model have?"""
 
     kind: str | None = None
+    ids: tuple[str, ...] = Field((), description="Only these; empty: all.")
     offset: int = Field(0, ge=0)
     limit: int = Field(100, ge=1, le=1000)
 
@@ -368,6 +384,8 @@ class ModelResource(Frozen):
     size_bytes: int
     created: datetime
     status: ModelStatus
+    stage: ReadingStage | None = Field(None, description="Of a file that is being read; null: it waits.")
+    ahead: int | None = Field(None, description="Of a file that waits to be read: how many are read before it.")
     summary: ModelSummary | None = Field(None, description="Of a model that is ready.")
     failure: Failure | None = Field(None, description="Why the file cannot be answered about.")
     links: Links = Field({}, description="Where to go on: `self`, `questions`, `parts`, `description`, `view`, `glb` …")
@@ -414,6 +432,7 @@ class Job(Frozen):
     status: JobStatus
     created: datetime
     finished: datetime | None = None
+    ahead: int | None = Field(None, description="Of a queued question: how many tasks are done before it.")
     answer: Answer | None = Field(None, description="As in `record`.")
     confidence: float | None = Field(None, description="As in `record`.")
     part_ids: tuple[str, ...] = Field((), description="Ids of the parts that the answer rests on, however many.")

@@ -51,7 +51,7 @@ from .store.broker import Broker
 from .store.file_expiry import expire_files
 from .store.redelivery import redeliver
 from .store.state import READ_S, State
-from .web import endpoints as web
+from .web.endpoints import pages
 
 INTERFACE_VERSION = "1.0"
 """Of the interface, not of the program: the first number is the one in `/v1`."""
@@ -130,8 +130,8 @@ def make_app(settings: ApiSettings) -> FastAPI:
     add_handlers(app)
     for each in (models, geometry, programs, parameters, questions, jobs, metrics):
         app.include_router(each.router, responses=responses(NotAuthenticated, NotAllowed, TooManyRequests))
-    for public in (health, reference, web):
-        app.include_router(public.router)
+    for public in (health.router, reference.router, pages()):
+        app.include_router(public)
     app.openapi = lambda: _openapi(app, settings.asks_for_keys)  # type: ignore[method-assign]
     return app
 

@@ -7,6 +7,7 @@ ApiProblem
 ├── NotAuthenticated     401
 ├── NotAllowed           403
 ├── ModelNotFound        404
+├── FaceNotFound         404
 ├── JobNotFound          404
 ├── PictureNotFound      404
 ├── JobIsDone            409
@@ -143,6 +144,13 @@ class ModelNotFound(ApiProblem):
 
     status = HTTPStatus.NOT_FOUND
     title = "No such model"
+
+
+class FaceNotFound(ApiProblem):
+    """The model has no such face."""
+
+    status = HTTPStatus.NOT_FOUND
+    title = "No such face"
 
 
 class JobNotFound(ApiProblem):

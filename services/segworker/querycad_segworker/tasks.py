@@ -38,6 +38,7 @@ from querycad_contracts import (
     PartsPage,
     PartsTask,
     PictureTask,
+    ReadingStage,
     Shape,
     TaskFailure,
     TaskFailureKind,
@@ -52,7 +53,7 @@ from querycad_contracts import (
 
 from .errors import DiskFull, FileProblem, NotRead
 from .grounding.vision import Networks, networks_in
-from .ingest import IngestLimits, ingest
+from .ingest import IngestLimits, Progress, ingest
 from .local import LocalSegCad
 from .model import Artefacts, ModelStore, sheets_of
 from .settings import SegworkerSettings
@@ -89,7 +90,7 @@ class ModelCache:
             raise UnknownModelError("no such model: upload its file first")
         raise NotRead("the file has to be read first")
 
-    def read(self, model: str, file_name: str) -> Artefacts:
+    def read(self, model: str, file_name: str, progress: Progress | None = None) -> Artefacts:
         """What is kept of an uploaded model; its file is read now if need be. Raises FileProblem."""
         try:
             return self.artefacts(model)
@@ -100,7 +101,7 @@ class ModelCache:
             raise UnknownModelError("no such model: upload its file first")
         limits = IngestLimits(float(self._settings.ingest_s), self._settings.ingest_memory_mib * 2**20)
         try:
-            made = ingest(upload, self._store, limits, file_name=file_name)
+            made = ingest(upload, self._store, limits, progress, file_name)
         except FileProblem:
             self.drop_if_deleted(model)  # then it is no fault of the file's
             raise
@@ -163,10 +164,16 @@ class Tasks:
     """Every task, on the models of one process."""
 
     cache: ModelCache
+    told: Callable[[str, ReadingStage], None] = lambda _model, _stage: None
+    """Told the stage of reading that begins for a model."""
 
     def ingest(self, task: IngestTask) -> ModelSummary:
         """What does the uploaded file hold? Read once; known content is answered at once."""
-        found = summary(self.cache.read(task.model, task.file_name).load_model())
+
+        def progress(stage: str) -> None:
+            self.told(task.model, ReadingStage(stage))
+
+        found = summary(self.cache.read(task.model, task.file_name, progress).load_model())
         self.cache.drop_if_deleted(task.model)
         return found
 
@@ -219,7 +226,8 @@ class Tasks:
     def parts(self, task: PartsTask) -> PartsPage:
         """Which parts does the model have? One page of them, by id."""
         parts = self.cache.segcad(task.model).model.parts
-        wanted = [part for part in parts if task.kind is None or part.kind == task.kind]
+        ids = set(task.ids)
+        wanted = [part for part in parts if task.kind in (None, part.kind) and (not ids or part.id in ids)]
         return PartsPage(items=tuple(wanted[task.offset : task.offset + task.limit]), total=len(wanted))
 
     def picture(self, task: PictureTask) -> str:
@@ -245,10 +253,10 @@ class Tasks:
         return self.cache.made_of(task.model, f"{task.view.value}-{task.width}x{task.height}.png", draw)
 
     def glb(self, task: ModelTask) -> str:
-        """Writes the model's triangles as binary glTF; the name of the file in the store."""
+        """Writes the model as binary glTF; the name of the file in the store."""
         from .render.glb import write_glb  # here: as above
 
-        return self.cache.made_of(task.model, "model.glb", write_glb)
+        return self.cache.made_of(task.model, "bodies.glb", write_glb)
 
     def table(self) -> dict[TaskName, Callable[[dict[str, Any]], str]]:
         """Every task by its name, from its payload as JSON data to its TaskOutcome as JSON text."""
@@ -279,9 +287,10 @@ def _by_ids(way: Grounded) -> GroundedIds:
     return GroundedIds(parts=ids, features=way.features, unchecked=way.unchecked, reason=way.reason)
 
 
-def make_tasks(settings: SegworkerSettings) -> Tasks:
-    """The tasks of a process with these settings."""
-    return Tasks(ModelCache(settings))
+def make_tasks(settings: SegworkerSettings, told: Callable[[str, ReadingStage], None] | None = None) -> Tasks:
+    """The tasks of a process with these settings; `told` is told which stage of reading a file begins."""
+    cache = ModelCache(settings)
+    return Tasks(cache, told) if told is not None else Tasks(cache)
 
 
 def _as_data(payload: type[P], work: Callable[[P], Any]) -> Callable[[dict[str, Any]], str]:

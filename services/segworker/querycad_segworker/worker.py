@@ -22,16 +22,19 @@ from celery.signals import heartbeat_sent, setup_logging, worker_process_init
 from kombu import Queue as KombuQueue
 from redis import Redis
 from redis.backoff import ExponentialBackoff
+from redis.exceptions import RedisError
 from redis.retry import Retry
 
 from querycad_contracts import (
     Queue,
+    ReadingStage,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
     alive_key,
     reply_key,
+    stage_key,
     start_logging,
     start_worker_tracing,
 )
@@ -55,6 +58,8 @@ RESTORE_S = 5
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
 DEATHS_S = 24 * 3600
+STAGE_S = 600
+"""A stage is told for longer than any lasts, and no longer than anybody asks."""
 ALIVE_S = 10
 """A worker counts as there this long after its last heartbeat; there is one every 2 seconds."""
 
@@ -102,7 +107,7 @@ def make_app(settings: SegworkerSettings) -> Celery:
         task_reject_on_worker_lost=True,
         task_ignore_result=True,
     )
-    process = _Process(settings)
+    process = _Process(settings, lambda model, stage: _tell_stage(redis, model, stage))
     for name in SERVED:
         limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
         run = _task(name, process.work(name), replies)
@@ -121,14 +126,15 @@ def make_app(settings: SegworkerSettings) -> Celery:
 class _Process:
     """The tasks of this process, made after the fork, when the first one is called."""
 
-    def __init__(self, settings: SegworkerSettings) -> None:
+    def __init__(self, settings: SegworkerSettings, told: Callable[[str, ReadingStage], None]) -> None:
         self._settings = settings
+        self._told = told
         self._table: dict[TaskName, Work] | None = None
 
     def work(self, name: TaskName) -> Work:
         def call(payload: dict[str, Any]) -> str:
             if self._table is None:
-                tasks: Tasks = make_tasks(self._settings)
+                tasks: Tasks = make_tasks(self._settings, self._told)
                 self._table = tasks.table()
             return self._table[name](payload)
 
@@ -158,6 +164,14 @@ def _task(name: TaskName, work: Work, redis: Redis) -> Callable[[Task, dict[str,
         return None
 
     return run
+
+
+def _tell_stage(redis: Redis, model: str, stage: ReadingStage) -> None:
+    """Tells which stage of reading a file begins. It is only shown: a store that is away is passed over."""
+    try:
+        redis.set(stage_key(model), stage.value, ex=STAGE_S)
+    except RedisError:
+        log.info("stage %s is not told: the store does not answer", stage.value)
 
 
 def _worked(work: Work, payload: dict[str, Any]) -> str:

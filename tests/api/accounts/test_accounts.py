@@ -79,7 +79,7 @@ def test_tenants_never_see_each_others_models(api: httpx.Client, ring: KeyRing, 
     acme, other = ring.create("acme"), ring.create("other")
     assert upload(api, acme).status_code == 202
     job = ask(api, acme).json()["id"]
-    paths = ["", "/parts", "/answers", "/views/top", "/glb", f"/answers/{job}/picture"]
+    paths = ["", "/parts", "/answers", "/views/top", "/glb", "/faces?id=0", f"/answers/{job}/picture"]
     for path in paths:
         assert api.get(f"/v1/models/{MODEL}{path}", headers=bearer(other)).status_code == 404
     for path in (f"/v1/jobs/{job}", f"/v1/jobs/{job}/events"):

@@ -261,3 +261,13 @@ def test_a_page_that_cannot_be_is_a_problem(client: httpx.Client, model: str, pa
     response = client.get(f"/v1/{path}?{query}")
     assert (response.status_code, response.headers["content-type"]) == (400, "application/problem+json")
     assert response.json()["errors"][0]["parameter"] == query.partition("=")[0]
+    assert (response.status_code, response.headers["content-type"]) == (422, "application/problem+json")
+
+
+def test_a_queued_question_tells_how_many_are_before_it(
+    client: httpx.Client, model: str, redis: Redis, worker: Questions
+) -> None:
+    first, second = (ask(client, model).json()["id"] for _ in range(2))
+    assert [client.get(f"/v1/jobs/{job}").json()["ahead"] for job in (first, second)] == [0, 1]
+    worker.answer(task_of(redis, first))
+    assert client.get(f"/v1/jobs/{first}").json()["ahead"] is None

@@ -29,12 +29,14 @@ from querycad_contracts import (
     NO_ACCOUNTS,
     ModelSummary,
     Queue,
+    ReadingStage,
     Shape,
     TaskFailure,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
     alive_key,
+    stage_key,
 )
 
 STEP = b"ISO-10303-21;\nHEADER;\nENDSEC;\nEND-ISO-10303-21;\n"
@@ -75,6 +77,28 @@ def test_the_same_file_twice_is_one_model_read_once(client: httpx.Client, redis:
     first, second = upload(client), upload(client, name="copy.step")
     assert first.json() == second.json()
     assert len(queued(redis, Queue.INGEST)) == 1
+
+
+def test_a_file_that_waits_tells_its_place_and_one_that_is_read_its_stage(client: httpx.Client, redis: Redis) -> None:
+    other = STEP + b"/* another */"
+    upload(client)
+    second = upload(client, other).json()["id"]
+    places = [client.get(f"/v1/models/{model}").json() for model in (SHA256, second)]
+    assert [(place["stage"], place["ahead"]) for place in places] == [(None, 0), (None, 1)]
+    redis.set(stage_key(second), ReadingStage.MEASURE.value)
+    found = client.get(f"/v1/models/{second}").json()
+    assert (found["stage"], found["ahead"]) == ("measure", None)
+    assert client.delete(f"/v1/models/{second}").status_code == 204
+    upload(client, other)
+    assert client.get(f"/v1/models/{second}").json()["stage"] is None  # it begins anew
+
+
+def test_a_face_that_the_model_lacks_is_told_without_asking_a_worker(client: httpx.Client, ledger: Ledger) -> None:
+    upload(client)
+    ledger.finish_model(NO_ACCOUNTS, SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
+    assert "no face 6" in problem(client.get(f"/v1/models/{SHA256}/faces?id=0&id=6"), 404)["detail"]
+    for query in ("", "?id=-1", "?id=x"):
+        problem(client.get(f"/v1/models/{SHA256}/faces{query}"), 422)
 
 
 def test_a_model_that_was_read_says_what_it_holds(client: httpx.Client, ledger: Ledger) -> None:

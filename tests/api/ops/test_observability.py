@@ -152,31 +152,3 @@ def test_what_clients_invent_makes_no_series(client: httpx.Client) -> None:
     labels = [labels for name, labels in metrics(client) if name == "querycad_http_requests_total"]
     assert {dict(each)["route"] for each in labels} <= {"none", "/metrics"}
     assert {dict(each)["method"] for each in labels} <= {"any", "GET"}
-
-
-def test_the_page_is_there_with_all_that_it_needs_and_loads_nothing_from_elsewhere(client: httpx.Client) -> None:
-    page = client.get("/")
-    assert page.headers["content-type"].startswith("text/html")
-    assert "default-src 'self'" in page.headers["content-security-policy"]
-    linked = re.findall(r'(?:src|href)="([^"]+)"', page.text)
-    files = [each for each in linked if not each.startswith("data:")]
-    assert sorted(files) == ["page.css", "page.js"]
-    for each in files:
-        response = client.get(f"/{each}")
-        assert response.status_code == 200
-        assert "://" not in response.text
-        assert "innerHTML" not in response.text  # what a file or a question says is text, never markup
-
-
-def test_the_pages_script_names_only_elements_and_addresses_that_exist(client: httpx.Client) -> None:
-    page, script = client.get("/").text, client.get("/page.js").text
-    ids: Any = set(re.findall(r'id="([\w-]+)"', page))
-    assert set(re.findall(r'byId\("([\w-]+)"\)', script)) <= ids
-    classes = set(re.findall(r'class="([\w-]+)"', page))
-    assert set(re.findall(r'querySelector\("\.([\w-]+)"\)', script)) <= classes
-    described = [re.sub(r"\{\w+\}", "x", path).lstrip("/") for path in client.get("/openapi.json").json()["paths"]]
-    called = {
-        re.sub(r"\$\{[\w.]+\}", "x", path).partition("?")[0] for path in re.findall(r'[`"](v1/[^`"]+)[`"]', script)
-    }
-    assert len(called) > 5
-    assert called <= {path.replace("views/x", "views/isometric") for path in described}

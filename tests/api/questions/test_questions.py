@@ -47,7 +47,7 @@ def test_a_question_is_accepted_as_a_job(client: httpx.Client, model: str, redis
     assert response.status_code == 202
     job = response.json()
     assert (job["status"], job["record"]) == ("queued", None)
-    assert client.get(response.headers["location"]).json() == job
+    assert client.get(response.headers["location"]).json() == {**job, "ahead": 0}
     assert redis.llen("questions") == 1
 
 

@@ -91,6 +91,7 @@ def table(
         kind=kind,
         columns=tuple(column for column, _ in cells),
         rows=tuple(tuple(cell(row) for _, cell in cells) for row in rows),
+        ids=tuple(tuple(part.id for part in row.parts) for row in rows),
         parts=len(wanted),
     )
 

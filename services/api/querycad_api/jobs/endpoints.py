@@ -33,7 +33,7 @@ from querycad_api.problems import (
     TooManyRequests,
     responses,
 )
-from querycad_contracts import Job, JobId, ModelId, PartsPage, PictureTask, TaskName, picture_name
+from querycad_contracts import Job, JobId, JobStatus, ModelId, PartsPage, PictureTask, Queue, TaskName, picture_name
 
 from .service import answered, cancel, followed
 
@@ -50,6 +50,8 @@ async def get_job(job_id: JobId, services: ServicesDep, wait_s: WaitDep, parts: 
     found = await services.job(job_id)
     if found.record is None and wait_s and await services.state.job_done(job_id, wait_s):
         found = await services.job(job_id)
+    if found.status is JobStatus.QUEUED:
+        found = found.model_copy(update={"ahead": await services.state.ahead(Queue.QUESTIONS, job_id)})
     return shown(found, parts)
 
 

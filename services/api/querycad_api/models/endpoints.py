@@ -76,6 +76,9 @@ async def get_model(model_id: ModelId, services: ServicesDep, wait_s: WaitDep) -
     reading = found.status is ModelStatus.READING
     if wait_s and reading and await services.state.model_done(services.caller.tenant, model_id, wait_s):
         found = await services.model(model_id)
+    if found.status is ModelStatus.READING:
+        stage, ahead = await services.state.progress(model_id)
+        found = found.model_copy(update={"stage": stage, "ahead": ahead})
     return found
 
 

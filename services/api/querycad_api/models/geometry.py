@@ -7,13 +7,14 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
-from pydantic import TypeAdapter
+from pydantic import Field, TypeAdapter
 
 from querycad_answering.drawing.tables import table
 from querycad_answering.drawing.writing import written
 from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
 from querycad_api.links import link_next
 from querycad_api.problems import (
+    FaceNotFound,
     Malformed,
     ModelNotFound,
     ModelNotReady,
@@ -27,6 +28,8 @@ from querycad_api.problems import (
 from querycad_contracts import (
     DescribeTask,
     Description,
+    Face,
+    FacesTask,
     FindPartsTask,
     GroundedBy,
     Grounding,
@@ -51,6 +54,7 @@ from .drawings import DRAW_S, GLB, PNG, drawn
 from .service import called
 
 CALL_S = 20.0
+_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
 DESCRIBE_S = 60.0
 """Suggested questions are answered first, each in some ten milliseconds."""
@@ -78,13 +82,33 @@ async def list_parts(
     kind: Annotated[PartKind | None, Query(description="Only this kind.")] = None,
     offset: OffsetDep = 0,
     limit: LimitDep = 100,
+    ids: Annotated[
+        list[str] | None, Query(alias="id", max_length=PAGE, description="Only the parts of these ids, repeated.")
+    ] = None,
 ) -> PartsPage:
     """Which parts were recognised in the model? `Link` tells the next page."""
     await services.ready_model(model_id)
-    task = PartsTask(model=model_id, kind=kind, offset=offset, limit=limit)
+    task = PartsTask(model=model_id, kind=kind, ids=tuple(ids or ()), offset=offset, limit=limit)
     page = await called(services, TaskName.PARTS, task, _PARTS, CALL_S)
     link_next(request, response, offset, limit, page.total)
     return page
+
+
+@router.get("/faces", response_model=tuple[Face, ...], responses={**responses(FaceNotFound), **PROBLEMS})
+async def list_faces(
+    model_id: ModelId,
+    services: ServicesDep,
+    ids: Annotated[
+        list[Annotated[int, Field(ge=0, le=2**31 - 1)]],
+        Query(alias="id", min_length=1, max_length=100, description="Ids of faces, repeated, as in the GLB."),
+    ],
+) -> tuple[Face, ...]:
+    """What are these faces: form, radius, area, and which part do they belong to?"""
+    model = await services.ready_model(model_id)
+    assert model.summary is not None
+    if max(ids) >= model.summary.shape.face_count:
+        raise FaceNotFound(f"the model has no face {max(ids)}")
+    return await called(services, TaskName.FACES, FacesTask(model=model_id, ids=tuple(ids)), _FACES, CALL_S)
 
 
 @router.get(
@@ -165,6 +189,9 @@ async def get_view(
 
 @router.get("/glb", response_class=Response, responses={**PROBLEMS, **responses(RangeNotSatisfiable), **GLB})
 async def get_glb(model_id: ModelId, services: ServicesDep, request: Request) -> Response:
-    """The model's triangles as binary glTF 2.0, metres; the vertex attribute `_FACE_ID` holds the id of the face."""
+    """The model as binary glTF 2.0, metres: a named, coloured node for each body, triangles, and lines of the edges.
+
+    The vertex attribute `_FACE_ID` holds the id of the face.
+    """
     await services.ready_model(model_id)
     return await drawn(services, TaskName.GLB, ModelTask(model=model_id), "model/gltf-binary", request.headers)

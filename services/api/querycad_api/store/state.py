@@ -26,7 +26,10 @@ from querycad_contracts import (
     ModelsPage,
     ModelStatus,
     QuestionTask,
+    Queue,
+    ReadingStage,
     TaskName,
+    stage_key,
     task_message,
 )
 
@@ -63,6 +66,8 @@ LOST_S = 10.0
 READ_AGAIN_S = 30.0
 """The same for a file that is being read."""
 AGAIN_S = 60.0
+LOOKED_AT = 200
+"""Who waits behind so many tasks is told no place."""
 OPEN_S = DAY_S
 """A question that is open for longer was lost with the store: it does not count against its key."""
 
@@ -136,6 +141,21 @@ class State:
     async def model(self, tenant: str, model: str) -> ModelResource | None:
         """What is known of the model? None when the tenant never uploaded it."""
         return model_of(await self._hash(model_key(tenant, model)))
+
+    async def progress(self, model: str) -> tuple[ReadingStage | None, int | None]:
+        """Of a file that is not read yet: the stage that it is at, and how many are before it in the queue."""
+        stage = cast("str | None", await self._redis.get(stage_key(model)))
+        if stage is not None:
+            return ReadingStage(stage), None
+        return None, await self.ahead(Queue.INGEST, model)
+
+    async def ahead(self, queue: Queue, ident: str) -> int | None:
+        """How many tasks wait before the one whose message tells of this id? None when it is not near the front.
+
+        Workers take from the right. A message's headers tell the task's id, or begin of its arguments: the model.
+        """
+        waiting = await cast("Awaitable[list[str]]", self._redis.lrange(queue.value, -LOOKED_AT, -1))
+        return next((place for place, message in enumerate(reversed(waiting)) if ident in message), None)
 
     async def models(self, tenant: str, offset: int, limit: int) -> ModelsPage:
         """Which models has the tenant? The newest first."""
@@ -270,6 +290,7 @@ class State:
         """Notes that the model's file is to be read, by the task of this id."""
         async with self._redis.pipeline() as pipe:
             pipe.zadd(READING, {f"{tenant}:{model}": now().timestamp() + READ_AGAIN_S})
+            pipe.delete(stage_key(model))
             pipe.hset(model_key(tenant, model), "ingest", task)
             await pipe.execute()
 

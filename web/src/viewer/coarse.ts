@@ -1,0 +1,65 @@
+// A large model with fewer triangles, for while it moves: what is smaller than a few pixels goes.
+
+import { BufferAttribute, BufferGeometry } from "three";
+
+/** So many triangles a software renderer draws 30 times a second, on two cores. */
+export const BUDGET = 50_000;
+/** Cells along the longest side, the finest grid first: one cell is 4 pixels of 960, then more. */
+const GRIDS = [240, 160, 110, 75, 50] as const;
+
+/**
+ * The geometry by vertex clustering (Rossignac and Borrel, 1993), in the finest grid that keeps within the budget:
+ * all vertices of a cell move to one place, and triangles that lose a side go. Every vertex keeps its face, so that
+ * colours, lights and hidden bodies are as in the original. Undefined: the model is small enough as it is.
+ */
+export function coarse(fine: BufferGeometry): BufferGeometry | undefined {
+  const index = fine.getIndex()!.array;
+  if (index.length / 3 <= BUDGET) return undefined;
+  const positions = fine.getAttribute("position").array;
+  const faces = fine.getAttribute("face").array;
+  let found = clustered(positions, faces, index, GRIDS[0]);
+  for (const cells of GRIDS.slice(1)) {
+    if (found.triangles.length / 3 <= BUDGET) break;
+    found = clustered(positions, faces, index, cells);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(found.positions, 3));
+  geometry.setAttribute("normal", fine.getAttribute("normal"));
+  geometry.setAttribute("face", fine.getAttribute("face"));
+  geometry.setIndex(new BufferAttribute(found.triangles, 1));
+  return geometry;
+}
+
+type Numbers = ArrayLike<number>;
+
+function clustered(positions: Numbers, faces: Numbers, index: Numbers, cells: number): { positions: Float32Array<ArrayBuffer>; triangles: Uint32Array<ArrayBuffer> } {
+  const count = faces.length;
+  const cellOf = new Uint32Array(count);
+  const own = new Uint32Array(count); // the vertex that stands for all of this cell and face
+  const moved = new Float32Array(count * 3);
+  const firstOfCell = new Map<number, number>();
+  const firstOfFace = new Map<number, number>();
+  // places lie between -1 and 1
+  const step = (value: number): number => Math.floor(((value + 1) / 2) * cells);
+  for (let vertex = 0; vertex < count; vertex += 1) {
+    const at = vertex * 3;
+    const key = step(positions[at]!) + cells * (step(positions[at + 1]!) + cells * step(positions[at + 2]!));
+    const first = firstOfCell.get(key) ?? vertex;
+    if (first === vertex) firstOfCell.set(key, vertex);
+    cellOf[vertex] = first;
+    const faceKey = first * 4_194_304 + faces[vertex]!;
+    const same = firstOfFace.get(faceKey) ?? vertex;
+    if (same === vertex) firstOfFace.set(faceKey, vertex);
+    own[vertex] = same;
+    for (let axis = 0; axis < 3; axis += 1) moved[at + axis] = positions[first * 3 + axis]!;
+  }
+  const triangles = new Uint32Array(index.length);
+  let kept = 0;
+  for (let corner = 0; corner < index.length; corner += 3) {
+    const [a, b, c] = [index[corner]!, index[corner + 1]!, index[corner + 2]!];
+    if (cellOf[a] === cellOf[b] || cellOf[b] === cellOf[c] || cellOf[c] === cellOf[a]) continue;
+    triangles.set([own[a]!, own[b]!, own[c]!], kept);
+    kept += 3;
+  }
+  return { positions: moved, triangles: triangles.slice(0, kept) };
+}

@@ -1,0 +1,108 @@
+// One vertex program for all that is drawn of the model: what a face looks like stands in a texture, a texel a face.
+
+/** Red, green, blue of a face, and in the alpha channel what it is: hidden, shown, or lit. */
+export const HIDDEN = 0;
+export const SHOWN = 128;
+export const LIT = 255;
+
+/** Texels in a row of the texture of faces. */
+export const PAINT_WIDTH = 1024;
+
+const FACE = /* glsl */ `
+uniform sampler2D paint;
+in float face;
+vec4 painted() {
+  int id = int(face + 0.5);
+  return texelFetch(paint, ivec2(id % ${PAINT_WIDTH}, id / ${PAINT_WIDTH}), 0);
+}
+const vec4 NOWHERE = vec4(0.0, 0.0, 2.0, 1.0);
+`;
+
+// What lies beyond the section plane is cut off: its points are on the far side of `section` (normal, offset).
+const CUT = /* glsl */ `
+#ifdef SECTION
+uniform vec4 section;
+in float beyond;
+void cut() { if (beyond > 0.0) discard; }
+#else
+void cut() {}
+#endif
+`;
+const CUT_VERTEX = /* glsl */ `
+#ifdef SECTION
+uniform vec4 section;
+out float beyond;
+void cut(vec3 place) { beyond = dot(section.xyz, place) - section.w; }
+#else
+void cut(vec3 place) {}
+#endif
+`;
+
+/** Light is worked out at the vertices: a software renderer draws several times more pixels than there are vertices. */
+export const SURFACE_VERTEX = /* glsl */ `
+${FACE}
+${CUT_VERTEX}
+uniform int part; // 0: all that is shown, 1: what is lit, 2: what is not
+out vec3 color;
+void main() {
+  vec4 own = painted();
+  bool lit = own.a > 0.75;
+  if (own.a < 0.25 || (part == 1 && !lit) || (part == 2 && lit)) { gl_Position = NOWHERE; return; }
+  vec3 n = normalize(normalMatrix * normal);
+  float light = 0.46 + 0.34 * max(dot(n, vec3(-0.45, 0.60, 0.66)), 0.0) + 0.26 * abs(n.z);
+  color = own.rgb * light;
+  cut(position);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+export const SURFACE_FRAGMENT = /* glsl */ `
+${CUT}
+uniform float opacity;
+in vec3 color;
+out vec4 pixel;
+void main() {
+  cut();
+#ifdef SECTION
+  // the inside is seen where material was cut: drawn flat and hatched, as on a drawing
+  if (!gl_FrontFacing) {
+    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 1.5 ? 0.55 : 1.0;
+    pixel = vec4(vec3(0.78, 0.55, 0.36) * stripe, opacity);
+    return;
+  }
+#endif
+  pixel = vec4(color, opacity);
+}`;
+
+export const EDGE_VERTEX = /* glsl */ `
+${FACE}
+${CUT_VERTEX}
+void main() {
+  if (painted().a < 0.25) { gl_Position = NOWHERE; return; }
+  cut(position);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+export const EDGE_FRAGMENT = /* glsl */ `
+${CUT}
+uniform vec3 ink;
+uniform float opacity;
+out vec4 pixel;
+void main() { cut(); pixel = vec4(ink, opacity); }`;
+
+/** Which face is under the pointer, and how deep: a picture of one pixel in numbers. */
+export const PICK_VERTEX = /* glsl */ `
+${FACE}
+${CUT_VERTEX}
+flat out float id;
+void main() {
+  if (painted().a < 0.25) { gl_Position = NOWHERE; return; }
+  id = face;
+  cut(position);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+export const PICK_FRAGMENT = /* glsl */ `
+${CUT}
+flat in float id;
+out vec4 pixel;
+void main() { cut(); pixel = vec4(id + 1.0, gl_FragCoord.z, 0.0, 1.0); }`;
