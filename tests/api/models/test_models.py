@@ -98,7 +98,7 @@ def test_a_face_that_the_model_lacks_is_told_without_asking_a_worker(client: htt
     ledger.finish_model(NO_ACCOUNTS, SHA256, TaskOutcome[ModelSummary](value=SUMMARY))
     assert "no face 6" in problem(client.get(f"/v1/models/{SHA256}/faces?id=0&id=6"), 404)["detail"]
     for query in ("", "?id=-1", "?id=x"):
-        problem(client.get(f"/v1/models/{SHA256}/faces{query}"), 422)
+        problem(client.get(f"/v1/models/{SHA256}/faces{query}"), 400)
 
 
 def test_a_model_that_was_read_says_what_it_holds(client: httpx.Client, ledger: Ledger) -> None:

@@ -68,21 +68,29 @@ export class Files {
   /** Sends files, some at a time; one that fails says so in its own row and stops no other. */
   private take(files: readonly File[]): void {
     if (!files.length) return;
-    const waiting = files.map((file) => {
+    const waiting = files.map((file, place) => {
       const upload: Upload = { name: file.name, size: file.size, stop: new AbortController(), sent: 0 };
       this.uploads.unshift(upload);
-      return { file, upload };
+      return { file, upload, place };
     });
     this.render();
-    const outcome = { good: 0, bad: 0 };
+    /** What came of each, in the order chosen: the id of its model, empty where it was refused. */
+    const came: string[] = [];
+    let opened = false;
     const next = async (): Promise<void> => {
       for (let one = waiting.shift(); one; one = waiting.shift()) {
-        const model = await this.send(one.file, one.upload);
-        outcome[model ? "good" : "bad"] += 1;
-        if (model && outcome.good === 1) this.open(model);
+        came[one.place] = (await this.send(one.file, one.upload)) ?? "";
+        const first = files.findIndex((_, place) => came[place] !== "");
+        const model = came[first];
+        if (opened || !model) continue; // the first that is taken is opened, though others may be faster
+        opened = true;
+        this.open(model);
       }
     };
-    void Promise.all(Array.from({ length: AT_ONCE }, next)).then(() => announce(texts.files.outcome(outcome.good, outcome.bad)));
+    void Promise.all(Array.from({ length: AT_ONCE }, next)).then(() => {
+      const good = came.filter(Boolean).length;
+      announce(texts.files.outcome(good, files.length - good));
+    });
   }
 
   /** Sends one file; the id of its model, or undefined, and its row says why. */
