@@ -158,6 +158,14 @@ def test_an_id_that_the_model_lacks_is_refused_with_those_it_has(capsys: pytest.
     assert "the model has no hole-99; it has hole-1..11" in err
 
 
+def test_what_is_counted_is_not_the_whole_unless_that_is_called_so(capsys: pytest.CaptureFixture[str]) -> None:
+    for question in ("How many propellers are there?", "Is there a propeller?"):
+        code, out, err = run(capsys, FLANGE, question)
+        assert (code, out) == (2, "")
+        assert "the model has no 'propeller" in err
+    assert run(capsys, FLANGE, "How many parts are there?")[1].startswith("1\n")
+
+
 @pytest.mark.parametrize("question", ["Which is larger, hole 4 or hole 11?", "hole 1 hole 2 hole 3 depth width"])
 def test_an_id_is_never_passed_over_surely(capsys: pytest.CaptureFixture[str], question: str) -> None:
     record = json.loads(run(capsys, FLANGE, question, "--json")[1])

@@ -23,6 +23,8 @@ BEHIND_ASKING = 4
 """So far before what is asked for may the word that asks stand: 'how much does it cost'."""
 TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
 """Features of a noun that the model has no part for, and that may stand for the whole of it."""
+CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
+"""Features of a noun that names the model: its file or its body is called so."""
 PART_AS_WHOLE = 0.6
 """So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model."""
 _AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")

@@ -32,7 +32,7 @@ from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
-from .refusing import TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
+from .refusing import CALLED_SO, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 from .typed import is_like
 
 UNTRIED = 0.05
@@ -209,6 +209,9 @@ class Understanding:
         """
         counts = isinstance(best.candidate.reading.form, Count | Exists)
         for query, taken in best.candidate.grounds.items():
+            whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
+            if counts and whole and query.noun not in lexicon().words("whole"):
+                return self._asked.absent(query, taken)  # no propeller is on a flange
             if any(taken.features.get(name) for name in TAKEN_FOR_WHOLE):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
                 if empty is not None and (counts or best.confidence < self._asked.instead_of(query, least)):
