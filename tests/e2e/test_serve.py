@@ -371,7 +371,10 @@ def test_what_runs_for_a_cancelled_question_is_stopped(service: Service, client:
     assert [client.job(job.id).record for job in ended] == [job.record for job in ended]
 
 
-def test_a_model_that_the_service_holds_is_used_like_one_here(client: Client, flange: Path) -> None:
+def test_a_model_that_the_service_holds_is_used_like_one_here(
+    client: Client, flange: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("QUERYCAD_HOME", str(tmp_path))
     here, there = querycad.open(flange), client.open(flange)
     assert (there.id, there.name, there.shape, there.parts) == (here.id, here.name, here.shape, here.parts)
     reply = there.ask(QUESTION, unit="in")

@@ -52,7 +52,11 @@ def test_the_benchmark_is_that_of_make_bench_and_is_compared_with_the_base() -> 
     assert "querycad bench compare" in SCRIPT
     assert os.access(ROOT / "scripts/bench_change.sh", os.X_OK)
     done = subprocess.run(
-        ["make", "--dry-run", "bench", "ARGS=--junit x"], cwd=ROOT, capture_output=True, text=True, check=True
+        ["make", "--no-print-directory", "--dry-run", "bench", "ARGS=--junit x"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
     )
     assert done.stdout.splitlines()[-1].endswith("querycad bench --junit x")
     assert github_jobs()["benchmark"]["steps"][0]["with"]["fetch-depth"] == 0  # the base has to be there

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import datetime
 from enum import StrEnum
 from typing import Annotated, Generic, TypeVar
+from urllib.parse import quote
 from uuid import uuid4
 
 from pydantic import Field
@@ -351,6 +353,12 @@ class ProblemError(Frozen):
     detail: str
     pointer: str = Field("", description="JSON pointer into the body, as a URI fragment: '#/questions/0/unit'.")
     parameter: str = Field("", description="Name of the parameter of path, query or header, where it is one of these.")
+
+    @classmethod
+    def in_body(cls, steps: Sequence[str | int], detail: str) -> ProblemError:
+        """What is wrong at a place in the body, which `steps` lead to; the pointer is one of RFC 6901."""
+        escaped = (quote(str(step).replace("~", "~0").replace("/", "~1")) for step in steps)
+        return cls(detail=detail, pointer="#" + "".join(f"/{step}" for step in escaped))
 
 
 class Problem(Frozen):

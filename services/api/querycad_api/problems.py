@@ -31,7 +31,6 @@ import re
 from collections.abc import Mapping, Sequence
 from http import HTTPStatus
 from typing import Any, ClassVar
-from urllib.parse import quote
 
 from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
@@ -315,8 +314,7 @@ def _told(error: Mapping[str, Any]) -> ProblemError:
     place, *steps = map(str, error["loc"])
     if place != "body":
         return ProblemError(detail=error["msg"], parameter=".".join(steps))
-    escaped = (quote(step.replace("~", "~0").replace("/", "~1")) for step in steps)
-    return ProblemError(detail=error["msg"], pointer="#" + "".join(f"/{step}" for step in escaped))
+    return ProblemError.in_body(steps, error["msg"])
 
 
 def _allowed(app: FastAPI, path: str) -> list[str]:

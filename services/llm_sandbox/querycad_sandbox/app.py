@@ -29,6 +29,7 @@ from starlette.routing import Route
 from querycad_contracts import (
     Health,
     Problem,
+    ProblemError,
     RunEnded,
     RunEvent,
     RunFailed,
@@ -128,7 +129,8 @@ class _Runs:
             asked = RunRequest.model_validate_json(body)
         except ValidationError as error:
             detail = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
-            return _problem(Problem(title="Not a run request", status=422, detail=detail))
+            told = tuple(ProblemError.in_body(each["loc"], each["msg"]) for each in error.errors())
+            return _problem(Problem(title="Not a run request", status=422, detail=detail, errors=told))
         carry_trace(request.headers)
         if not self._walled():
             detail = f"walls are not up: {', '.join(self._missing())}"
