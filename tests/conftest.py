@@ -65,3 +65,8 @@ def serving() -> Serving:
                 thread.join()
 
     return serve
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The page's tests come last: Playwright's loop runs in their thread, where asyncio allows no other."""
+    items.sort(key=lambda item: "page" in item.path.parts)

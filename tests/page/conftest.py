@@ -24,7 +24,7 @@ START_S = 120.0
 STEP_S = 60.0
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     try:
         path = executable()
@@ -92,7 +92,7 @@ class Service:
             self.process.wait(STEP_S)
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="module")
 def service(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
     home = tmp_path_factory.mktemp("page") / "home"
     home.mkdir()
@@ -104,7 +104,7 @@ def service(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Itera
         running.stop()
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="module")
 def client(service: Service) -> Iterator[Client]:
     with Client(service.url) as connected:
         yield connected
@@ -114,12 +114,12 @@ def example(client: Client, name: str) -> ModelResource:
     return client.upload(ROOT / f"examples/{name}.step", STEP_S)
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="module")
 def flange_model(client: Client) -> str:
     return example(client, "flange").id
 
 
-@pytest.fixture(scope="package")
+@pytest.fixture(scope="module")
 def assembly_model(client: Client) -> str:
     return example(client, "bearing_assembly").id
 
