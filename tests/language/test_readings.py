@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from querycad_contracts import Measure, PartQuery, Relation
+from querycad_contracts import Measure, Relation
 from querycad_language.describe import describe
 from querycad_language.forms import (
     LONGEST,
@@ -55,6 +55,28 @@ def best(question: str) -> Reading:
 )
 def test_every_form_is_among_the_readings_of_its_question(question: str, kind: type) -> None:
     assert any(isinstance(form, kind) for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    ("question", "measures", "noun"),
+    [
+        ("Inner and outer diameter of the ring?", (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER), "ring"),
+        ("What is the length by width of the slot?", (Measure.LENGTH, Measure.WIDTH), "slot"),
+        ("What are the bores honed to?", (Measure.DIAMETER,), "bore"),
+        ("Fork gap?", (Measure.WIDTH,), "gap"),
+        ("How wide is the groove round the rim?", (Measure.WIDTH,), "groove"),
+        ("Blind hole depth, drill point excluded", (Measure.DEPTH,), "blind hole"),
+    ],
+)
+def test_measures_are_read_however_they_are_said(question: str, measures: tuple[Measure, ...], noun: str) -> None:
+    assert any(
+        isinstance(form, Get) and form.measures == measures and form.target is not None and form.target.noun == noun
+        for form in forms(question)
+    )
+
+
+def test_the_unit_of_the_answer_is_no_word_that_is_passed_over() -> None:
+    assert best("How long is the slot in centimetres?").skipped == ()
 
 
 def test_what_becomes_of_several_values_is_said_by_a_word_before_the_measure() -> None:
@@ -223,12 +245,6 @@ def test_a_plural_measure_makes_its_compound_plural() -> None:
     assert isinstance(form, Get)
     assert form.target is not None
     assert form.target.plural
-
-
-def test_holes_of_what_stands_behind_the_spacing_are_apart() -> None:
-    found = [form for form in forms("Slot spacing of the two lugs?") if isinstance(form, Distance)]
-    firsts = [form.first for form in found if isinstance(form.first, PartQuery)]
-    assert any([place.what and place.what.noun for place in one.places] == ["lug"] for one in firsts)
 
 
 def test_from_one_end_to_another_is_a_distance_though_a_dimension_is_named() -> None:

@@ -101,6 +101,8 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
             features["count_empties"] = 1.0
         if any(name.endswith(("_dropped", "_unknown")) for name in features):
             features["count_dropped"] = 1.0
+        if "sense_kin" in features:
+            features["count_kin"] = 1.0
     features.update(_of_steps(form, written.code))
     return features
 

@@ -23,14 +23,15 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "skipped": (
         "skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
     ),
-    "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown", "unknown_group"),
+    "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown"),
     "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
     "dropped": (
         "adjective_dropped", "size_dropped", "place_dropped", "place_unknown", "compound_dropped", "compound_unknown",
         "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped",
     ),
     "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
-    "chosen": ("group_for_one",),
+    "chosen": ("group_for_one", "group_for_plural"),
+    "kin": ("sense_kin", "sense_wide"),
     "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
     "miscounted": ("count_differs", "count_group", "one_for_plural"),
     "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),

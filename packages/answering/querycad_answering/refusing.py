@@ -23,10 +23,13 @@ BEHIND_ASKING = 4
 """So far before what is asked for may the word that asks stand: 'how much does it cost'."""
 TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
 """Features of a noun that the model has no part for, and that may stand for the whole of it."""
+STANDS_IN = (*TAKEN_FOR_WHOLE, "kin_instead")
+"""Features of a noun that the model has no part for, and that the whole or parts of another kind may stand in for."""
 CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
 """Features of a noun that names the model: its file or its body is called so."""
 PART_AS_WHOLE = 0.6
-"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model."""
+"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model or for parts
+of another kind."""
 _AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
@@ -87,7 +90,7 @@ class Refused:
         return self.not_grounded(grounded.reason or f"the model has no '{said}'")
 
     def instead_of(self, query: PartQuery, least: float) -> float:
-        """How probable must it be that the whole model is meant by a part that it lacks?"""
+        """How probable must it be that something else is meant by a part that the model lacks?"""
         noun = lexicon().nouns.get(query.noun) if query.known else None
         return max(least, PART_AS_WHOLE) if noun is not None and not noun.product else least
 

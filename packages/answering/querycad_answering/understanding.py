@@ -32,7 +32,7 @@ from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
-from .refusing import CALLED_SO, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
+from .refusing import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 from .typed import is_like
 
 UNTRIED = 0.05
@@ -174,6 +174,8 @@ class Understanding:
         if not tried:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
+        if (missing := self._missing(Value(first, 0.0, 0.0), least)) is not None:
+            return Understood(verdict=Verdict(failure=missing))
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
 
     def _certain(self, best: Value) -> Value:
@@ -212,9 +214,9 @@ class Understanding:
             whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
             if counts and whole and query.noun not in lexicon().words("whole"):
                 return self._asked.absent(query, taken)  # no propeller is on a flange
-            if any(taken.features.get(name) for name in TAKEN_FOR_WHOLE):
+            if any(taken.features.get(name) for name in STANDS_IN):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
-                if empty is not None and (counts or best.confidence < self._asked.instead_of(query, least)):
+                if empty is not None and ((counts and whole) or best.confidence < self._asked.instead_of(query, least)):
                     return self._asked.absent(query, empty)
         return None
 

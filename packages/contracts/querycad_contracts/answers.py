@@ -50,13 +50,14 @@ class LengthUnit(StrEnum):
     """Unit that lengths are written in for people; values stay SI."""
 
     MM = "mm"
+    CM = "cm"
     M = "m"
     IN = "in"
 
     @property
     def metres(self) -> float:
         """How many metres is one of this unit? (Inch: 25.4 mm exactly, ISO 31-1.)"""
-        return {"mm": 1e-3, "m": 1.0, "in": 0.0254}[self.value]
+        return {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254}[self.value]
 
 
 class Frame(StrEnum):

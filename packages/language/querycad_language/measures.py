@@ -148,7 +148,12 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             ]
         case Measure.LENGTH:
             if kind in WHOLE:
-                return [("max({0}.extents)", "own"), ("{0}.length", "own"), ("{0}.extents[0]", "derived")]
+                return [
+                    ("max({0}.extents)", "own"),
+                    *_axial(part),
+                    ("{0}.length", "own"),
+                    ("{0}.extents[0]", "derived"),
+                ]
             if kind in ("hole", "counterbore", "spotface"):
                 return [("{0}.depth", "own"), ("{0}.length", "own")]
             if round_part and kind in STANDING:
@@ -222,9 +227,13 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 ("{0}.bend_angle", "own"),
                 ("{0}.draft", "derived"),
                 ("2 * {0}.draft", "derived"),
+                ("1.5707963267948966 - {0}.angle", "derived"),
             ]
         case Measure.MASS:
             return [("{0}.volume", "own")]
+        case Measure.AREA:  # of a window the opening, before its walls
+            opening: list[tuple[str, Grade]] = [("{0}.opening_area", "own")] if kind in CUT else []
+            return [*opening, ("{0}.area", "own")]
         case _ if measure in _ENDS:
             return [(_end(_ENDS[measure]), "own")]
         case _:
@@ -239,6 +248,13 @@ def _is_plain_tube(part: Part) -> bool:
     along = max(range(3), key=lambda i: abs(axis[i]))
     tube = math.pi * (max(part.radii) ** 2 - min(part.radii) ** 2) * part.extents[along]
     return abs(part.volume - tube) <= 0.05 * tube
+
+
+def _axial(part: Part) -> list[tuple[str, Grade]]:
+    """The extent along the axis of what is round: a short gland is wider than it is long."""
+    if part.axis is None:
+        return []
+    return [(f"{{0}}.extents[{max(range(3), key=[abs(x) for x in part.axis].__getitem__)}]", "own")]
 
 
 def _chamfer() -> list[tuple[str, Grade]]:

@@ -7,10 +7,12 @@ import re
 from querycad_contracts import LengthUnit
 
 _ASKED = re.compile(
-    r"\bin (mm|millimet(?:er|re)s?|inch(?:es)?|met(?:er|re)s?|m)\b(?! (?:dia|hole|bore|thick|wide|long|deep))",
+    r"\bin (?:square |cubic |sq\.? |cu\.? )?(mm|cm|m|in|inch(?:es)?|(?:milli|centi)?met(?:er|re)s?)"
+    r"(?:\^?[23]|[²³])?(?![a-z0-9])(?! (?:dia|hole|bore|thick|wide|long|deep))",
     re.IGNORECASE,
 )
-_UNITS = {"mm": LengthUnit.MM, "mi": LengthUnit.MM, "in": LengthUnit.IN, "me": LengthUnit.M, "m": LengthUnit.M}
+_UNITS = {"mm": LengthUnit.MM, "mi": LengthUnit.MM, "cm": LengthUnit.CM, "ce": LengthUnit.CM, "in": LengthUnit.IN,
+          "me": LengthUnit.M, "m": LengthUnit.M}  # fmt: skip
 
 
 def asked_unit(question: str) -> LengthUnit | None:

@@ -57,7 +57,7 @@ PARTS_SHOWN = 30
 
 OnePart: TypeAlias = Part | str
 """A part, or its id such as 'hole-4'."""
-UnitName: TypeAlias = LengthUnit | Literal["mm", "m", "in"]
+UnitName: TypeAlias = LengthUnit | Literal["mm", "cm", "m", "in"]
 SideName: TypeAlias = Side | Literal["top", "bottom", "left", "right", "front", "back"]
 
 

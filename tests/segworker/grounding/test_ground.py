@@ -31,6 +31,22 @@ def asked(**fields: Any) -> PartQuery:
     return HOLES.model_copy(update=fields)
 
 
+def test_a_kind_that_people_take_for_the_noun_is_a_way_too_and_said() -> None:
+    notch = PartQuery(noun="notch", words=("notch",), definite=True)
+    pocketed = inventory(SMALL, part("pocket-1", (0.03, 0.0, 0.0), width=0.004, length=0.02, depth=0.003))
+    taken = next(way for way in ground(pocketed, notch) if ids(way) == {"pocket-1"})
+    assert "kin_instead" in taken.features
+    assert taken.unchecked == ("'notch', taken for a pocket",)
+    ribs = ground(pocketed, PartQuery(noun="rib", words=("rib",), definite=True))
+    assert not any("sense_kin" in way.features for way in ribs)  # what is cut in is never taken for what stands out
+
+
+def test_several_need_not_be_all_but_those_of_one_size() -> None:
+    groups = [way for way in ground(PLATE, HOLES) if "group_for_plural" in way.features]
+    assert [ids(way) for way in groups] == [{"hole-1", "hole-3"}]
+    assert not any("group_for_plural" in way.features for way in ground(PLATE, asked(count=3)))
+
+
 def test_a_noun_finds_its_kind_and_one_that_the_model_lacks_nothing() -> None:
     assert ids(best(HOLES)) == {"hole-1", "hole-2", "hole-3"}
     none = best(PartQuery(noun="gear", words=("gear",), plural=True))

@@ -1,7 +1,7 @@
 // What the service sends, as far as the page reads it; openapi.yaml describes all of it. SI units.
 
 export type Vector = readonly [number, number, number];
-export type LengthUnit = "mm" | "m" | "in";
+export type LengthUnit = "mm" | "cm" | "m" | "in";
 
 export interface Failure {
   category: string;

@@ -145,7 +145,10 @@ export class Files {
 
   private render(): void {
     const focused = document.activeElement?.getAttribute("data-focus");
-    const rows = [...this.uploads.map((upload) => this.uploadRow(upload)), ...this.models.map((model) => this.modelRow(model))];
+    const arrived = (upload: Upload): boolean => // its model is listed before the answer to the upload is here
+      upload.sent === 1 && this.models.some((model) => model.file_name === upload.name && model.size_bytes === upload.size);
+    const uploads = this.uploads.filter((upload) => upload.failed !== undefined || !arrived(upload));
+    const rows = [...uploads.map((upload) => this.uploadRow(upload)), ...this.models.map((model) => this.modelRow(model))];
     this.list.replaceChildren(...(rows.length ? rows : [h("li", { class: "quiet" }, texts.files.empty)]));
     if (focused) this.list.querySelector<HTMLElement>(`[data-focus="${focused}"]`)?.focus();
   }

@@ -64,7 +64,7 @@ export class Tools {
     const unit = h(
       "select",
       { "aria-label": texts.view.unit, change: () => this.session.setUnit(unit.value as LengthUnit) },
-      ...["mm", "m", "in"].map((name) => h("option", { value: name }, name)),
+      ...["mm", "cm", "m", "in"].map((name) => h("option", { value: name }, name)),
     );
     return [
       h("div", { role: "group", "aria-label": texts.view.sideGroup, class: "row" }, ...sides),

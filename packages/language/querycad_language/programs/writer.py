@@ -35,6 +35,11 @@ _SYMBOLS = {
 }
 
 
+_SCALARS = frozenset((
+    AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER, AnswerType.COUNT,
+))  # fmt: skip
+
+
 def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written:
     """The program for a form. `option`: which meaning of the measure for these parts. Raises Unwritable."""
     draft = Draft(grounds, whole, option)
@@ -92,8 +97,11 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
         raise Unwritable
     name = draft.parts(form.target)
     if len(form.measures) > 1:
-        values = ", ".join(draft.beside(measure, form.measures, parts).format("p") for measure in form.measures)
+        listed = [draft.beside(measure, form.measures, parts).format("p") for measure in form.measures]
         kinds = {answer_type(measure) for measure in form.measures}
+        if kinds <= _SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
+            listed = [f"round({value}, 9)" for value in listed]
+        values = ", ".join(listed)
         kind = answer_type(form.measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
         draft.lines.append(f"values = [({values}) for p in {name}]")
         return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
@@ -125,14 +133,7 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
 
 
 def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
-    scalar = kind in (
-        AnswerType.LENGTH,
-        AnswerType.AREA,
-        AnswerType.VOLUME,
-        AnswerType.ANGLE,
-        AnswerType.NUMBER,
-        AnswerType.COUNT,
-    )
+    scalar = kind in _SCALARS
     many = of_several(kind)
     match reduce:
         case Reduce.EACH:

@@ -17,6 +17,7 @@ from .question import Question
 UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
 """What a unit is of, by its power of lengths."""
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
+_BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER)
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -101,7 +102,7 @@ def _how(text: Text, at: int) -> Asked | None:
 
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
-    if (verb := text.find(at, "verbs")) and verb.value in (Measure.MASS, Measure.NAME) and at not in taken:
+    if (verb := text.find(at, "verbs")) and verb.value in _BY_VERB and at not in taken:
         return Asked(at, verb.end, (verb.value,), "verb", used=frozenset(verb.tokens))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
@@ -113,7 +114,7 @@ def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
 def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
     """A noun such as 'depth'."""
     span, noun = text.find(at, "measure"), text.find(at, "noun")
-    if span is None or at in taken or (noun and noun.end > span.end):
+    if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
     before = range(max(0, at - 4), at)
     if span.value is Measure.AXIS and any(
@@ -123,6 +124,16 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
     if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
         return None
     return _joined_measures(text, span, taken)
+
+
+def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
+    """Two measures that share their last word, and where they begin: 'inner and outer diameter'."""
+    second = span.start if span.end - span.start == 2 else span.start - 1
+    if second < 2 or not text.is_word(second - 1, "and", "&", "/"):
+        return None
+    named = (f"{text.words[at]} {text.words[span.end - 1]}" for at in (second - 2, second))
+    found = [dict(text.lexicon.phrases.get(phrase, ())).get("measure") for phrase in named]
+    return (second - 2, [measure for measure in found if measure]) if all(found) else None
 
 
 def _joined_scales(text: Text, at: int, scale: Span) -> Asked:
@@ -139,20 +150,22 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
     measures, end = [span.value], span.end
     while True:
         after = end
-        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well"):
+        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
             after += 1
         after = text.skip(after, "article")
         more = text.find(after, "measure")
         if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
             measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
             continue
-        if after == end or more is None or more.value in measures:
+        if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
             break  # 'the holes in the cone tips, Ø?'
         measures.append(more.value)
         end = more.end
     start, reduce = span.start, None
+    if (both := _both(text, span)) is not None:  # 'inner and outer diameter'
+        measures, start = [*both[1], *measures[1:]], both[0]
     while measures[0] in EXTENTS and text.is_word(start - 1, "and", ","):  # 'x and y dimensions'
         axis = text.find(start - 2, "axis")
         if axis is None or axis.value >= len(EXTENTS):

@@ -50,8 +50,6 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
         if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
-        if (fuller := _fuller(question, mention)) is not None:
-            yield Owner(fuller.query, used | fuller.used, {**features, "same_noun": 1.0})
     yield from _compound_of(linked, asked)
     features = {"link_whole": 1.0}
     if owned:
@@ -62,15 +60,6 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
         features["parts_passed"] = 1.0
     sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
     yield Owner(None, sides, features)
-
-
-def _fuller(question: Question, mention: Mention) -> Mention | None:
-    """'The foot has a hole for a dowel. How wide is this hole?': what was said more fully before, by the same noun."""
-    query = mention.query
-    if query is None or query.words != tuple(query.noun.split()):
-        return None
-    before = (one for one in question.mentions if one.end <= mention.start)
-    return next((one for one in before if one.query and one.query.noun == query.noun and one.query != query), None)
 
 
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Asked) -> Iterator[Owner]:

@@ -36,7 +36,8 @@ class Question:
     def hardness(self) -> dict[str, float]:
         """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
         text = self.text
-        strange = (at for at in range(len(text)) if text.is_content(at) and not text.find(at, *_TOLD))
+        told = {at for stretch, _ in self.units_asked for at in stretch}
+        strange = (at for at in {*range(len(text))} - told if text.is_content(at) and not text.find(at, *_TOLD))
         return {"words": math.log(max(1, len(text))), "strange_words": float(len(list(strange)))}
 
     def in_question(self, at: int) -> bool:
@@ -61,12 +62,15 @@ class Question:
         return None
 
     @cached_property
+    def units_asked(self) -> list[tuple[set[int], int]]:
+        """The units that the answer shall have, their tokens and powers: 'in cm', 'in square millimetres'."""
+        units = ((at, self.unit(at + 1)) for at in sorted(self.text.at_words("in")))
+        return [(set(range(at, unit[0])), unit[1]) for at, unit in units if unit is not None]
+
+    @property
     def unit_asked(self) -> tuple[set[int], int] | None:
-        """The unit that the answer shall have, where it says what is asked for: 'in square millimetres'."""
-        for at in self.text.at_words("in"):
-            if (unit := self.unit(at + 1)) is not None and unit[1] != 1:
-                return set(range(at, unit[0])), unit[1]
-        return None
+        """The unit that says what is asked for: areas, volumes and angles have others than lengths."""
+        return next((unit for unit in self.units_asked if unit[1] != 1), None)
 
 
 def seen_from(query: PartQuery, view: Mention) -> PartQuery:

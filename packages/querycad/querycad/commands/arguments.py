@@ -77,7 +77,7 @@ def _add_file(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_unit(parser: argparse.ArgumentParser, of: str = "of lengths in text") -> None:
-    parser.add_argument("--unit", choices=["mm", "m", "in"], default="mm", help=f"unit {of} (default: mm)")
+    parser.add_argument("--unit", choices=["mm", "cm", "m", "in"], default="mm", help=f"unit {of} (default: mm)")
 
 
 def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:

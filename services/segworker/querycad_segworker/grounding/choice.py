@@ -93,27 +93,31 @@ def counted(request: Request, way: Way) -> Iterator[Way]:
 
 
 def single(request: Request, way: Way) -> Iterator[Way]:
-    """Of 'the hole' where there are several: all, the largest, those of the most numerous size, the central one."""
+    """Of 'the hole' where there are several, all or those of one size; of 'the holes' too, which need not be all."""
     if not way.parts:
         yield way.to((), "empty")
         return
+    groups = by_size(way.parts)
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
-        return
-    if len(way.parts) == 1:
+        if request.query.count or request.query.ranks or not 1 < len(groups) <= MOST_GROUPS:
+            return
+        groups = [group for group in groups if len(group) > 1]
+    elif len(way.parts) == 1:
         yield way.to(way.parts, "one_for_one")
         return
-    groups = by_size(way.parts)
-    if len(groups) == 1:
+    elif len(groups) == 1:
         yield way.to(way.parts, "alike_for_one")
         return
-    yield way.to(way.parts, "several_for_one")
-    if request.query.sample or len(groups) > MOST_GROUPS:
-        groups = [max(groups, key=lambda group: measured(group[0], "size"))] if not request.query.sample else []
+    else:
+        yield way.to(way.parts, "several_for_one")
+        if request.query.sample or len(groups) > MOST_GROUPS:
+            groups = [max(groups, key=lambda group: measured(group[0], "size"))] if not request.query.sample else []
     sizes = [measured(group[0], "size") for group in groups]
     for group, size in zip(groups, sizes, strict=True):
         features = {
-            "group_for_one": 1.0,
+            "group_for_plural" if request.query.plural else "group_for_one": 1.0,
+            "group_unchecked": float(bool(way.unchecked and request.query.plural)),
             "group_one": float(len(group) == 1),
             "group_largest": float(size == max(sizes)),
             "group_smallest": float(size == min(sizes)),

@@ -11,7 +11,6 @@ from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 from .names import all_words, holds, share, vocabulary
-from .places import FACING
 from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
@@ -170,10 +169,6 @@ class Inventory:
                 near = 0.02 * self.largest
                 kept = [part for part, at in zip(kept, reach, strict=True) if at >= max(reach) - near]
         return kept
-
-    def facing(self, found: Sequence[Part], sides: Sequence[Side]) -> list[Part]:
-        """Those that point towards one of the sides."""
-        return [p for p in found if p.normal and any(dot(p.normal, side.outward) > FACING for side in sides)]
 
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
         """Those that an adjective such as 'large' or 'outer' chooses among parts that differ in a measure or place."""

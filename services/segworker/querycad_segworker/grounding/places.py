@@ -10,8 +10,6 @@ from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
-FACING = 0.7
-"""Cosine of the angle within which a part points to a side: nearer to it than to any other."""
 MADE_OF = ("pattern", "gear")
 """Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
 STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from querycad_contracts import Measure, Relation, SizeFilter
 from querycad_language.lexicon import lexicon
 
-from .inventory import THREAD_TOLERANCE_M, Inventory, by_size, values_of
+from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
 from .ways import Request, Way, kept
 
@@ -93,7 +93,7 @@ def narrowed(request: Request, way: Way) -> Iterator[Way]:
 
 
 def _unknown(request: Request, way: Way) -> Iterator[Way]:
-    """Words that are not known: names of bodies or of the file may hold them, or they say which size."""
+    """Words that are not known: names of bodies or of the file may hold them."""
     words = request.query.unknown
     marked = [p for p in way.parts if p.kind == "body" and all(word in all_words(p.name) for word in words)]
     if marked:
@@ -101,11 +101,7 @@ def _unknown(request: Request, way: Way) -> Iterator[Way]:
     elif request.inventory.file_named(words):
         yield way.to(way.parts, "unknown_is_file")
     else:
-        said = f"'{' '.join(words)}'"
-        yield way.to(way.parts, "unknown_words", float(len(words)), said)
-        groups = by_size(way.parts)
-        for group in groups if 1 < len(groups) < 5 and request.query.plural else ():
-            yield way.to(group, "unknown_group", 1.0, said)
+        yield way.to(way.parts, "unknown_words", float(len(words)), f"'{' '.join(words)}'")
 
 
 def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> Iterator[Way]:

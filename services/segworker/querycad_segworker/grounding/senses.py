@@ -4,17 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from querycad_contracts import PartQuery
-from querycad_language.lexicon import Sense, lexicon
+from querycad_contracts import PartKind, PartQuery
+from querycad_language.lexicon import Noun, Sense, lexicon
 
 from .inventory import Inventory
 from .ways import Request, Way
 
 NEAR_SENSE = 0.2
 """A sense that is stretched more is not what the word means in the first place."""
-SOLID = frozenset(("body", "boss", "prism", "pipe", "ring_sector", "torus", "gear"))
-"""Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway."""
+SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
+"""Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
+KIN = (
+    tuple(kind for kind in PartKind if kind.cuts_in),
+    (*(kind for kind in PartKind if kind.stands_out), PartKind.WALL, PartKind.TOOTH),
+    (*(kind for kind in PartKind if kind.breaks_edge), PartKind.TORUS),
+)
+"""Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
 
+WHOLE = frozenset(("model", "body"))
 NAMELESS = frozenset(("depression", "elevation"))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
@@ -27,10 +34,10 @@ def bases(request: Request) -> Iterator[Way]:
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if noun is not None:
-        found = list(_senses(inventory, noun.senses, noun.product))
+        found = list(_senses(inventory, noun, query.noun))
         yield from found
-        if not any(way.parts for way in found):  # 'counterbore cutter': what stands before the noun may be a part
-            yield from _others(inventory, words)
+        if all(not way.parts or "kin_instead" in way.features for way in found):
+            yield from _others(inventory, words)  # 'counterbore cutter'
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         near = [sense for sense in noun.senses if sense.stretch <= NEAR_SENSE]
         solid = any(not SOLID.isdisjoint(sense.kind) for sense in near) and not noun.product
@@ -59,7 +66,7 @@ def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Way]:
     """What other words of a phrase mean whose noun the model lacks."""
     for word in words[:-1]:
         if (noun := lexicon().nouns.get(word)) is not None and not noun.product:
-            for way in _senses(inventory, noun.senses, noun.product):
+            for way in _senses(inventory, noun, word):
                 if way.parts:
                     yield way.to(way.parts, "modifier_means")
 
@@ -68,17 +75,18 @@ def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> It
     """Nothing is known of the noun: its last word may be one, or it is what the whole model is."""
     last = lexicon().nouns.get(words[-1]) if words else None
     if last is not None and len(words) > 1:
-        for way in _senses(inventory, last.senses, last.product):
+        for way in _senses(inventory, last, words[-1]):
             yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
     if inventory.model is not None and not query.plural:
         yield Way((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
     yield Way((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
 
 
-def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Iterator[Way]:
+def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Way]:
+    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole. `said`: the noun."""
     seen: set[tuple[str, ...]] = set()
     rank = 0
-    for sense in senses:
+    for sense in noun.senses:
         parts = inventory.of_sense(sense)
         key = tuple(part.id for part in parts)
         if not parts or key in seen or (rank and NAMELESS.issuperset(sense.kind)):
@@ -93,10 +101,23 @@ def _senses(inventory: Inventory, senses: Sequence[Sense], product: bool) -> Ite
             if inventory.alone:
                 features["whole_alone"] = 1.0
         yield Way(tuple(parts), features)
-    wide = inventory.kinds.get(*senses[0].kind) if senses else []
-    if rank and tuple(part.id for part in wide) not in seen and wide and wide[0].kind not in ("model", "body"):
-        yield Way(tuple(wide), {"sense_wide": 1.0})  # any hole, where a bearing seat is asked for
-    if product and inventory.model is not None and not any("model" in sense.kind for sense in senses):
+    for way in _wider(inventory, noun.senses, said):
+        key = tuple(part.id for part in way.parts)
+        if key and key not in seen:
+            seen.add(key)
+            yield way if rank else way.to(way.parts, "kin_instead")
+    if noun.product and inventory.model is not None and not any("model" in sense.kind for sense in noun.senses):
         yield Way((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
     if rank == 0:
         yield Way((), {"nothing": 1.0})
+
+
+def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator[Way]:
+    """Any hole, where a bearing seat is asked for; then those of each kind that people take for it."""
+    own = next((sense.kind for sense in senses if not sense.name), ())
+    if not WHOLE.isdisjoint(own):
+        return
+    yield Way(tuple(inventory.kinds.get(*own)), {"sense_wide": 1.0})
+    for kind in next((kin for kin in KIN if not set(own).isdisjoint(kin)), ()):
+        hole = {"kin_hole": 1.0} if kind is PartKind.HOLE else {}
+        yield Way(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (f"'{said}', taken for a {kind}",))

@@ -121,12 +121,9 @@ def seen(request: Request, way: Way) -> Iterator[Way]:
         named = [p for p in way.parts if any(side.value in all_words(p.name) for side in request.query.ends)]
         ends = request.inventory.at_end(way.parts, request.query.ends)
         seen = [p for p in way.parts if set(request.query.ends) & set(p.sides)]
-        facing = request.inventory.facing(way.parts, request.query.ends)
         ways = [way.to(named, "end_named")] if named else [way.to(ends, "end_adjective")]
         if seen and not named and len(seen) < len(way.parts):
             ways.append(way.to(seen, "end_seen"))
-        if facing and not named:
-            ways.append(way.to(facing, "end_facing"))
     if request.query.sides:
         ways = [after for one in ways for after in _from_sides(request, one)]
     if request.query.unseen:
@@ -144,14 +141,8 @@ def _from_sides(request: Request, way: Way) -> Iterator[Way]:
     seen = [p for p in way.parts if set(request.query.sides) & set(p.sides)]
     if seen:
         yield way.to(seen, "side_agrees")
-        standing = request.inventory.facing(seen, request.query.sides)
-        if standing and len(standing) < len(seen):
-            yield way.to(standing, "side_facing")
     else:
         yield way.to((), "side_empties")
-    facing = request.inventory.facing(way.parts, request.query.sides)
-    if facing and not seen:
-        yield way.to(facing, "side_facing_unseen")
     ends = request.inventory.at_end(way.parts, request.query.sides)
     if ends and len(ends) < len(way.parts):
         yield way.to(ends, "side_end" if not seen else "side_end_instead")

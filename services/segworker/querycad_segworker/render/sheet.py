@@ -37,7 +37,7 @@ _SPELLED = str.maketrans(
 )
 _DRAWABLE = set(map(chr, range(32, 127))) | set("©«°±´·»‘’“”…‹›™")
 """What Pillow's built-in font has shapes for."""
-_UNIT = re.compile(r"(?<=\d) (?=(?:mm|m|in|deg)\b)")
+_UNIT = re.compile(r"(?<=\d) (?=(?:mm|cm|m|in|deg)\b)")
 """The space between a number and its unit, where no line breaks (ISO 80000-1)."""
 
 

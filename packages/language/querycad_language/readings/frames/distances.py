@@ -7,9 +7,8 @@ from dataclasses import replace
 from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
-from querycad_language.phrases import replace_fields
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
@@ -88,9 +87,9 @@ def _unnamed(question: Question) -> Iterator[_Words]:
         return
     joining = text.at_words("to", "above", "from")
     points = {Measure.POSITION, Measure.AXIS} | ({Measure.SIZE} if len(joining) > 1 else set())
-    if any(span.value not in points and not span.value.endswith("_end") for span in measures):
-        return
     centred = bool(text.at_phrases("center_to_center"))
+    if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
+        return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
     several = len(question.mentions) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
@@ -159,15 +158,10 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
                 if at < start:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
-    linked = after and any(question.text.is_word(i, "of", "in", "on") for i in range(start, after[0][0].at))
-    if before and linked and before[-1][0].at == start - 1:
-        yield from _owned(before[-1], after[0])
     yield from _two(before, after)
     yield from _levels(question, ends)
-    middle = question.text.at_words("center", "middle")
-    for spots in [*after[:2], *before[-1:]]:
-        for spot in spots:
-            yield from _from_model(spot, middle)
+    for spot in chain.from_iterable([*after[:2], *before[-1:]]):
+        yield from _from_model(spot)
 
 
 def _ends(question: Question) -> list[list[Spot]]:
@@ -179,15 +173,6 @@ def _ends(question: Question) -> list[list[Spot]]:
         else:
             found.append([spot])
     return found
-
-
-def _owned(parts: Sequence[Spot], owners: Sequence[Spot]) -> Iterator[_Pair]:
-    """'the hole spacing of the lugs': of every two of their holes."""
-    for part, owner in product(parts, owners):
-        if isinstance(part.anchor, PartQuery) and isinstance(owner.anchor, PartQuery):
-            places = (*part.anchor.places, Place(relation="of", what=owner.anchor))
-            holes = replace_fields(part.anchor, places=places, plural=True)
-            yield _Pair(holes, "each other", part.used | owner.used, {"each_other": 1.0, "each_other_owned": 1.0})
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
@@ -225,24 +210,19 @@ def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
     yield _Pair(part, Boundary(Side.BOTTOM), used, {"level": 1.0, "level_ground": 1.0})
 
 
-def _from_model(spot: Spot, middle: set[int]) -> Iterator[_Pair]:
-    """From the outside or the middle of the model, or from the place or side in the phrase itself."""
+def _from_model(spot: Spot) -> Iterator[_Pair]:
+    """From the outside of the model, or from the place in the phrase itself."""
     anchor = spot.anchor
     if isinstance(anchor, Plane) and anchor.side is not None:
         ground = Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite
         yield _Pair(anchor, Boundary(ground), spot.used, {"from_plane": 1.0})
     if not isinstance(anchor, PartQuery):
         return
-    if middle:
-        yield _Pair(anchor, None, spot.used | middle, {"from_middle": 1.0})
     for place in anchor.places:
         if place.what is not None and place.relation in ("of", "above", "below", "on", "in", "near"):
             for other in (place.what, plane_of(place.what)):
                 if other is not None:
                     yield _Pair(without(anchor, place), other, spot.used, {"place_as_anchor": 1.0})
-    for side in anchor.sides:
-        bare = replace_fields(anchor, sides=tuple(s for s in anchor.sides if s is not side))
-        yield _Pair(bare, Boundary(side), spot.used, {"side_as_anchor": 1.0})
 
 
 def angles(question: Question) -> Iterator[Draft]:
@@ -257,7 +237,8 @@ def angles(question: Question) -> Iterator[Draft]:
         for first, second in zip(parts, [*parts[1:], None], strict=True):
             assert first.query is not None
             used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
-            if first.plural or any(place.relation == "between" for place in first.query.places):
+            several = first.plural or text.at_phrases("neighbor")
+            if several or any(place.relation == "between" for place in first.query.places):
                 yield Draft(Angle(first.query, None), features, used)
             if second is not None and second.query is not None:
                 yield Draft(Angle(first.query, second.query), features, used | second.used)

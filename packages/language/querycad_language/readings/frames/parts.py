@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from querycad_contracts import Measure, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
@@ -38,9 +38,14 @@ def parts(question: Question) -> Iterator[Draft]:
             yield Draft(Parts(query), {"which": 1.0}, {i for i in lead if not text.is_content(i)} | mention.used)
         elif any(text.is_word(i, "what") for i in lead) and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
-            yield Draft(Get((Measure.MAGNITUDE,), query), {"named_only": 1.0}, used)
+            yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
+
+
+def _named_by(query: PartQuery) -> Measure:
+    """What is asked of a part where no measure is: 'fork gap?' asks how wide it is."""
+    return Measure.WIDTH if query.noun == "gap" else Measure.MAGNITUDE
 
 
 def _asks_for_side(text: Text, at: int) -> bool:
@@ -63,6 +68,6 @@ def bare(question: Question) -> Iterator[Draft]:
     """No measure is named at all: 'keyways of the spindle?', 'the spindle?'"""
     for mention in question.mentions[:3]:
         if mention.query is not None:
-            yield Draft(Get((Measure.MAGNITUDE,), mention.query), {"named_only": 1.0}, set(mention.used))
+            yield Draft(Get((_named_by(mention.query),), mention.query), {"named_only": 1.0}, set(mention.used))
             if mention.query.plural:
                 yield Draft(Count(mention.query), {"named_only": 1.0}, set(mention.used))
