@@ -48,6 +48,11 @@ def ends_of(part: Part, side: Side | None, place: Vector | None) -> Ends:
     return Ends(tuple(ends), told_apart=len(ends) < 2 or bool(entered))
 
 
+def is_end(part: Part, place: Vector) -> bool:
+    """Is the place one of the part's ends, whichever?"""
+    return any(size(add(end.point, place, -1.0)) < SAME_PLACE for end in _ends(part))
+
+
 def _ends(part: Part) -> list[End]:
     out = part.normal or part.axis
     if part.opening is not None and out is not None:
