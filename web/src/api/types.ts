@@ -48,6 +48,7 @@ export interface Part {
   extents: Vector;
   opening: Vector | null;
   tip: Vector | null;
+  tips: Vector[];
   axis: Vector | null;
   normal: Vector | null;
   diameter: number | null;
@@ -56,6 +57,8 @@ export interface Part {
   width: number | null;
   length: number | null;
   height: number | null;
+  outer_diameter: number | null;
+  inner_diameter: number | null;
   name: string | null;
   evidence: { source: string; confidence: number; reason: string };
 }
