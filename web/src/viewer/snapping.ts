@@ -53,7 +53,7 @@ export class Snapping {
     return point && { kind: point.kind, point: point.point, ...(point.radius === undefined ? {} : { radius: point.radius }) };
   }
 
-  /** The circle whose line is at this place, the nearest to the viewer. */
+  /** The circle whose line is nearest to this place; of several, the nearest to the viewer. */
   private nearCircle(
     place: Point,
     project: (point: Vector3) => Point,
@@ -61,9 +61,9 @@ export class Snapping {
     depth: (point: Vector3) => number,
   ): Candidate | undefined {
     return this.found!
-      .flatMap((one) => one.around.map((point, index) => ({ one, point, next: one.around[index + 1] ?? point })))
-      .filter(({ one, point, next }) => toSegment(place, project(point), project(next)) < LINE_PX && isSeen(point, one.face))
-      .sort((a, b) => depth(b.point) - depth(a.point))[0]?.one;
+      .flatMap((one) => one.around.map((point, index) => ({ one, point, px: toSegment(place, project(point), project(one.around[index + 1] ?? point)) })))
+      .filter(({ one, point, px }) => px < LINE_PX && isSeen(point, one.face))
+      .sort((a, b) => Math.round(a.px - b.px) || depth(b.point) - depth(a.point))[0]?.one;
   }
 }
 

@@ -10,10 +10,11 @@ from querycad_answering.judging import judge
 from querycad_answering.understanding import Run
 from querycad_contracts import AnswerRecord, AnswerType, Part, PartKind, Program, RunStatus, Vector
 from querycad_contracts.parameters import Axis, Mate, ParameterRequest, ParameterType, Pose
+from querycad_contracts.vectors import scale
 
 from .ends import End, ends_of, is_end
 from .found import Candidates, Found
-from .frames import MODEL, Rigid, axis, less, told
+from .frames import MODEL, Rigid, axis, told
 from .grasping import FACES, PLANES, Flat, grasps
 from .mating import Fit, fits
 from .telling import Telling, number_text, triple_text
@@ -141,9 +142,9 @@ class Placing:
         if one.type is ParameterType.POSE:
             place = end.point if reading.place is None or is_end(part, reading.place) else reading.place
             own = frame_of(part, self.run)
-            pose = Rigid.along(place, less(end.outward), own.x if own is not None else None)
+            pose = Rigid.along(place, scale(end.outward, -1.0), own.x if own is not None else None)
             return self._of(self._pose(pose), part, reading, confidence)
-        way = less(end.outward) if one.type is ParameterType.APPROACH else end.outward
+        way = scale(end.outward, -1.0) if one.type is ParameterType.APPROACH else end.outward
         return self._of(axis(end.point, way, self.telling.frame, self.telling.metres), part, reading, confidence)
 
     def _own_pose(self, part: Part, reading: Reading) -> tuple[list[Found], str]:
