@@ -262,23 +262,13 @@ def test_the_axes_in_the_corner_turn_with_the_view_and_lead_to_its_sides(seen: O
         assert page.page.evaluate("() => querycad.pose") == wanted, side
 
 
-def click_near(page: Seen, place: tuple[float, float, float], off: tuple[float, float]) -> None:
-    """Clicks some pixels away from a place of the file, in metres."""
-    x, y = page.page.evaluate(
-        """place => { const at = querycad.project(querycad.model.fromMetres(place));
-           const box = querycad.canvas.getBoundingClientRect(); return [box.left + at.x, box.top + at.y]; }""",
-        list(place),
-    )
-    page.page.mouse.click(x + off[0], y + off[1])
-
-
 def test_a_measurement_takes_the_centre_of_a_circle_that_is_clicked(seen: Opener, flange_model: str) -> None:
     page = seen().model(flange_model)
     page.page.click("[data-key=M]")
     told = page.page.locator(".told")
-    click_near(page, (0.067 + 0.013, 0, 0.022), (2, 1))  # on the rim of a counterbore
+    page.click_at((0.067 + 0.013, 0, 0.022), (2, 1))  # on the rim of a counterbore
     expect(told).to_contain_text("From the centre of Ø 26 mm")
-    click_near(page, (-0.067, 0, 0.014), (-3, 2))  # at the centre of another one's floor, where there is no face
+    page.click_at((-0.067, 0, 0.014), (-3, 2))  # at the centre of another one's floor, where there is no face
     expect(told).to_contain_text(re.compile(r"134\.24 mm between the centre of Ø 26 mm and the centre of Ø (16|26) mm"))
     expect(told).to_contain_text("(x 134 mm, y 0 mm, z 8 mm)")
 

@@ -82,7 +82,7 @@ export const texts = {
     picture: "Save picture",
     link: "Copy link",
     linkCopied: "The link to this view is copied.",
-    measureFirst: "Measure: click the first point; corners, middles of edges and centres of circles are taken exactly. Escape ends it.",
+    measureFirst: "Measure: click the first point. Corners, middles of edges and circles snap. Escape ends it.",
     measureSecond: (name: string): string => `${name ? `From the ${name}. ` : ""}Click the second point.`,
   },
 

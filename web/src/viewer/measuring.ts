@@ -8,6 +8,9 @@ import { degrees, measure } from "../units";
 /** Directions count as parallel within a hundredth of a degree. */
 const PARALLEL = Math.cos((0.01 * Math.PI) / 180);
 
+/** Places are of single precision: what is less than this share of them is how they were stored. */
+const SINGLE = 2 ** -22;
+
 /** What was clicked: a place in metres, what it is called if it was snapped to, else the face that it is on. */
 export interface Clicked {
   readonly place: Vector3;
@@ -18,7 +21,8 @@ export interface Clicked {
 /** What there is between two clicks: the distance, and a sentence for each thing that there is. */
 export function measured(from: Clicked, to: Clicked, unit: LengthUnit): { distance: string; said: string[] } {
   const apart = to.place.clone().sub(from.place);
-  const size = (value: number): string => measure(Math.abs(value), unit);
+  const noise = SINGLE * Math.max(from.place.length(), to.place.length());
+  const size = (value: number): string => measure(Math.abs(value) < noise ? 0 : Math.abs(value), unit);
   const distance = size(apart.length());
   const points = texts.measured.points(distance, from.name, to.name, size(apart.x), size(apart.y), size(apart.z));
   return { distance, said: [points, ...(from.face && to.face ? between(from.face, to.face, size) : [])] };

@@ -60,8 +60,14 @@ export class Snapping {
     isSeen: (point: Vector3, face: number) => boolean,
     depth: (point: Vector3) => number,
   ): Candidate | undefined {
-    return this.found!
-      .flatMap((one) => one.around.map((point, index) => ({ one, point, px: toSegment(place, project(point), project(one.around[index + 1] ?? point)) })))
+    const lines = this.found!.flatMap((one) =>
+      one.around.slice(1).map((end, index) => {
+        const start = one.around[index]!;
+        const { px, share } = toSegment(place, project(start), project(end));
+        return { one, px, point: start.clone().lerp(end, share) };
+      }),
+    );
+    return lines
       .filter(({ one, point, px }) => px < LINE_PX && isSeen(point, one.face))
       .sort((a, b) => Math.round(a.px - b.px) || depth(b.point) - depth(a.point))[0]?.one;
   }
@@ -158,8 +164,9 @@ function circleThrough(points: readonly Vector3[], closed: boolean): { center: V
   return points.every(isOn) ? { center, radius } : undefined;
 }
 
-function toSegment(place: Point, a: Point, b: Point): number {
+/** How far a line is from a place, and at which share of it. */
+function toSegment(place: Point, a: Point, b: Point): { px: number; share: number } {
   const [dx, dy] = [b.x - a.x, b.y - a.y];
   const share = Math.max(0, Math.min(1, ((place.x - a.x) * dx + (place.y - a.y) * dy) / (dx * dx + dy * dy || 1)));
-  return Math.hypot(a.x + share * dx - place.x, a.y + share * dy - place.y);
+  return { px: Math.hypot(a.x + share * dx - place.x, a.y + share * dy - place.y), share };
 }

@@ -23,7 +23,7 @@ import {
 import { Caps } from "./caps";
 import { Materials } from "./materials";
 import type { Model } from "./model";
-import { Pace } from "./pace";
+import { Pace, drawsInSoftware } from "./pace";
 import { Paint, type Light } from "./paint";
 import { LOOKS, type Side } from "./sides";
 import { Snapping, type Snap } from "./snapping";
@@ -40,7 +40,6 @@ const CLICK_PX = 5;
 const NARROW_PX = 520;
 /** How far behind what is seen a point may be that is snapped to, of the model's half diagonal. */
 const HIDDEN_BELOW = 0.01;
-const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 export type Axis = "x" | "y" | "z";
 
@@ -88,7 +87,7 @@ export class Viewer {
 
   /** Raises an Error where the browser has no WebGL 2. */
   constructor(private readonly holder: HTMLElement) {
-    this.software = SOFTWARE.test(rendererName());
+    this.software = drawsInSoftware();
     this.renderer = new WebGLRenderer({ antialias: !this.software, alpha: true, stencil: true, powerPreference: "high-performance" });
     this.canvas = this.renderer.domElement;
     holder.append(this.canvas);
@@ -397,13 +396,3 @@ export class Viewer {
 }
 
 const isBeyond = (point: Vector3, plane: Vector4): boolean => plane.x * point.x + plane.y * point.y + plane.z * point.z > plane.w + 1e-6;
-
-/** What draws, as the browser tells it; empty where it does not. Raises an Error without WebGL 2. */
-function rendererName(): string {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) throw new Error("WebGL 2 is missing");
-  const told = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = told ? String(gl.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return name;
-}

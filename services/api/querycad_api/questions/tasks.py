@@ -48,6 +48,7 @@ from querycad_contracts import (
     reply_key,
     working_for,
 )
+from querycad_contracts.workers import STORE_PAUSE_S
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .segcad import SegcadClient
@@ -63,7 +64,7 @@ BEING_READ = "the model's file is being read"
 READING_AT_MOST_S = 3600.0
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
-STORE_TRIES, STORE_PAUSE_S = 100, 1.0
+STORE_TRIES = 100
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 
 log = logging.getLogger(__name__)
