@@ -63,9 +63,12 @@ function along(part: Part, length: number): Path | undefined {
   const place = vector(part.opening ?? part.tip ?? part.center);
   if (way) {
     const across = square(vector(way));
-    const from = (share: number): Vector3 => place.clone().addScaledVector(across, share * length);
-    if ([part.diameter, part.outer_diameter, part.inner_diameter].some((own) => same(own, length))) return [from(-0.5), from(0.5)];
-    if (same(part.radius, length)) return [place, from(1)];
+    const line = (radius: number, from: number): Path => {
+      const middle = part.opening && !same(part.radii[0] ?? radius, radius) ? bottom(part) : place;
+      return [from, 1].map((share) => middle.clone().addScaledVector(across, share * radius));
+    };
+    if ([part.diameter, part.outer_diameter, part.inner_diameter].some((own) => same(own, length))) return line(length / 2, -1);
+    if (same(part.radius, length)) return line(length, 0);
   }
   if (part.opening && part.normal && same(part.depth, length)) return [place, place.clone().addScaledVector(vector(part.normal), -length)];
   const [start, end] = part.tips.map(vector);
@@ -76,6 +79,9 @@ function along(part: Part, length: number): Path | undefined {
   }
   return sideOf(part, length);
 }
+
+/** The middle of a hole's inner end: there a stepped one is as wide as its bore. */
+const bottom = (part: Part): Vector3 => vector(part.opening ?? part.center).addScaledVector(vector(part.normal ?? [0, 0, 0]), -(part.depth ?? 0));
 
 /** The side of a box that is so many metres long. */
 function sideOf(boxed: Boxed, length: number): Path | undefined {

@@ -37,7 +37,8 @@ export function lighting(parts: readonly Part[], model?: Model, value?: Value, u
   const shown = parts.filter((part) => part.kind !== "model" && part.faces.length);
   const groups = groupsOf(shown);
   if (!model) return { groups, labels: [], dimensions: [] };
-  const dimensions = value ? dimensionsOf(shown.length ? shown : parts, value, model, unit) : [];
+  const found = value ? dimensionsOf(shown.length ? shown : parts, value, model, unit) : [];
+  const dimensions = narrow && found.length > MOST_NARROW_LABELS ? [] : found;
   return { groups, labels: dimensions.length ? [] : labelsOf(groups, shown, value?.text, model, narrow), dimensions };
 }
 

@@ -54,6 +54,8 @@ export interface Part {
   diameter: number | null;
   depth: number | null;
   radius: number | null;
+  /** Of the coaxial steps from the opening inwards. */
+  radii: number[];
   width: number | null;
   length: number | null;
   height: number | null;
