@@ -7,7 +7,7 @@ from pathlib import Path
 from time import perf_counter
 
 from querycad.client import Client, ClientError
-from querycad.commands.ask_server import KEY_VARIABLE
+from querycad.commands.server import KEY_VARIABLE
 from querycad_contracts import AnswerOptions, Codegen, ModelStatus
 
 from .systems import Reply, SystemOptions, UnknownSystem, reply_of

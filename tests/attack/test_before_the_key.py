@@ -17,6 +17,7 @@ import httpx
 import psutil
 import pytest
 import uvicorn
+from starlette.types import Message, Receive, Scope, Send
 from tests.api.fakes import STEP
 
 from querycad_api.accounts.keys import KeyRing
@@ -183,6 +184,26 @@ def test_a_body_that_stops_is_not_waited_for(
         connection.sendall(head + b'--b\r\nContent-Disposition: form-data; name="file"; filename="a"\r\n\r\nISO-')
         assert connection.recv(65536).startswith(b"HTTP/1.1 408 ")
     assert [each for each in tmp_path.rglob("*") if not each.name.startswith("keys")] == []
+
+
+def test_a_response_that_takes_long_is_not_cut_off_for_a_body_that_nobody_read(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(body_limit, "PAUSE_S", 0.1)
+    came: list[str] = []
+
+    async def late(_scope: Scope, receive: Receive, _send: Send) -> None:
+        await asyncio.sleep(0.3)
+        came.append((await receive())["type"])
+
+    async def receive() -> Message:
+        await asyncio.sleep(0)
+        return {"type": "http.request", "body": b"", "more_body": False}
+
+    async def send(_message: Message) -> None:
+        raise AssertionError("nothing is refused")
+
+    scope = {"type": "http", "path": "/v1/models/x/glb", "headers": []}
+    asyncio.run(body_limit.BodyLimit(late, "/v1/models", 2**20)(scope, receive, send))
+    assert came == ["http.request"]
 
 
 def test_a_body_that_trickles_is_not_waited_for(

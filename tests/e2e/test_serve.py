@@ -173,6 +173,9 @@ def test_the_service_describes_and_tabulates_as_the_command_does(
     assert client.table(model, TableKind.HOLES).model_dump_json() + "\n" == printed(
         "table", str(flange), "holes", "--format", "json"
     )
+    for command in (("describe", str(flange)), ("table", str(flange), "holes", "--grouped")):
+        in_inches = (*command, "--unit", "in")
+        assert printed(*in_inches, "--server", service.url) == printed(*in_inches)
     path = f"{service.url}/v1/models/{model}/tables/holes"
     response = httpx.get(path, params={"format": "csv", "unit": "in", "grouped": "true"})
     assert response.headers["content-type"].startswith("text/csv")

@@ -94,10 +94,25 @@ def test_a_wheel_tells_who_finds_it_what_it_is(project: Path) -> None:
     assert {"Paper", "Licence"} <= said["urls"].keys()
 
 
-def test_the_changelog_tells_of_every_release() -> None:
-    headings = re.findall(r"^## \[(.+?)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+def git(*arguments: str) -> str:
+    return subprocess.run(["git", *arguments], cwd=ROOT, capture_output=True, text=True, check=False).stdout.strip()
+
+
+def test_the_changelog_tells_of_every_release_and_of_no_other() -> None:
+    """What is released has a tag `v1.2.3`."""
+    text = (ROOT / "CHANGELOG.md").read_text()
+    headings = re.findall(r"^## \[(.+?)\]", text, re.MULTILINE)
     assert headings[0] == "Unreleased"
-    assert VERSION in headings
+    assert not re.findall(r"^(?:<{7}|={7}|>{7})", text, re.MULTILINE)
+    if git("rev-parse", "--is-shallow-repository") != "false":
+        pytest.skip("the tags are not in this copy")
+    assert set(headings[1:]) == {tag.removeprefix("v") for tag in git("tag", "--list", "v*").split()}
+
+
+def test_the_version_is_the_newest_release_or_a_later_one() -> None:
+    headings = re.findall(r"^## \[(\d.+?)\]", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    parts = [tuple(map(int, version.split("."))) for version in (*headings[:1], VERSION)]
+    assert parts == sorted(parts)
 
 
 @pytest.mark.parametrize("pip", [False, True])

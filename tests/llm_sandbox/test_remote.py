@@ -121,15 +121,14 @@ def test_without_a_broker_a_call_is_given_up() -> None:
     call.close()
 
 
-def test_parts_are_fetched_page_by_page() -> None:
+def test_all_parts_come_with_one_call() -> None:
     parts = [make_part(f"hole-{i}").model_dump(mode="json") for i in range(2500)]
 
     def call(name: TaskName, task: ModelTask, timeout_s: float, control: RunControl) -> str:
-        assert isinstance(task, PartsTask)
-        calls.append((name, task.offset, task.limit))
-        return json.dumps(value({"items": parts[task.offset : task.offset + task.limit], "total": len(parts)}))
+        calls.append((name, task))
+        return json.dumps(value({"items": parts, "total": len(parts)}))
 
-    calls: list[tuple[TaskName, int, int]] = []
+    calls: list[tuple[TaskName, ModelTask]] = []
     found = RemoteSegCad(MODEL, call, SETTINGS).parts()
     assert [part.id for part in found] == [f"hole-{i}" for i in range(2500)]
-    assert calls == [(TaskName.PARTS, offset, 1000) for offset in (0, 1000, 2000)]
+    assert calls == [(TaskName.PARTS, PartsTask(model=MODEL))]

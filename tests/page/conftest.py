@@ -195,6 +195,16 @@ class Seen:
         assert box is not None
         self.page.mouse.click(box["x"] + x * box["width"], box["y"] + y * box["height"])
 
+    def click_at(self, place: tuple[float, float, float], off: tuple[float, float] = (0, 0)) -> None:
+        """Clicks where a place of the file is seen, in metres, or so many pixels away from it."""
+        x, y = self.page.evaluate(
+            """async place => { for (const _ of [1, 2, 3]) await new Promise(requestAnimationFrame);
+               const at = querycad.project(querycad.model.fromMetres(place));
+               const box = querycad.canvas.getBoundingClientRect(); return [box.left + at.x, box.top + at.y]; }""",
+            list(place),
+        )
+        self.page.mouse.click(x + off[0], y + off[1])
+
 
 Opener = Callable[..., Seen]
 

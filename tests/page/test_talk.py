@@ -6,6 +6,7 @@ import csv
 import json
 from pathlib import Path
 
+import pytest
 from PIL import Image
 from playwright.sync_api import expect
 from tests.page.conftest import Opener, Seen, Service
@@ -100,12 +101,50 @@ def test_an_unsure_answer_shows_its_readings_and_each_lights_its_own_parts(
         assert set(page.lit) == wanted
 
 
-def test_a_measure_that_is_the_answer_is_drawn_on_its_part(seen: Opener, flange_model: str) -> None:
+def drawn_metres(page: Seen) -> list[float]:
+    """How long are the lines that are drawn, were they in the plane of the view?"""
+    found: list[float] = page.page.evaluate(
+        """() => { const one = querycad.model.lengthInMetres(2) / querycad.canvas.clientHeight / querycad.camera.zoom;
+           return [...document.querySelectorAll(".leaders polyline")].map(line => {
+             const [x, y, u, v] = line.getAttribute("points").split(/[ ,]/).map(Number);
+             return Math.hypot(x - u, y - v) * one; }); }"""
+    )
+    return found
+
+
+@pytest.mark.parametrize(
+    ("question", "side", "lines"),
+    [
+        ("What is the diameter of hole 11?", "top", [54]),
+        ("What is the radius of hole 11?", "top", [27]),
+        ("How deep is hole 11?", "front", [53]),
+        ("What is the distance between hole 4 and hole 6?", "top", [134]),
+        ("What is the diameter of the holes visible from the top?", "top", [8.5] * 2 + [16] * 8 + [54]),
+        ("How deep are the counterbored holes?", "front", [22] * 8),
+        ("What is the size of the part?", "top", [0, 170, 170]),
+    ],
+)
+def test_a_measure_that_is_the_answer_is_drawn_where_it_is(
+    seen: Opener, flange_model: str, question: str, side: str, lines: list[float]
+) -> None:
     page = seen().model(flange_model)
-    for question, text in (("What is the diameter of hole 11?", "54 mm"), ("How deep is hole 11?", "53 mm")):
-        page.ask(question)
-        expect(page.page.locator(".label.center")).to_have_text(text)
-        assert page.page.locator(".leaders line").count() == 1
+    page.page.click(f"[data-side={side}]")
+    page.ask(question)
+    expect(page.page.locator(".label.center")).to_have_count(len(lines))
+    page.still()
+    assert sorted(drawn_metres(page)) == pytest.approx([each / 1000 for each in lines], rel=0.01, abs=1e-4)
+
+
+def test_an_angle_that_is_the_answer_is_drawn_between_its_parts(seen: Opener, assembly_model: str) -> None:
+    page = seen().model(assembly_model)
+    page.ask("What is the angle between the shaft and the top face?")
+    expect(page.page.locator(".label.center")).to_have_text("90°")
+    points = page.page.locator(".leaders polyline").get_attribute("points")
+    assert len((points or "").split()) > 10, "an arc"
+
+
+def test_what_is_no_measure_has_a_label_on_its_part(seen: Opener, flange_model: str) -> None:
+    page = seen().model(flange_model)
     page.ask("Where is the center of hole 11?")
     expect(page.page.locator(".label.center")).to_have_count(0)
     expect(page.page.locator(".label")).to_contain_text("hole-11")

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
+from playwright.sync_api import expect
 from tests.page.conftest import Opener, Seen, Service
 
 from querycad.client import Client
@@ -86,13 +87,13 @@ def test_what_is_lit_is_where_the_worker_sees_it(
 
 def test_leader_lines_never_cross(seen: Opener, flange_model: str) -> None:
     page = seen().model(flange_model)
-    page.ask(QUESTION)
+    page.ask("How many holes are there?")
     for side in ("isometric", "top", "front", "left", "bottom"):
         page.page.click(f"[data-side={side}]")
         page.still()
         lines: list[list[float]] = page.page.evaluate(
-            """() => [...document.querySelectorAll(".leaders line")].map(line =>
-               ["x1", "y1", "x2", "y2"].map(name => Number(line.getAttribute(name))))"""
+            """() => [...document.querySelectorAll(".leaders polyline")].map(line =>
+               line.getAttribute("points").split(/[ ,]/).map(Number))"""
         )
         assert len(lines) == 11
         assert not [pair for pair in combinations(lines, 2) if crosses(*pair)], side
@@ -170,6 +171,125 @@ def test_a_section_takes_away_what_lies_beyond_it(seen: Opener, flange_model: st
     assert page.pick(0.4, 0.5) is not None
 
 
+def section_area(mesh: Mesh, x: float) -> float:
+    """Of the cut across x, in square metres: the lines in which triangles meet the plane run around it (Green)."""
+    corners = mesh.vertices_m[mesh.triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    above = corners[..., 0] > x
+    total = 0.0
+    for triangle, normal, over in zip(corners, normals, above, strict=True):
+        if over.all() or not over.any():
+            continue
+        ends = []
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            if over[a] != over[b]:
+                share = (x - triangle[a, 0]) / (triangle[b, 0] - triangle[a, 0])
+                ends.append((triangle[a] + share * (triangle[b] - triangle[a]))[1:])
+        start, end = ends
+        along = np.array([-normal[2], normal[1]])  # the outside is to the right
+        if (end - start) @ along < 0:
+            start, end = end, start
+        total += (start[0] * end[1] - start[1] * end[0]) / 2
+    return total
+
+
+def hatched(image: NDArray[np.uint8], color: str) -> NDArray[np.bool_]:
+    """Where a cut is filled in a body's colour: the lines and what is between them."""
+    own = np.array([int(color[at : at + 2], 16) for at in (1, 3, 5)])
+    shades = [(image[..., :3] == np.round(share * own)).all(axis=-1) for share in (0.92, 0.4)]
+    return np.asarray((shades[0] | shades[1]) & (image[..., 3] > 0))
+
+
+def test_what_a_section_cuts_is_filled_to_its_true_outline(seen: Opener, service: Service, flange_model: str) -> None:
+    page = seen().model(flange_model)
+    page.page.click("[data-key=E]")
+    page.page.select_option("[data-key=C]", "x")
+    page.page.locator("input[type=range]").fill("0.53")
+    page.page.click("[data-side=right]")
+    page.still()
+    artefacts = ModelStore(service.home / "models").find(flange_model)
+    assert artefacts is not None
+    mesh = Mesh.load(artefacts.mesh)
+    low, high = mesh.bounds
+    color, pixels = page.page.evaluate(
+        """() => { const [a, b] = [0, 1].map(y => querycad.project(querycad.model.fromMetres([0, y, 0])));
+           return [querycad.model.bodies[0].color, Math.abs(a.x - b.x)]; }"""
+    )
+    cut = hatched(canvas(page), color)
+    true_area = section_area(mesh, low[0] + 0.53 * (high[0] - low[0]))
+    assert cut.sum() / pixels**2 == pytest.approx(true_area, rel=0.03)
+    assert page.pick(0.5, 0.5) is not None  # the bore's far wall, behind no material
+    box = page.page.evaluate("() => [querycad.canvas.clientWidth, querycad.canvas.clientHeight]")
+    rows, columns = np.nonzero(cut)
+    middle = len(rows) // 2
+    assert page.pick((columns[middle] + 0.5) / box[0], (rows[middle] + 0.5) / box[1]) is None, "the cut is no face"
+
+
+def test_each_body_that_is_cut_is_filled_in_its_own_colour(seen: Opener, assembly_model: str) -> None:
+    page = seen().model(assembly_model)
+    page.page.select_option("[data-key=C]", "y")
+    page.page.locator(".section input[type=checkbox]").check()
+    page.page.click("[data-side=front]")
+    page.still()
+    colors: list[str] = page.page.evaluate("() => querycad.model.bodies.map(body => body.color)")
+    before = [int(hatched(canvas(page), color).sum()) for color in colors]
+    assert min(before[:4]) > 500  # plate, block, bushing, shaft
+    page.page.locator(".tree input").nth(1).uncheck()
+    after = [int(hatched(canvas(page), color).sum()) for color in colors]
+    assert after[1] == 0
+    assert min(after[0], after[2], after[3]) > 500
+
+
+def test_the_axes_in_the_corner_turn_with_the_view_and_lead_to_its_sides(seen: Opener, flange_model: str) -> None:
+    page = seen(reduced_motion="reduce").model(flange_model)
+
+    def place(side: str) -> list[float]:
+        told = page.page.locator(f"[data-end={side}]").get_attribute("transform")
+        return [float(each) for each in re.findall(r"-?[\d.]+", told or "")]
+
+    page.page.click("[data-side=front]")
+    page.still()
+    assert place("right")[0] > 30 > abs(place("right")[1])
+    assert place("top")[1] < -30 < -abs(place("top")[0])
+    for side in ("top", "left", "bottom", "back"):
+        page.page.click(f"[data-side={side}]")
+        page.still()
+        wanted = page.page.evaluate("() => querycad.pose")
+        page.page.click("[data-side=isometric]")
+        page.still()
+        page.page.locator(f"[data-end={side}] circle").click()
+        page.still()
+        assert page.page.evaluate("() => querycad.pose") == wanted, side
+
+
+def test_a_measurement_takes_the_centre_of_a_circle_that_is_clicked(seen: Opener, flange_model: str) -> None:
+    page = seen().model(flange_model)
+    page.page.click("[data-key=M]")
+    told = page.page.locator(".told")
+    page.click_at((0.067 + 0.013, 0, 0.022), (2, 1))  # on the rim of a counterbore
+    expect(told).to_contain_text("From the centre of Ø 26 mm")
+    page.click_at((-0.067, 0, 0.014), (-3, 2))  # at the centre of another one's floor, where there is no face
+    expect(told).to_contain_text(re.compile(r"134\.24 mm between the centre of Ø 26 mm and the centre of Ø (16|26) mm"))
+    expect(told).to_contain_text("(x 134 mm, y 0 mm, z 8 mm)")
+
+
+def test_a_measurement_takes_corners_and_middles_of_edges(seen: Opener, assembly_model: str) -> None:
+    page = seen().model(assembly_model)
+    found: list[tuple[str, list[float]]] = page.page.evaluate(
+        """() => { const box = querycad.canvas.getBoundingClientRect(); const found = new Map();
+           for (let x = box.left; x < box.right; x += 8) for (let y = box.top; y < box.bottom; y += 8) {
+             const snap = querycad.snap(x, y, querycad.pick(x, y));
+             const place = snap && querycad.model.toMetres(snap.point).toArray();
+             if (snap) found.set(`${snap.kind} ${place}`, [snap.kind, place]);
+           }
+           return [...found.values()]; }"""
+    )
+    of = {kind: np.array([point for each, point in found if each == kind]) for kind in ("corner", "middle", "center")}
+    assert min(map(len, of.values())) >= 3
+    halves = {tuple(np.round((a + b) / 2, 6)) for a, b in combinations(of["corner"], 2)}
+    assert len(halves & {tuple(np.round(point, 6)) for point in of["middle"]}) >= 3, "of straight edges"
+
+
 def test_two_clicks_measure(seen: Opener, client: Client, flange_model: str) -> None:
     page = seen().model(flange_model)
     page.page.click("[data-side=front]")
@@ -179,7 +299,7 @@ def test_two_clicks_measure(seen: Opener, client: Client, flange_model: str) -> 
     page.click(0.5, rows[0] + 0.005)
     page.click(0.5, rows[-1] - 0.005)
     told = page.page.locator(".told")
-    page.until("() => document.querySelector('.told').textContent.includes('between the points')")
+    page.until("() => document.querySelector('.told').textContent.includes('between')")
     match = re.search(r"z ([\d.]+) mm", told.inner_text())
     assert match is not None
     extents = client.model(flange_model).summary

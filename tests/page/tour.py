@@ -61,7 +61,7 @@ def keep(page: Seen, name: str) -> None:
 
 def pictures(browser: Browser, service: Service, client: Client) -> None:
     """The main states: an answer, a selection, readings, a section with measures, tables, a phone."""
-    flange, assembly, housing = (example(client, name).id for name in ("flange", "bearing_assembly", "housing"))
+    flange, assembly = (example(client, name).id for name in ("flange", "bearing_assembly"))
 
     page = shown(browser, service, flange)
     page.ask("What is the diameter of the holes visible from the top?")
@@ -80,12 +80,12 @@ def pictures(browser: Browser, service: Service, client: Client) -> None:
     page.page.wait_for_timeout(1000)
     keep(page, "readings")
 
-    page = shown(browser, service, housing)
-    page.page.select_option("[data-key=C]", "x")
+    page = shown(browser, service, assembly)
+    page.page.select_option("[data-key=C]", "y")
+    page.page.get_by_label("Other half").check()
     page.page.click("[data-key=M]")
-    page.click(0.4, 0.35)
-    page.page.wait_for_timeout(300)
-    page.click(0.4, 0.55)
+    for x in (-0.063, 0.063):  # two of the plate's holes
+        page.click_at((x, 0.033, 0.015))
     page.page.locator(".label.center").wait_for()
     page.page.click("[data-tab=description]")
     page.page.locator("#panel-description dl").wait_for()

@@ -104,6 +104,14 @@ def test_a_long_table_for_people_groups_and_says_so(
     assert len(run(capsys, "table", FLANGE, "holes", "--format", "csv")[1].splitlines()) == 12
 
 
+@pytest.mark.parametrize("command", [("table", FLANGE, "holes"), ("describe", FLANGE)])
+def test_a_service_that_is_away_is_one_line(capsys: pytest.CaptureFixture[str], command: tuple[str, ...]) -> None:
+    code, out, err = run(capsys, *command, "--server", "http://127.0.0.1:1")
+    assert (code, out) == (1, "")
+    assert err.startswith("querycad: no service answers at http://127.0.0.1:1")
+    assert err.count("\n") == 1
+
+
 def test_a_model_without_such_parts_is_said(capsys: pytest.CaptureFixture[str]) -> None:
     code, out, err = run(capsys, "table", FLANGE, "bends")
     assert (code, out) == (2, "")

@@ -15,7 +15,7 @@ from pydantic import BaseModel
 from querycad import flows as module
 from querycad.cli import main
 from querycad.client import AsyncClient, Client, ServerProblem, ServerUnreachable
-from querycad.commands.ask_server import KEY_VARIABLE
+from querycad.commands.server import KEY_VARIABLE
 from querycad.flows import NobodyThere
 from querycad_contracts import (
     AnswerRecord,
@@ -286,7 +286,7 @@ def test_what_no_service_would_take_is_one_line_of_the_command(
     )
     transport = httpx.MockTransport(lambda _: json(ready))
     monkeypatch.setenv(KEY_VARIABLE, key)
-    monkeypatch.setattr("querycad.commands.ask_server.Client", lambda url, key: Client(url, key, transport))
+    monkeypatch.setattr("querycad.commands.server.Client", lambda url, key: Client(url, key, transport))
     assert main(["ask", str(tmp_path / "a.step"), question, "--server", "http://service"]) == 2
     out, err = capsys.readouterr()
     assert out == ""

@@ -78,6 +78,31 @@ def test_approach_and_insertion_are_opposite_ways(runtime: EmbeddedRuntime) -> N
     assert (approach["direction"], insertion["direction"]) == ([0, 1, 0], [0, -1, 0])
 
 
+def test_a_side_chooses_the_end_that_a_point_is_at(runtime: EmbeddedRuntime) -> None:
+    tip = {"type": "point", "question": "Where is the tip of the shaft?"}
+    for side, y in (("front", -60), ("back", 60)):
+        found = fill(runtime, BEARING, {**tip, "side": side})
+        assert found.value == pytest.approx([0, y, 53])
+        assert [part.id for part in found.parts] == ["body-4"]
+    gear = EXAMPLES / "gear_shaft.step"
+    assert fill(runtime, gear, {**tip, "side": "right"}).value == pytest.approx([134, 0, 0])
+    assert "on the top" in fill(runtime, gear, {**tip, "side": "top"}).reason
+    pose = fill(runtime, gear, {"type": "pose", "question": "Which is the left end of the shaft?", "side": "right"})
+    assert all("(0, 0, 0)" not in each.text for each in pose.alternatives), (
+        "no tool comes from the right to the left end"
+    )
+
+
+def test_a_model_that_is_open_fills_parameters(runtime: EmbeddedRuntime) -> None:
+    gear = runtime.open(EXAMPLES / "gear_shaft.step", unit="m")
+    found = gear.parameters([{"name": "key", "type": "pose", "question": "Where is the keyway?"}], least_confidence=0.8)
+    (key,) = found.parameters
+    assert key.value["position"] == pytest.approx([0.021, 0, 0.00925])
+    assert [row[2] for row in key.value["matrix"][:3]] == pytest.approx([0, 0, -1])
+    (mates,) = gear.parameters([{"name": "mates", "type": "mates"}], runtime.open(EXAMPLES / "flange.step")).parameters
+    assert "the other model" in mates.reason
+
+
 def test_grasps_are_pairs_of_faces_at_their_distance(runtime: EmbeddedRuntime) -> None:
     wanted = {"type": "grasps", "question": "Where is the bearing block?"}
     found = fill(runtime, BEARING, wanted)

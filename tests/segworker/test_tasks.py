@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import json
 import math
@@ -25,6 +26,7 @@ from querycad_contracts import (
     ReadingStage,
     Status,
     TaskName,
+    compressed_name,
     models_name,
     picture_name,
     reply_key,
@@ -312,6 +314,16 @@ def test_a_picture_is_drawn_under_its_name(settings: SegworkerSettings, table: T
     assert outcome == {"value": name, "failure": None}
     assert (settings.home / name).read_bytes().startswith(b"\x89PNG")
     assert not list(settings.home.glob("draw-*"))
+
+
+def test_triangles_are_compressed_once(settings: SegworkerSettings, table: Table, model: str) -> None:
+    name = table[TaskName.GLB]({"model": model})["value"]
+    plain, packed = settings.home / name, settings.home / compressed_name(name)
+    assert plain.read_bytes().startswith(b"glTF")
+    assert gzip.decompress(packed.read_bytes()) == plain.read_bytes()
+    made = packed.stat().st_mtime_ns
+    assert table[TaskName.GLB]({"model": model})["value"] == name
+    assert packed.stat().st_mtime_ns == made
 
 
 def test_a_file_whose_workers_die_is_given_up(redis_url: str, settings: SegworkerSettings, model: str) -> None:

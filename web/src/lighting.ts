@@ -1,7 +1,8 @@
 // How an answer's parts are shown: like ones in one colour, with labels while there are few of them.
 
 import { Vector3 } from "three";
-import type { Part } from "./api/types";
+import type { LengthUnit, Part } from "./api/types";
+import { dimensionsOf, type Value } from "./dimensions";
 import type { Model } from "./viewer/model";
 import type { Dimension, Label } from "./viewer/overlay";
 
@@ -12,15 +13,6 @@ const MOST_LABELS = 20;
 const MOST_NARROW_LABELS = 4;
 const MOST_GROUP_LABELS = 8;
 const VALUE_CHARS = 40;
-/** A part's measure is the answer's where they differ by less than a nanometre. */
-const SAME_M = 1e-9;
-
-/** What was answered, and how long it is where it is a length. */
-export interface Value {
-  readonly text: string;
-  readonly metres?: number;
-}
-
 /** Another part within a part's label: 'counterbore of hole 3'. */
 const ID = / of [a-z]+[- ][a-z]?\d+(\.\d+)*/g;
 
@@ -39,13 +31,14 @@ export interface Lighting {
 /**
  * Groups of like parts, and what is written beside them. The model itself is not lit.
  *
- * `value`: what was answered. `narrow`: there is hardly room for labels beside the model.
+ * `value`: what was answered, in `unit`. `narrow`: there is hardly room for labels beside the model.
  */
-export function lighting(parts: readonly Part[], model: Model | undefined, value?: Value, narrow = false): Lighting {
+export function lighting(parts: readonly Part[], model?: Model, value?: Value, unit: LengthUnit = "mm", narrow = false): Lighting {
   const shown = parts.filter((part) => part.kind !== "model" && part.faces.length);
   const groups = groupsOf(shown);
   if (!model) return { groups, labels: [], dimensions: [] };
-  const dimensions = value ? dimensionsOf(shown, value, model) : [];
+  const found = value ? dimensionsOf(shown.length ? shown : parts, value, model, unit) : [];
+  const dimensions = narrow && found.length > MOST_NARROW_LABELS ? [] : found;
   return { groups, labels: dimensions.length ? [] : labelsOf(groups, shown, value?.text, model, narrow), dimensions };
 }
 
@@ -75,29 +68,3 @@ function labelsOf(groups: readonly Group[], parts: readonly Part[], value: strin
 }
 
 const short = (text: string): string => (text.length > VALUE_CHARS ? `${text.slice(0, VALUE_CHARS - 1)}…` : text);
-
-/** Lines on the model that show the value itself: across a diameter, down a depth, from one part to another. */
-function dimensionsOf(parts: readonly Part[], value: Value, model: Model): Dimension[] {
-  const { metres, text } = value;
-  if (metres === undefined) return [];
-  const same = (own: number | null): boolean => own !== null && Math.abs(own - metres) < SAME_M;
-  const line = (from: Vector3, to: Vector3): Dimension[] => [{ from: model.fromMetres(from.toArray()), to: model.fromMetres(to.toArray()), text }];
-  const [part, other, ...more] = parts;
-  if (!part) return [];
-  if (!other) {
-    const way = part.normal ?? part.axis;
-    const middle = new Vector3(...(part.opening ?? part.tip ?? part.center));
-    if (way && same(part.diameter)) {
-      const axis = new Vector3(...way);
-      const least = Math.abs(axis.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
-      const across = least.addScaledVector(axis, -least.dot(axis)).setLength(metres / 2);
-      return line(middle.clone().sub(across), middle.clone().add(across));
-    }
-    if (part.opening && part.normal && same(part.depth)) {
-      return line(middle, middle.clone().addScaledVector(new Vector3(...part.normal), -metres));
-    }
-    return [];
-  }
-  const [from, to] = [new Vector3(...part.center), new Vector3(...other.center)];
-  return more.length || !same(from.distanceTo(to)) ? [] : line(from, to);
-}

@@ -15,6 +15,7 @@ import { Tabs } from "./panels/tabs";
 import { Tools } from "./panels/tools";
 import { Session } from "./session";
 import { texts } from "./texts";
+import { Gizmo } from "./viewer/gizmo";
 import { readModel } from "./viewer/model";
 import { Overlay } from "./viewer/overlay";
 import { Viewer } from "./viewer/viewer";
@@ -143,12 +144,17 @@ function view(): void {
   session.overlay = overlay;
   const link = (): string => linkTo({ ...place, view: viewer.pose });
   const tools = new Tools(byId("tools"), byId("view-foot"), session, viewer, link);
-  viewer.onFrame = () => overlay.draw();
-  viewer.onClick = (hit) => {
-    if (!tools.took(hit)) session.guarded(() => selection.click(hit))();
+  const gizmo = new Gizmo(holder, viewer);
+  viewer.onFrame = () => {
+    overlay.draw();
+    gizmo.draw();
+  };
+  viewer.onClick = (hit, x, y) => {
+    if (!tools.took(hit, x, y)) session.guarded(() => selection.click(hit))();
   };
   const label = (): void => {
-    const lit = [...new Set(viewer.lit.values())].length ? `${viewer.lit.size} faces` : "";
+    const { size } = viewer.lit;
+    const lit = size ? `${size} faces` : "";
     viewer.canvas.setAttribute("aria-label", texts.view.label(session.model?.file_name ?? "", lit));
   };
   viewer.canvas.setAttribute("role", "application");

@@ -3,7 +3,8 @@
 import type { ModelResource, LengthUnit, Part, Selection } from "./api/types";
 import * as api from "./api/client";
 import { Problem } from "./api/client";
-import { lighting, type Value } from "./lighting";
+import type { Value } from "./dimensions";
+import { lighting } from "./lighting";
 import type { Overlay } from "./viewer/overlay";
 import type { Viewer } from "./viewer/viewer";
 
@@ -79,7 +80,7 @@ export class Session {
   /** Lights what is to be lit on the model as it is drawn now: an answer may be there before its model is. */
   relight(): void {
     const { by, parts, value } = this.shown;
-    const { groups, labels, dimensions } = lighting(parts, this.viewer?.model, value, this.viewer?.isNarrow);
+    const { groups, labels, dimensions } = lighting(parts, this.viewer?.model, value, this.unit, this.viewer?.isNarrow);
     this.viewer?.light(groups.map(({ color, parts: own }) => ({ color, faces: own.flatMap((part) => part.faces) })));
     this.overlay?.write(labels, dimensions);
     this.emit("lit", parts.length ? by : "");

@@ -20,8 +20,8 @@ export const texts = {
   },
 
   files: {
-    choose: "Add STEP files",
-    drop: "Choose or drop them here, several at once",
+    choose: "Add CAD files",
+    drop: "STEP, IGES, BREP or zipped; several at once",
     uploading: (percent: number): string => `sending, ${percent} %`,
     ahead: (number: number | null): string =>
       number === null ? "waiting to be read" : number === 0 ? "waiting: next to be read" : `waiting: ${count(number, "file")} before it`,
@@ -40,7 +40,7 @@ export const texts = {
     remove: (name: string): string => `Delete ${name} and its answers`,
     sure: (name: string): string => `Delete ${name} with all questions and answers?`,
     dismiss: (name: string): string => `Forget that ${name} failed`,
-    empty: "No models yet. Add a STEP file (.step, .stp) to begin.",
+    empty: "No models yet. Add a STEP file, or one of the other kinds, to begin.",
     outcome: (good: number, bad: number): string =>
       bad ? `${count(good, "file")} taken, ${count(bad, "file")} not: see the list` : `${count(good, "file")} taken`,
   },
@@ -82,12 +82,16 @@ export const texts = {
     picture: "Save picture",
     link: "Copy link",
     linkCopied: "The link to this view is copied.",
-    measureFirst: "Measure: click the first point. Escape ends it.",
-    measureSecond: "Click the second point.",
+    measureFirst: "Measure: click the first point. Corners, middles of edges and circles snap. Escape ends it.",
+    measureSecond: (name: string): string => `${name ? `From the ${name}. ` : ""}Click the second point.`,
   },
 
   measured: {
-    points: (distance: string, x: string, y: string, z: string): string => `${distance} between the points (x ${x}, y ${y}, z ${z})`,
+    points: (distance: string, from: string, to: string, x: string, y: string, z: string): string =>
+      `${distance} between ${from || to ? `the ${from || "point"} and the ${to || "point"}` : "the points"} (x ${x}, y ${y}, z ${z})`,
+    corner: "corner",
+    middle: "middle of an edge",
+    center: (diameter: string): string => `centre of Ø ${diameter}`,
     planes: (distance: string): string => `parallel faces: ${distance} apart`,
     axes: (distance: string): string => `parallel axes: ${distance} apart`,
     angle: (angle: string): string => `the faces stand at ${angle}`,
@@ -118,8 +122,8 @@ export const texts = {
       size: "How large is it?",
       area: "What is its area?",
       radius: "What is its radius?",
-        volume: "What is its volume?",
-      },
+      volume: "What is its volume?",
+    },
   },
 
   answer: {

@@ -13,6 +13,7 @@ from pydantic import Field, model_validator
 from .answers import Codegen, LengthUnit
 from .geometry import Frozen, GroundedBy, Side
 from .services import ModelId, ModelSummary, ModelTask
+from .vectors import cross, dot
 
 Triple = tuple[float, float, float]
 Row = tuple[float, float, float, float]
@@ -98,10 +99,8 @@ RIGID = 1e-6
 
 def _is_rigid(matrix: Matrix) -> bool:
     x, y, z = (row[:3] for row in matrix[:3])
-    dots = [sum(a * b for a, b in zip(p, q, strict=True)) for p, q in ((x, x), (y, y), (z, z), (x, y), (y, z), (z, x))]
-    cross = (y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0])
-    volume = sum(a * b for a, b in zip(x, cross, strict=True))
-    found, wanted = (*dots, volume, *matrix[3]), (1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1)
+    dots = [dot(p, q) for p, q in ((x, x), (y, y), (z, z), (x, y), (y, z), (z, x))]
+    found, wanted = (*dots, dot(x, cross(y, z)), *matrix[3]), (1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1)
     return all(abs(each - right) < RIGID for each, right in zip(found, wanted, strict=True))
 
 

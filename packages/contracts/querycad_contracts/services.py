@@ -212,7 +212,7 @@ class PartsTask(ModelTask):
     kind: str | None = None
     ids: tuple[str, ...] = Field((), description="Only these; empty: all.")
     offset: int = Field(0, ge=0)
-    limit: int = Field(100, ge=1, le=1000)
+    limit: int | None = Field(None, ge=1, description="Null: all.")
 
 
 class PictureTask(ModelTask):

@@ -30,6 +30,11 @@ def picture_name(job: str) -> str:
     return f"pictures/{job}.png"
 
 
+def compressed_name(name: str) -> str:
+    """Under which name is a file that is sent compressed by gzip, where it was compressed once for all?"""
+    return f"{name}.gz"
+
+
 def default_home() -> Path:
     """Where is everything kept when nothing is said? `querycad` in the user's cache folder (XDG base directories)."""
     cache = os.environ.get("XDG_CACHE_HOME")

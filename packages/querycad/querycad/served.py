@@ -17,6 +17,8 @@ from querycad_contracts import (
     LengthUnit,
     ModelResource,
     ModelSummary,
+    ParameterSet,
+    ParametersRequest,
     Part,
     ProgramRequest,
     RunOutcome,
@@ -84,9 +86,13 @@ class Served:
         """What is it?"""
         return self._do(flows.describe(self.id, unit))
 
-    def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:  # noqa: ARG002
-        """A row each; the texts are in millimetres."""
-        return self._do(flows.table(self.id, kind, grouped))
+    def table(self, kind: TableKind, grouped: bool | None, unit: LengthUnit) -> Table:
+        """A row each."""
+        return self._do(flows.table(self.id, kind, grouped, unit))
+
+    def parameters(self, asked: ParametersRequest, other: Callable[[], Sequence[Part]] | None) -> ParameterSet:  # noqa: ARG002
+        """What are they? The service has the parts of the other model."""
+        return self._do(flows.parameters(self.id, asked))
 
     def run(self, code: str, expects: AnswerType | None) -> RunOutcome:
         """What comes of the program?"""
@@ -138,5 +144,6 @@ class AsyncModel:
     describe = _awaited(Model.describe)
     table = _awaited(Model.table)
     compare = _awaited(Model.compare)
+    parameters = _awaited(Model.parameters)
     run = _awaited(Model.run)
     picture = _awaited(Model.picture)

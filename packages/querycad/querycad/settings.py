@@ -5,14 +5,13 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from querycad_contracts.settings import default_home
+
 
 def home() -> Path:
     """Where are artefacts kept? `QUERYCAD_HOME`, else `querycad` in the user's cache folder (XDG base directories)."""
     chosen = os.environ.get("QUERYCAD_HOME")
-    if chosen:
-        return Path(chosen).expanduser()
-    cache = os.environ.get("XDG_CACHE_HOME")
-    return (Path(cache) if cache else Path.home() / ".cache") / "querycad"
+    return Path(chosen).expanduser() if chosen else default_home()
 
 
 def model_store() -> Path:

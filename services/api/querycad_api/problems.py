@@ -1,28 +1,4 @@
-"""What can be wrong with a request: each problem is an exception, and says in the interface's description what it is.
-
-ApiProblem
-├── Malformed            400
-├── NotAsDocumented      422
-├── NotThere             404
-├── NotAuthenticated     401
-├── NotAllowed           403
-├── ModelNotFound        404
-├── FaceNotFound         404
-├── JobNotFound          404
-├── PictureNotFound      404
-├── JobIsDone            409
-├── TooSlow              408
-├── KeyReused            422
-├── TooManyRequests      429
-├── TooLarge             413
-├── FileTooLarge         413
-├── NotStepFile          415
-├── WrongMediaType       415
-├── RangeNotSatisfiable  416
-├── ModelNotReady        409
-├── ModelUnreadable      422
-└── ServiceUnavailable   503
-"""
+"""What can be wrong with a request: an `ApiProblem` each, which the interface's description names with its status."""
 
 from __future__ import annotations
 
@@ -54,8 +30,11 @@ class ApiProblem(Exception):
 
     status: ClassVar[HTTPStatus]
     title: ClassVar[str]
-    retryable: ClassVar[bool] = False
+    retryable: ClassVar[bool]
     headers: ClassVar[dict[str, str]] = {}
+
+    def __init_subclass__(cls, status: HTTPStatus, title: str, retryable: bool = False) -> None:
+        cls.status, cls.title, cls.retryable = status, title, retryable
 
     def problem(self) -> Problem:
         """The body of the response."""
@@ -69,160 +48,96 @@ class ApiProblem(Exception):
         )
 
 
-class Malformed(ApiProblem):
+class Malformed(ApiProblem, status=HTTPStatus.BAD_REQUEST, title="Bad Request"):
     """The body is no JSON, or no multipart form."""
 
-    status = HTTPStatus.BAD_REQUEST
-    title = "Bad Request"
 
-
-class WrongMediaType(ApiProblem):
+class WrongMediaType(ApiProblem, status=HTTPStatus.UNSUPPORTED_MEDIA_TYPE, title="Unsupported media type"):
     """The body is of another media type than the one that is documented."""
 
-    status = HTTPStatus.UNSUPPORTED_MEDIA_TYPE
-    title = "Unsupported media type"
 
-
-class RangeNotSatisfiable(ApiProblem):
+class RangeNotSatisfiable(ApiProblem, status=HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE, title="Range not satisfiable"):
     """The range begins behind the file's end."""
-
-    status = HTTPStatus.REQUESTED_RANGE_NOT_SATISFIABLE
-    title = "Range not satisfiable"
 
     def __init__(self, size: int) -> None:
         super().__init__(f"the file has {size} bytes")
         self.headers = {"Content-Range": f"bytes */{size}"}  # type: ignore[misc]
 
 
-class NotAsDocumented(ApiProblem):
+class NotAsDocumented(ApiProblem, status=HTTPStatus.UNPROCESSABLE_ENTITY, title="Not as documented"):
     """The body is not as documented; `errors` says where."""
 
-    status = HTTPStatus.UNPROCESSABLE_ENTITY
-    title = "Not as documented"
 
-
-class NotThere(ApiProblem):
+class NotThere(ApiProblem, status=HTTPStatus.NOT_FOUND, title="Nothing there"):
     """The path leads nowhere: an id, or a name in it, is none."""
 
-    status = HTTPStatus.NOT_FOUND
-    title = "Nothing there"
 
-
-class TooLarge(ApiProblem):
+class TooLarge(ApiProblem, status=HTTPStatus.REQUEST_ENTITY_TOO_LARGE, title="Request too large"):
     """The body is larger than any such request."""
 
-    status = HTTPStatus.REQUEST_ENTITY_TOO_LARGE
-    title = "Request too large"
 
-
-class TooSlow(ApiProblem):
+class TooSlow(ApiProblem, status=HTTPStatus.REQUEST_TIMEOUT, title="Request too slow", retryable=True):
     """The body of the request comes too slowly."""
 
-    status = HTTPStatus.REQUEST_TIMEOUT
-    title = "Request too slow"
-    retryable = True
 
-
-class NotAuthenticated(ApiProblem):
+class NotAuthenticated(ApiProblem, status=HTTPStatus.UNAUTHORIZED, title="No valid API key"):
     """There is no valid API key with the request."""
 
-    status = HTTPStatus.UNAUTHORIZED
-    title = "No valid API key"
     headers: ClassVar[dict[str, str]] = {"WWW-Authenticate": "Bearer"}
 
 
-class NotAllowed(ApiProblem):
+class NotAllowed(ApiProblem, status=HTTPStatus.FORBIDDEN, title="Not allowed"):
     """The API key, or the page that the request comes from, is not allowed to do this."""
 
-    status = HTTPStatus.FORBIDDEN
-    title = "Not allowed"
 
-
-class ModelNotFound(ApiProblem):
+class ModelNotFound(ApiProblem, status=HTTPStatus.NOT_FOUND, title="No such model"):
     """There is no such model."""
 
-    status = HTTPStatus.NOT_FOUND
-    title = "No such model"
 
-
-class FaceNotFound(ApiProblem):
+class FaceNotFound(ApiProblem, status=HTTPStatus.NOT_FOUND, title="No such face"):
     """The model has no such face."""
 
-    status = HTTPStatus.NOT_FOUND
-    title = "No such face"
 
-
-class JobNotFound(ApiProblem):
+class JobNotFound(ApiProblem, status=HTTPStatus.NOT_FOUND, title="No such job"):
     """There is no such job, or it is no longer kept."""
 
-    status = HTTPStatus.NOT_FOUND
-    title = "No such job"
 
-
-class PictureNotFound(ApiProblem):
+class PictureNotFound(ApiProblem, status=HTTPStatus.NOT_FOUND, title="No such picture"):
     """The answer has no picture."""
 
-    status = HTTPStatus.NOT_FOUND
-    title = "No such picture"
 
-
-class JobIsDone(ApiProblem):
+class JobIsDone(ApiProblem, status=HTTPStatus.CONFLICT, title="Job is done"):
     """The question has its answer already."""
 
-    status = HTTPStatus.CONFLICT
-    title = "Job is done"
 
-
-class KeyReused(ApiProblem):
+class KeyReused(ApiProblem, status=HTTPStatus.UNPROCESSABLE_ENTITY, title="Idempotency key reused"):
     """The idempotency key was used for another request."""
 
-    status = HTTPStatus.UNPROCESSABLE_ENTITY
-    title = "Idempotency key reused"
 
-
-class TooManyRequests(ApiProblem):
+class TooManyRequests(ApiProblem, status=HTTPStatus.TOO_MANY_REQUESTS, title="Too many requests", retryable=True):
     """The API key makes too many requests, or has too many open questions."""
 
-    status = HTTPStatus.TOO_MANY_REQUESTS
-    title = "Too many requests"
-    retryable = True
 
-
-class FileTooLarge(ApiProblem):
+class FileTooLarge(ApiProblem, status=HTTPStatus.REQUEST_ENTITY_TOO_LARGE, title="File too large"):
     """The file is larger than what is accepted."""
 
-    status = HTTPStatus.REQUEST_ENTITY_TOO_LARGE
-    title = "File too large"
 
-
-class NotStepFile(ApiProblem):
+class NotStepFile(ApiProblem, status=HTTPStatus.UNSUPPORTED_MEDIA_TYPE, title="Not a STEP file"):
     """The file is not STEP."""
 
-    status = HTTPStatus.UNSUPPORTED_MEDIA_TYPE
-    title = "Not a STEP file"
 
-
-class ModelNotReady(ApiProblem):
+class ModelNotReady(ApiProblem, status=HTTPStatus.CONFLICT, title="Model not ready", retryable=True):
     """The file is still being read."""
 
-    status = HTTPStatus.CONFLICT
-    title = "Model not ready"
-    retryable = True
 
-
-class ModelUnreadable(ApiProblem):
+class ModelUnreadable(ApiProblem, status=HTTPStatus.UNPROCESSABLE_ENTITY, title="Model unreadable"):
     """The file was accepted but cannot be read."""
 
-    status = HTTPStatus.UNPROCESSABLE_ENTITY
-    title = "Model unreadable"
 
-
-class ServiceUnavailable(ApiProblem):
+class ServiceUnavailable(
+    ApiProblem, status=HTTPStatus.SERVICE_UNAVAILABLE, title="Service unavailable", retryable=True
+):
     """Something that the request needs does not answer."""
-
-    status = HTTPStatus.SERVICE_UNAVAILABLE
-    title = "Service unavailable"
-    retryable = True
 
 
 class NothingMore(Exception):
@@ -236,6 +151,12 @@ def responses(*kinds: type[ApiProblem]) -> dict[int | str, dict[str, Any]]:
         entry = found.setdefault(int(kind.status), {"description": "", "content": PROBLEM_SCHEMA})
         entry["description"] = " ".join(filter(None, [entry["description"], (kind.__doc__ or "").splitlines()[0]]))
     return found
+
+
+MODEL_PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
+"""Of what asks something of a model that has been read."""
+BODY_PROBLEMS = {**MODEL_PROBLEMS, **responses(Malformed, TooLarge, WrongMediaType)}
+"""The same, with a body of JSON."""
 
 
 def problem_response(problem: Problem, headers: dict[str, str] | None = None) -> Response:

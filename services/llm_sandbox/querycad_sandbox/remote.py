@@ -58,8 +58,6 @@ KEPT_S: Final = 60
 TRIES: Final = 2
 """A call is lost with the worker that died at it; asking again does no harm, as no call changes anything."""
 CONNECT_S: Final = 2.0
-PAGE: Final = 1000
-"""Parts fetched at a time."""
 
 T = TypeVar("T")
 log = logging.getLogger(__name__)
@@ -185,14 +183,8 @@ class RemoteSegCad:
         return self._ask(TaskName.GROUND, task, _GROUNDED).grounded
 
     def parts(self) -> tuple[Part, ...]:
-        """Which parts were recognised in the model? Fetched page by page."""
-        found: list[Part] = []
-        while True:
-            task = PartsTask(model=self._model, offset=len(found), limit=PAGE)
-            page = self._ask(TaskName.PARTS, task, _PARTS)
-            found += page.items
-            if len(found) >= page.total or not page.items:
-                return tuple(found)
+        """Which parts were recognised in the model?"""
+        return self._ask(TaskName.PARTS, PartsTask(model=self._model), _PARTS).items
 
     def find_faces(self, query: FaceQuery) -> FoundFaces:
         """Which faces are so?"""

@@ -45,6 +45,7 @@ from querycad_contracts import (
     TaskName,
     TaskOutcome,
     ViewTask,
+    compressed_name,
     file_store,
     models_name,
     upload_name,
@@ -224,11 +225,12 @@ class Tasks:
         return self.cache.segcad(task.model).edge_distance(task.part)
 
     def parts(self, task: PartsTask) -> PartsPage:
-        """Which parts does the model have? One page of them, by id."""
+        """Which parts does the model have? All of them, or one page, by id."""
         parts = self.cache.segcad(task.model).model.parts
         ids = set(task.ids)
         wanted = [part for part in parts if task.kind in (None, part.kind) and (not ids or part.id in ids)]
-        return PartsPage(items=tuple(wanted[task.offset : task.offset + task.limit]), total=len(wanted))
+        end = None if task.limit is None else task.offset + task.limit
+        return PartsPage(items=tuple(wanted[task.offset : end]), total=len(wanted))
 
     def picture(self, task: PictureTask) -> str:
         """Draws the parts that an answer rests on; the name of the file in the store."""
@@ -253,10 +255,15 @@ class Tasks:
         return self.cache.made_of(task.model, f"{task.view.value}-{task.width}x{task.height}.png", draw)
 
     def glb(self, task: ModelTask) -> str:
-        """Writes the model as binary glTF; the name of the file in the store."""
-        from .render.glb import write_glb  # here: as above
+        """Writes the model as binary glTF, and compressed beside it; the name of the first in the store."""
+        from .render.glb import compress, write_glb  # here: as above
 
-        return self.cache.made_of(task.model, "bodies.glb", write_glb)
+        name = self.cache.made_of(task.model, "bodies.glb", write_glb)
+        plain = self.cache.files.fetch(name)
+        if plain is not None:  # else it was deleted meanwhile, which the next line tells
+            self.cache.made(compressed_name(name), lambda path: compress(plain, path))
+        self.cache.drop_if_deleted(task.model)
+        return name
 
     def table(self) -> dict[TaskName, Callable[[dict[str, Any]], str]]:
         """Every task by its name, from its payload as JSON data to its TaskOutcome as JSON text."""

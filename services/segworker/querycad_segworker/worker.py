@@ -16,10 +16,8 @@ from collections.abc import Callable
 from typing import Any, cast
 
 from celery import Celery, Task
-from celery.bootsteps import StartStopStep
 from celery.exceptions import SoftTimeLimitExceeded
-from celery.signals import heartbeat_sent, setup_logging, worker_process_init
-from kombu import Queue as KombuQueue
+from celery.signals import worker_process_init
 from redis import Redis
 from redis.backoff import ExponentialBackoff
 from redis.exceptions import RedisError
@@ -32,12 +30,10 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
-    alive_key,
     reply_key,
     stage_key,
-    start_logging,
-    start_worker_tracing,
 )
+from querycad_contracts.workers import STORE_PAUSE_S, worker_app
 
 from .kernel_process import ONE_THREAD, start_host
 from .settings import SegworkerSettings
@@ -49,19 +45,13 @@ CALL_S = 90
 """Seconds after which a call is stopped: over the 60 that the kernel has for one measurement."""
 INGEST_MARGIN_S = 20
 """What an ingest may take beside the kernel's work: its child is stopped and its artefacts are kept."""
-VISIBILITY_MARGIN_S = 10
-"""Redis gives a task to another worker this long after it must have ended; until then two would do the same."""
-STORE_TRIES, STORE_PAUSE_S = 50, 1.0
+STORE_TRIES = 50
 """A worker waits for a store that is away: what it found out would be lost otherwise."""
-RESTORE_S = 5
-"""Between two looks for tasks that were taken and not done in time."""
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
 DEATHS_S = 24 * 3600
 STAGE_S = 600
 """A stage is told for longer than any lasts, and no longer than anybody asks."""
-ALIVE_S = 10
-"""A worker counts as there this long after its last heartbeat; there is one every 2 seconds."""
 
 SERVED = tuple(name for name in TaskName if name.queue is not Queue.QUESTIONS)
 
@@ -72,54 +62,27 @@ Work = Callable[[dict[str, Any]], str]
 
 def make_app(settings: SegworkerSettings) -> Celery:
     """The Celery application with every task of a segworker."""
-    app = Celery("querycad_segworker", broker=settings.redis_url)
-    # These connect when they are used, in each process anew.
-    redis = Redis.from_url(settings.redis_url)
+    redis = Redis.from_url(settings.redis_url)  # these connect when they are used, in each process anew
     patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
     replies = Redis.from_url(settings.redis_url, retry=patience)
     queues = [Queue(name.strip()) for name in settings.segworker_queues.split(",")]
-    undone = "querycad:" + "+".join(queue.value for queue in queues)
     ingest_limit_s = settings.ingest_s + INGEST_MARGIN_S
-    app.conf.update(
-        task_queues=[KombuQueue(queue.value) for queue in queues],
-        worker_concurrency=settings.segworker_processes,
-        worker_pool="prefork",
-        worker_prefetch_multiplier=1,
-        worker_max_memory_per_child=settings.segworker_memory_mib * 1024,
-        worker_cancel_long_running_tasks_on_connection_loss=False,
-        worker_redirect_stdouts=False,
-        broker_connection_retry_on_startup=True,
-        broker_transport_options={
-            "visibility_timeout": ingest_limit_s + VISIBILITY_MARGIN_S,
-            "unacked_key": f"{undone}:unacked",
-            "unacked_index_key": f"{undone}:unacked_index",
-            "unacked_mutex_key": f"{undone}:unacked_mutex",
-            "unacked_restore_interval": RESTORE_S,
-            "unacked_restore_throttle": 1,
-        },
-        task_publish_retry_policy={
-            "max_retries": STORE_TRIES,
-            "interval_start": 0,
-            "interval_step": 0.1,
-            "interval_max": STORE_PAUSE_S,
-        },
-        task_acks_late=True,
-        task_reject_on_worker_lost=True,
-        task_ignore_result=True,
+    app: Celery = worker_app(
+        "querycad_segworker",
+        settings,
+        queues,
+        processes=settings.segworker_processes,
+        memory_mib=settings.segworker_memory_mib,
+        longest_s=ingest_limit_s,
+        store_tries=STORE_TRIES,
     )
     process = _Process(settings, lambda model, stage: _tell_stage(redis, model, stage))
     for name in SERVED:
         limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
         run = _task(name, process.work(name), replies)
         app.task(run, bind=True, name=name.value, time_limit=limit_s, shared=False)  # not with other applications
-    heartbeat_sent.connect(lambda **_: _say_alive(redis, queues), weak=False)
-    service = "+".join(sorted(queue.value for queue in queues))
-    setup_logging.connect(lambda **_: start_logging(service, settings.log_format), weak=False)
-    start_worker_tracing("querycad-segworker", settings.traces)
     if Queue.INGEST in queues:
         worker_process_init.connect(_load_kernel, weak=False)
-    if settings.sole_worker:
-        app.steps["consumer"].add(_take_over(redis, f"{undone}:unacked_index"))
     return app
 
 
@@ -205,28 +168,6 @@ def _flawed() -> str:
 def _load_kernel(**_: object) -> None:
     """Has the CAD kernel loaded before the first file comes; a process that takes longer to start would be killed."""
     threading.Thread(target=start_host, daemon=True).start()
-
-
-def _say_alive(redis: Redis, queues: list[Queue]) -> None:
-    """Tells with every heartbeat that the queues are being worked on."""
-    for queue in queues:
-        redis.set(alive_key(queue), 1, ex=ALIVE_S)
-
-
-def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
-    """What a sole worker does each time that it connects: tasks that were taken and not done are due at once.
-
-    Its predecessor may have died with them, or the store while it had them.
-    """
-
-    class TakeOver(StartStopStep):  # type: ignore[misc]  # Celery is untyped
-        requires = ("celery.worker.consumer.tasks:Tasks",)
-
-        def start(self, _consumer: object) -> None:
-            for tag in cast("list[bytes]", redis.zrange(index, 0, -1)):
-                redis.zadd(index, {tag: 0}, xx=True)
-
-    return TakeOver
 
 
 def main() -> None:

@@ -11,12 +11,13 @@ from pydantic import TypeAdapter, ValidationError
 from tests.made import UP, body, hole, part
 
 from querycad_answering.parameters.ends import ends_of
-from querycad_answering.parameters.frames import MODEL, Rigid, add, cross, dot, unit
+from querycad_answering.parameters.frames import MODEL, Rigid
 from querycad_answering.parameters.grasping import Flat, grasps
 from querycad_answering.parameters.mating import fits, loosest
 from querycad_answering.parameters.wording import question_of
 from querycad_contracts import ParameterRequest, ParametersRequest, ReferenceFrame, Side, Vector
 from querycad_contracts.parameters import Matrix
+from querycad_contracts.vectors import add, cross, dot, scale, unit
 
 DOWN = (0.0, 0.0, -1.0)
 FRAME: TypeAdapter[Any] = TypeAdapter(ReferenceFrame)
@@ -26,7 +27,7 @@ def turned_by(quaternion: tuple[float, ...], v: Vector) -> Vector:
     """A vector turned by a unit quaternion x, y, z, w: v + 2 w (q x v) + 2 q x (q x v)."""
     x, y, z, w = quaternion
     once = cross((x, y, z), v)
-    return add(add(v, once, 2 * w), cross((x, y, z), once), 2)
+    return add(add(v, scale(once, 2 * w)), scale(cross((x, y, z), once), 2))
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -48,14 +48,19 @@ export interface Part {
   extents: Vector;
   opening: Vector | null;
   tip: Vector | null;
+  tips: Vector[];
   axis: Vector | null;
   normal: Vector | null;
   diameter: number | null;
   depth: number | null;
   radius: number | null;
+  /** Of the coaxial steps from the opening inwards. */
+  radii: number[];
   width: number | null;
   length: number | null;
   height: number | null;
+  outer_diameter: number | null;
+  inner_diameter: number | null;
   name: string | null;
   evidence: { source: string; confidence: number; reason: string };
 }

@@ -4,7 +4,8 @@ import * as api from "../api/client";
 import type { AnswerRecord, Job, Part } from "../api/types";
 import { announce, download, h, swatch } from "../dom";
 import { linkTo } from "../link";
-import { lighting, type Value } from "../lighting";
+import type { Value } from "../dimensions";
+import { lighting } from "../lighting";
 import type { Session } from "../session";
 import { texts } from "../texts";
 
@@ -63,7 +64,7 @@ export class AnswerCard {
   light(): void {
     const { record, session } = this;
     if (!record) return;
-    session.light(this.job.id, record.parts, valueOf(record));
+    session.light(this.job.id, record.parts, this.valueOf(record));
     this.explain(record.parts);
     this.took(this);
   }
@@ -71,6 +72,11 @@ export class AnswerCard {
   focus(): void {
     this.element.scrollIntoView({ block: "nearest" });
     this.element.querySelector("h3")?.focus({ preventScroll: true });
+  }
+
+  private valueOf(record: AnswerRecord): Value | undefined {
+    const whole = this.session.model?.summary?.shape.extents;
+    return record.answer ? { text: firstReading(record), answer: record.answer, ...(whole ? { whole } : {}) } : undefined;
   }
 
   private async tellPlace(): Promise<void> {
@@ -119,13 +125,8 @@ export class AnswerCard {
   /** The readings of a question that may mean several things: a button each, which shows its parts. */
   private readings(record: AnswerRecord, title: string): HTMLElement {
     const all = [
-      { text: firstReading(record), understood: record.understood_as, confidence: record.confidence, code: record.code },
-      ...record.alternatives.map((each) => ({
-        text: each.answer.text,
-        understood: each.understood_as,
-        confidence: each.confidence,
-        code: each.code,
-      })),
+      { ...record, answer: record.answer, text: firstReading(record) },
+      ...record.alternatives.map((each) => ({ ...each, text: each.answer.text })),
     ];
     const buttons = all.map((reading, index) =>
       h(
@@ -138,7 +139,7 @@ export class AnswerCard {
             buttons.forEach((button, place) => button.setAttribute("aria-pressed", String(place === index)));
             if (index === 0) return this.light();
             const parts = await this.partsOf(reading.code);
-            this.session.light(`${this.job.id}-${index}`, parts, { text: reading.text });
+            this.session.light(`${this.job.id}-${index}`, parts, reading.answer ? { text: reading.text, answer: reading.answer } : undefined);
             this.explain(parts);
           }),
         },
@@ -146,7 +147,7 @@ export class AnswerCard {
         h(
           "span",
           {},
-          [reading.understood, reading.confidence === null ? "" : texts.answer.confidence(reading.confidence)].filter(Boolean).join(" · "),
+          [reading.understood_as, reading.confidence === null ? "" : texts.answer.confidence(reading.confidence)].filter(Boolean).join(" · "),
         ),
       ),
     );
@@ -167,7 +168,7 @@ export class AnswerCard {
 
   /** Says what each colour stands for. */
   private explain(parts: readonly Part[]): void {
-    const rows = lighting(parts, undefined).groups.map(({ color, label, parts: own }) => {
+    const rows = lighting(parts).groups.map(({ color, label, parts: own }) => {
       const [faces, ids] = [own.flatMap((part) => part.faces), own.map((part) => part.id)];
       const point = (): void => this.session.point(faces);
       const away = (): void => this.session.point(undefined);
@@ -191,7 +192,7 @@ export class AnswerCard {
     return h(
       "div",
       { class: "row actions" },
-      record.parts.some((part) => part.kind !== "model") && lit,
+      lit,
       h("button", { type: "button", click: this.session.guarded(link) }, texts.answer.link),
       h("button", { type: "button", click: () => download(`${name}.json`, JSON.stringify(record, null, 2), "application/json") }, "JSON"),
       h("button", { type: "button", click: () => download(`${name}.csv`, csvOf(record), "text/csv") }, "CSV"),
@@ -230,13 +231,6 @@ export class AnswerCard {
     );
     return details;
   }
-}
-
-function valueOf(record: AnswerRecord): Value | undefined {
-  if (!record.answer) return undefined;
-  const { value, type } = record.answer;
-  const text = firstReading(record);
-  return type === "length" && typeof value === "number" ? { text, metres: value } : { text };
 }
 
 /** The likeliest of several readings' answers. The service's text names the others after it: each has a button here. */

@@ -5,9 +5,14 @@ import type { LengthUnit } from "../api/types";
 import { announce, download, h } from "../dom";
 import type { Session } from "../session";
 import { texts } from "../texts";
+import { measure } from "../units";
 import { SIDES, SIDE_KEYS } from "../viewer/sides";
 import { measured } from "../viewer/measuring";
+import type { Snap } from "../viewer/snapping";
 import type { Axis, Hit, Viewer } from "../viewer/viewer";
+
+/** What was clicked while measuring: the point that it snapped to, else what is seen there. */
+type Picked = Snap | Hit;
 
 const STEP_RAD = Math.PI / 12;
 const PAN_SHARE = 0.05;
@@ -17,7 +22,7 @@ const keyOf = (side: string): string => Object.entries(SIDE_KEYS).find(([, name]
 export class Tools {
   private readonly told = h("p", { role: "status", class: "told" });
   private measuring = false;
-  private first: Hit | undefined;
+  private first: Picked | undefined;
 
   constructor(
     bar: HTMLElement,
@@ -33,9 +38,10 @@ export class Tools {
   }
 
   /** Takes a click for measuring; false: nobody is measuring. */
-  took(hit: Hit | undefined): boolean {
+  took(hit: Hit | undefined, clientX: number, clientY: number): boolean {
     if (!this.measuring) return false;
-    if (hit) this.session.guarded(() => this.point(hit))();
+    const picked = this.viewer.snap(clientX, clientY, hit) ?? hit;
+    if (picked) this.session.guarded(() => this.point(picked))();
     return true;
   }
 
@@ -126,23 +132,37 @@ export class Tools {
     document.querySelector("[data-key=M]")?.setAttribute("aria-pressed", "false");
   }
 
-  private async point(hit: Hit): Promise<void> {
+  /** Takes a point: the first is kept, the second measured from. */
+  private async point(picked: Picked): Promise<void> {
     const { model, overlay, unit } = this.session;
     const drawn = this.viewer.model;
     if (!model || !drawn) return;
     if (!this.first) {
-      this.first = hit;
-      overlay?.measure(hit.point);
-      this.told.textContent = texts.view.measureSecond;
+      this.first = picked;
+      overlay?.measure(picked.point);
+      this.told.textContent = texts.view.measureSecond(this.nameOf(picked));
       return;
     }
-    const first = this.first;
+    const both = [this.first, picked] as const;
     this.first = undefined;
-    const faces = await api.faces(model.id, [first.face, hit.face]);
-    const of = (id: number): (typeof faces)[number] => faces.find((face) => face.id === id)!;
-    const { distance, said } = measured(drawn.toMetres(first.point), drawn.toMetres(hit.point), of(first.face), of(hit.face), unit);
-    overlay?.measure(undefined, { from: first.point, to: hit.point, text: distance });
+    const ids = both.flatMap((each) => ("face" in each ? [each.face] : []));
+    const faces = ids.length === 2 ? await api.faces(model.id, ids) : [];
+    const [from, to] = both.map((each) => ({
+      place: drawn.toMetres(each.point),
+      name: this.nameOf(each),
+      face: "face" in each ? faces.find((face) => face.id === each.face) : undefined,
+    }));
+    const { distance, said } = measured(from!, to!, unit);
+    overlay?.measure(undefined, { path: both.map((each) => each.point), text: distance });
     this.told.textContent = `${said.join("; ")}. ${texts.view.measureFirst}`;
+  }
+
+  /** What a point that was snapped to is; empty for any other. */
+  private nameOf(picked: Picked): string {
+    if ("face" in picked) return "";
+    if (picked.kind !== "center") return texts.measured[picked.kind];
+    const drawn = this.viewer.model;
+    return texts.measured.center(measure(2 * (drawn?.lengthInMetres(picked.radius ?? 0) ?? 0), this.session.unit));
   }
 
   private listen(): void {

@@ -10,29 +10,42 @@ const GRIDS = [240, 160, 110, 75, 50] as const;
 /**
  * The geometry by vertex clustering (Rossignac and Borrel, 1993), in the finest grid that keeps within the budget:
  * all vertices of a cell move to one place, and triangles that lose a side go. Every vertex keeps its face, so that
- * colours, lights and hidden bodies are as in the original. Undefined: the model is small enough as it is.
+ * colours, lights and hidden bodies are as in the original; its groups are the bodies, too, and what was closed stays
+ * closed. Undefined: the model is small enough as it is.
  */
 export function coarse(fine: BufferGeometry): BufferGeometry | undefined {
   const index = fine.getIndex()!.array;
   if (index.length / 3 <= BUDGET) return undefined;
   const positions = fine.getAttribute("position").array;
   const faces = fine.getAttribute("face").array;
-  let found = clustered(positions, faces, index, GRIDS[0]);
+  let found = clustered(positions, faces, index, fine.groups, GRIDS[0]);
   for (const cells of GRIDS.slice(1)) {
     if (found.triangles.length / 3 <= BUDGET) break;
-    found = clustered(positions, faces, index, cells);
+    found = clustered(positions, faces, index, fine.groups, cells);
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(found.positions, 3));
   geometry.setAttribute("normal", fine.getAttribute("normal"));
   geometry.setAttribute("face", fine.getAttribute("face"));
   geometry.setIndex(new BufferAttribute(found.triangles, 1));
+  found.groups.forEach(({ start, count }, body) => geometry.addGroup(start, count, body));
   return geometry;
 }
 
 type Numbers = ArrayLike<number>;
 
-function clustered(positions: Numbers, faces: Numbers, index: Numbers, cells: number): { positions: Float32Array<ArrayBuffer>; triangles: Uint32Array<ArrayBuffer> } {
+interface Range {
+  start: number;
+  count: number;
+}
+
+interface Clustered {
+  positions: Float32Array<ArrayBuffer>;
+  triangles: Uint32Array<ArrayBuffer>;
+  groups: Range[];
+}
+
+function clustered(positions: Numbers, faces: Numbers, index: Numbers, bodies: readonly Range[], cells: number): Clustered {
   const count = faces.length;
   const cellOf = new Uint32Array(count);
   const own = new Uint32Array(count); // the vertex that stands for all of this cell and face
@@ -54,12 +67,17 @@ function clustered(positions: Numbers, faces: Numbers, index: Numbers, cells: nu
     for (let axis = 0; axis < 3; axis += 1) moved[at + axis] = positions[first * 3 + axis]!;
   }
   const triangles = new Uint32Array(index.length);
+  const groups: Range[] = [];
   let kept = 0;
-  for (let corner = 0; corner < index.length; corner += 3) {
-    const [a, b, c] = [index[corner]!, index[corner + 1]!, index[corner + 2]!];
-    if (cellOf[a] === cellOf[b] || cellOf[b] === cellOf[c] || cellOf[c] === cellOf[a]) continue;
-    triangles.set([own[a]!, own[b]!, own[c]!], kept);
-    kept += 3;
+  for (const body of bodies) {
+    const start = kept;
+    for (let corner = body.start; corner < body.start + body.count; corner += 3) {
+      const [a, b, c] = [index[corner]!, index[corner + 1]!, index[corner + 2]!];
+      if (cellOf[a] === cellOf[b] || cellOf[b] === cellOf[c] || cellOf[c] === cellOf[a]) continue;
+      triangles.set([own[a]!, own[b]!, own[c]!], kept);
+      kept += 3;
+    }
+    groups.push({ start, count: kept - start });
   }
-  return { positions: moved, triangles: triangles.slice(0, kept) };
+  return { positions: moved, triangles: triangles.slice(0, kept), groups };
 }

@@ -1,18 +1,26 @@
 // The ways in which a model's faces and edges are drawn, all from one texture of faces.
 
 import {
+  AlwaysStencilFunc,
+  BackSide,
   Color,
+  DecrementWrapStencilOp,
   DoubleSide,
+  FrontSide,
   GLSL3,
   GreaterDepth,
+  IncrementWrapStencilOp,
   LessEqualDepth,
   NotEqualStencilFunc,
   ReplaceStencilOp,
   ShaderMaterial,
   Vector4,
+  ZeroStencilOp,
+  type Side,
+  type StencilOp,
   type Texture,
 } from "three";
-import { EDGE_FRAGMENT, EDGE_VERTEX, PICK_FRAGMENT, PICK_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
+import { CAP_FRAGMENT, CAP_VERTEX, PICK_FRAGMENT, PICK_VERTEX, PLAIN_FRAGMENT, PLAIN_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
 const PALE = 0.18;
 const THROUGH = 0.32;
@@ -34,6 +42,8 @@ export class Materials {
   readonly through: ShaderMaterial;
   readonly edges: ShaderMaterial;
   readonly pick: ShaderMaterial;
+  /** Counts, pixel by pixel, how many surfaces of a body are left behind the section plane: back ones less front ones. */
+  readonly counts: readonly ShaderMaterial[];
 
   constructor(paint: Texture) {
     this.paint = { value: paint };
@@ -50,9 +60,19 @@ export class Materials {
       material.stencilZPass = ReplaceStencilOp;
     }
     this.through.stencilFunc = NotEqualStencilFunc;
-    this.edges = this.made(EDGE_VERTEX, EDGE_FRAGMENT, { ink: { value: INK }, opacity: { value: 0.75 } });
+    this.edges = this.made(PLAIN_VERTEX, PLAIN_FRAGMENT, { ink: { value: INK }, opacity: { value: 0.75 } });
     this.edges.transparent = true;
     this.pick = this.made(PICK_VERTEX, PICK_FRAGMENT, {});
+    this.counts = [this.counting(BackSide, IncrementWrapStencilOp), this.counting(FrontSide, DecrementWrapStencilOp)];
+  }
+
+  /** Fills what a section cuts of a body: where the count is not 0 the plane is inside of it. The count is 0 after it. */
+  cap(color: string, lean: 1 | -1): ShaderMaterial {
+    const material = this.made(CAP_VERTEX, CAP_FRAGMENT, { ink: { value: new Color(color).convertLinearToSRGB() }, lean: { value: lean } });
+    material.stencilWrite = true;
+    material.stencilFunc = NotEqualStencilFunc;
+    material.stencilZPass = material.stencilZFail = ZeroStencilOp;
+    return material;
   }
 
   /** Makes all but what is lit transparent, or solid again. */
@@ -81,7 +101,17 @@ export class Materials {
   }
 
   private get all(): ShaderMaterial[] {
-    return [this.surface, this.through, this.lit, this.edges, this.pick];
+    return [this.surface, this.through, this.lit, this.edges, this.pick, ...this.counts];
+  }
+
+  private counting(side: Side, operation: StencilOp): ShaderMaterial {
+    const material = this.made(PLAIN_VERTEX, PLAIN_FRAGMENT, { ink: { value: INK }, opacity: { value: 1 } });
+    material.side = side;
+    material.depthTest = material.depthWrite = material.colorWrite = false;
+    material.stencilWrite = true;
+    material.stencilFunc = AlwaysStencilFunc;
+    material.stencilZPass = operation;
+    return material;
   }
 
   private surfaceOf(part: number, opacity: number): ShaderMaterial {

@@ -16,6 +16,7 @@ export interface BodyNode {
 /** What a GLB holds. Places are in units of the model's half diagonal, about its middle: see `toMetres`. */
 export class Model {
   constructor(
+    /** Its groups are the bodies' triangles. */
     readonly surface: BufferGeometry,
     readonly edges: BufferGeometry,
     /** The surface for while it moves; undefined: it is small enough as it is. */
@@ -24,7 +25,8 @@ export class Model {
     readonly faceCount: number,
     /** Metres. */
     readonly box: Box3,
-    private readonly middle: Vector3,
+    /** Of the box, metres. */
+    readonly middle: Vector3,
     private readonly scale: number,
   ) {}
 
@@ -36,6 +38,11 @@ export class Model {
   /** A point that is drawn, in metres of the file. */
   toMetres(point: Vector3): Vector3 {
     return point.clone().multiplyScalar(this.scale).add(this.middle);
+  }
+
+  /** A length that is drawn, in metres. */
+  lengthInMetres(length: number): number {
+    return length * this.scale;
   }
 
   /** Half extents as drawn. */
@@ -98,6 +105,7 @@ function merged(pieces: readonly Piece[]): Model {
   const triangles = new Uint32Array(count((piece) => piece.surface.getIndex()?.count ?? 0));
   const lines = new Uint32Array(count((piece) => piece.lines?.getIndex()?.count ?? 0));
   const bodies: BodyNode[] = [];
+  const ranges: { start: number; count: number }[] = [];
   const box = new Box3();
   let [vertex, corner, end, faceCount] = [0, 0, 0, 0];
   for (const piece of pieces) {
@@ -109,7 +117,9 @@ function merged(pieces: readonly Piece[]): Model {
     for (let i = 0; i < face.length; i += 1) {
       for (let axis = 0; axis < 3; axis += 1) normals[(vertex + i) * 4 + axis] = Math.round((normal[i * 3 + axis] ?? 0) * 127);
     }
+    const first = corner;
     corner = copied(piece.surface, triangles, corner, vertex);
+    ranges.push({ start: first, count: corner - first });
     end = copied(piece.lines, lines, end, vertex);
     const own = [...new Set(face)].sort((a, b) => a - b);
     faceCount = Math.max(faceCount, (own.at(-1) ?? -1) + 1);
@@ -136,6 +146,7 @@ function merged(pieces: readonly Piece[]): Model {
     return geometry;
   };
   const surface = drawn(triangles);
+  ranges.forEach(({ start, count }, body) => surface.addGroup(start, count, body));
   return new Model(surface, drawn(lines), coarse(surface), bodies, faceCount, box, middle, scale);
 }
 

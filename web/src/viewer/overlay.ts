@@ -1,7 +1,7 @@
 // What is written over the view: labels with leader lines, and dimensions. It follows the model as it turns.
 
 import type { Vector3 } from "three";
-import { h } from "../dom";
+import { h, svg } from "../dom";
 import { placed, type Point } from "./layout";
 import type { Viewer } from "./viewer";
 
@@ -12,17 +12,16 @@ export interface Label {
 }
 
 export interface Dimension {
-  readonly from: Vector3;
-  readonly to: Vector3;
+  /** From end to end: two points, or more along an arc. */
+  readonly path: readonly Vector3[];
   readonly text: string;
 }
 
 interface Line {
-  from: Point;
-  to: Point;
+  points: readonly Point[];
   color: string;
-  /** A dimension's line has ends at both sides, a leader's a dot on the model. */
-  dimension: boolean;
+  /** Where it has a dot: a dimension at both ends, a leader on the model. */
+  dots: readonly Point[];
 }
 
 interface Written {
@@ -33,12 +32,14 @@ interface Written {
   color: string;
 }
 
-const SVG = "http://www.w3.org/2000/svg";
 const INSET_PX = 8;
+/** A dimension that is shorter than this has its text above it, which would hide it. */
+const SHORT_PX = 90;
+const ABOVE_PX = 15;
 const DIMENSION_COLOR = "#1b5e9b";
 
 export class Overlay {
-  private readonly lines = document.createElementNS(SVG, "svg");
+  private readonly lines = svg("svg", { class: "leaders", "aria-hidden": "true" });
   private readonly texts = h("div", { class: "labels" });
   private labels: readonly Label[] = [];
   private dimensions: readonly Dimension[] = [];
@@ -49,8 +50,6 @@ export class Overlay {
     private readonly holder: HTMLElement,
     private readonly viewer: Viewer,
   ) {
-    this.lines.setAttribute("class", "leaders");
-    this.lines.setAttribute("aria-hidden", "true");
     holder.append(this.lines, this.texts);
   }
 
@@ -86,15 +85,14 @@ export class Overlay {
     const { lines, texts } = this.layout();
     context.scale(scale, scale);
     context.lineWidth = 1.5;
-    for (const { from, to, color, dimension } of lines) {
+    for (const { points, color, dots } of lines) {
       context.strokeStyle = context.fillStyle = color;
       context.beginPath();
-      context.moveTo(from.x, from.y);
-      context.lineTo(to.x, to.y);
+      for (const { x, y } of points) context.lineTo(x, y);
       context.stroke();
-      for (const end of dimension ? [from, to] : [to]) {
+      for (const { x, y } of dots) {
         context.beginPath();
-        context.arc(end.x, end.y, 3, 0, 2 * Math.PI);
+        context.arc(x, y, 3, 0, 2 * Math.PI);
         context.fill();
       }
     }
@@ -120,32 +118,27 @@ export class Overlay {
     for (const { index, side, y } of placed(anchors, width, height)) {
       const { text, color } = this.labels[index]!;
       const at = { x: side === "left" ? INSET_PX : width - INSET_PX, y };
-      lines.push({ from: at, to: anchors[index]!, color, dimension: false });
+      lines.push({ points: [at, anchors[index]!], color, dots: [anchors[index]!] });
       texts.push({ text, at, align: side, color });
     }
-    for (const { from, to, text } of [...this.dimensions, ...(this.measured ? [this.measured] : [])]) {
-      const [start, end] = [this.viewer.project(from), this.viewer.project(to)];
-      lines.push({ from: start, to: end, color: DIMENSION_COLOR, dimension: true });
-      const at = { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 };
+    for (const { path, text } of [...this.dimensions, ...(this.measured ? [this.measured] : [])]) {
+      const points = path.map((point) => this.viewer.project(point));
+      const [start, end] = [points[0]!, points.at(-1)!];
+      lines.push({ points, color: DIMENSION_COLOR, dots: [start, end] });
+      const middle = points.length > 2 ? points[points.length >> 1]! : { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 };
+      const isShort = Math.hypot(end.x - start.x, end.y - start.y) < SHORT_PX && points.length === 2;
+      const at = isShort ? { x: middle.x, y: Math.min(start.y, end.y) - ABOVE_PX } : middle;
       texts.push({ text, at, align: "center", color: DIMENSION_COLOR });
     }
-    if (this.pending) {
-      const at = this.viewer.project(this.pending);
-      lines.push({ from: at, to: at, color: DIMENSION_COLOR, dimension: true });
-    }
+    if (this.pending) lines.push({ points: [], color: DIMENSION_COLOR, dots: [this.viewer.project(this.pending)] });
     return { lines, texts };
   }
 }
 
-function drawn({ from, to, color, dimension }: Line): SVGElement[] {
-  const shape = (name: string, attributes: Record<string, number | string>): SVGElement => {
-    const element = document.createElementNS(SVG, name);
-    Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, String(value)));
-    return element;
-  };
-  const ends = dimension ? [from, to] : [to];
+function drawn({ points, color, dots }: Line): SVGElement[] {
+  const row = points.map(({ x, y }) => `${x},${y}`).join(" ");
   return [
-    shape("line", { x1: from.x, y1: from.y, x2: to.x, y2: to.y, stroke: color }),
-    ...ends.map((end) => shape("circle", { cx: end.x, cy: end.y, r: 3, fill: color })),
+    ...(points.length ? [svg("polyline", { points: row, stroke: color, fill: "none" })] : []),
+    ...dots.map(({ x, y }) => svg("circle", { cx: x, cy: y, r: 3, fill: color })),
   ];
 }

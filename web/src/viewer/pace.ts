@@ -51,3 +51,15 @@ export class Pace {
     this.seen = 0;
   }
 }
+
+const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
+
+/** Is the model drawn without a graphics card, as far as the browser tells? Throws an Error without WebGL 2. */
+export function drawsInSoftware(): boolean {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) throw new Error("WebGL 2 is missing");
+  const told = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = told ? String(gl.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return SOFTWARE.test(name);
+}

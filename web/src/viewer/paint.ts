@@ -50,6 +50,11 @@ export class Paint {
     return !this.hidden.has(body);
   }
 
+  /** Is the body of this face shown? */
+  isFaceShown(face: number): boolean {
+    return this.texels[face * 4 + 3] !== HIDDEN;
+  }
+
   get anythingLit(): boolean {
     return this.lights.length > 0 || this.over !== undefined;
   }

@@ -62,18 +62,11 @@ in vec3 color;
 out vec4 pixel;
 void main() {
   cut();
-#ifdef SECTION
-  // the inside is seen where material was cut: drawn flat and hatched, as on a drawing
-  if (!gl_FrontFacing) {
-    float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 10.0) < 1.5 ? 0.55 : 1.0;
-    pixel = vec4(vec3(0.78, 0.55, 0.36) * stripe, opacity);
-    return;
-  }
-#endif
   pixel = vec4(color, opacity);
 }`;
 
-export const EDGE_VERTEX = /* glsl */ `
+/** In one colour: edges, and the count of the bodies that a section goes through. */
+export const PLAIN_VERTEX = /* glsl */ `
 ${FACE}
 ${CUT_VERTEX}
 void main() {
@@ -82,12 +75,25 @@ void main() {
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
 
-export const EDGE_FRAGMENT = /* glsl */ `
+export const PLAIN_FRAGMENT = /* glsl */ `
 ${CUT}
 uniform vec3 ink;
 uniform float opacity;
 out vec4 pixel;
 void main() { cut(); pixel = vec4(ink, opacity); }`;
+
+/** Material that a section cuts: hatched as on a drawing, one way or the other, so that neighbours are told apart. */
+export const CAP_VERTEX = /* glsl */ `
+void main() { gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }`;
+
+export const CAP_FRAGMENT = /* glsl */ `
+uniform vec3 ink;
+uniform float lean;
+out vec4 pixel;
+void main() {
+  float stripe = mod(gl_FragCoord.x + lean * gl_FragCoord.y, 9.0) < 1.5 ? 0.4 : 0.92;
+  pixel = vec4(ink * stripe, 1.0);
+}`;
 
 /** Which face is under the pointer, and how deep: a picture of one pixel in numbers. */
 export const PICK_VERTEX = /* glsl */ `
@@ -105,4 +111,10 @@ export const PICK_FRAGMENT = /* glsl */ `
 ${CUT}
 flat in float id;
 out vec4 pixel;
-void main() { cut(); pixel = vec4(id + 1.0, gl_FragCoord.z, 0.0, 1.0); }`;
+void main() {
+  cut();
+#ifdef SECTION
+  if (!gl_FrontFacing) { pixel = vec4(0.0); return; } // behind the cut
+#endif
+  pixel = vec4(id + 1.0, gl_FragCoord.z, 0.0, 1.0);
+}`;

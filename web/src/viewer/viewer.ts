@@ -20,11 +20,13 @@ import {
   WebGLRenderer,
   WebGLRenderTarget,
 } from "three";
+import { Caps } from "./caps";
 import { Materials } from "./materials";
 import type { Model } from "./model";
-import { Pace } from "./pace";
+import { Pace, drawsInSoftware } from "./pace";
 import { Paint, type Light } from "./paint";
 import { LOOKS, type Side } from "./sides";
+import { Snapping, type Snap } from "./snapping";
 
 CameraControls.install({
   THREE: { Box3, Matrix4, Quaternion, Raycaster, Sphere, Spherical, Vector2, Vector3, Vector4 },
@@ -36,7 +38,8 @@ const MARGIN = 1.12;
 /** Pixels that a pointer may move between down and up, and still have clicked. */
 const CLICK_PX = 5;
 const NARROW_PX = 520;
-const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
+/** How far behind what is seen a point may be that is snapped to, of the model's half diagonal. */
+const HIDDEN_BELOW = 0.01;
 
 export type Axis = "x" | "y" | "z";
 
@@ -54,11 +57,14 @@ interface Shown {
   /** The surface as each material draws it. */
   readonly surfaces: readonly Mesh[];
   readonly edges: LineSegments;
+  readonly caps: Caps;
+  readonly snapping: Snapping;
 }
 
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
-  onClick: (hit: Hit | undefined) => void = () => {};
+  /** What was clicked, and where on the page; undefined: nothing is there. */
+  onClick: (hit: Hit | undefined, clientX: number, clientY: number) => void = () => {};
   /** After each frame, for what is written over the view. */
   onFrame: () => void = () => {};
 
@@ -72,6 +78,7 @@ export class Viewer {
   private readonly still = matchMedia("(prefers-reduced-motion: reduce)");
   private readonly software: boolean;
   private shown: Shown | undefined;
+  private plane: Vector4 | undefined;
   private wantsEdges = true;
   private isTransparent = false;
   private dirty = true;
@@ -80,7 +87,7 @@ export class Viewer {
 
   /** Raises an Error where the browser has no WebGL 2. */
   constructor(private readonly holder: HTMLElement) {
-    this.software = SOFTWARE.test(rendererName());
+    this.software = drawsInSoftware();
     this.renderer = new WebGLRenderer({ antialias: !this.software, alpha: true, stencil: true, powerPreference: "high-performance" });
     this.canvas = this.renderer.domElement;
     holder.append(this.canvas);
@@ -129,7 +136,10 @@ export class Viewer {
       const picked = new Mesh(model.surface, materials.pick);
       picked.frustumCulled = false;
       this.pickScene.add(picked);
-      this.shown = { model, paint, materials, surfaces: [surface, lit, through], edges };
+      const caps = new Caps(model, materials);
+      this.scene.add(caps.group);
+      const snapping = new Snapping(model.edges);
+      this.shown = { model, paint, materials, surfaces: [surface, lit, through], edges, caps, snapping };
       this.pace.begin(this.software && model.coarse !== undefined);
       void this.look("isometric", false);
     }
@@ -228,15 +238,16 @@ export class Viewer {
 
   /** Cuts the model square to an axis, at a share of its size from the low end; undefined: not at all. */
   section(axis: Axis | undefined, share = 0.5, flipped = false): void {
-    const { model, materials } = this.shown ?? {};
-    if (!model || !materials) return;
-    if (axis === undefined) materials.cut(undefined);
-    else {
+    if (!this.shown) return;
+    const { model, materials, caps } = this.shown;
+    this.plane = undefined;
+    if (axis !== undefined) {
       const sign = flipped ? -1 : 1;
-      const plane = new Vector4(0, 0, 0, (2 * share - 1) * model.half[axis] * sign);
-      plane[axis] = sign;
-      materials.cut(plane);
+      this.plane = new Vector4(0, 0, 0, (2 * share - 1) * model.half[axis] * sign);
+      this.plane[axis] = sign;
     }
+    materials.cut(this.plane);
+    caps.cut(this.plane);
     this.redraw();
   }
 
@@ -259,6 +270,23 @@ export class Viewer {
     if (id < 1) return undefined;
     const seen = new Vector3(((x + 0.5) / width) * 2 - 1, 1 - ((y + 0.5) / height) * 2, depth * 2 - 1);
     return { face: Math.round(id) - 1, point: seen.unproject(this.camera) };
+  }
+
+  /** The corner, middle of an edge or centre of a circle at this place of the page, `hit` being what is seen there. */
+  snap(clientX: number, clientY: number, hit: Hit | undefined): Snap | undefined {
+    if (!this.shown) return undefined;
+    const { paint, snapping } = this.shown;
+    const { left, top } = this.canvas.getBoundingClientRect();
+    const depthOf = (point: Vector3): number => point.clone().applyMatrix4(this.camera.matrixWorldInverse).z;
+    const behind = hit ? depthOf(hit.point) - HIDDEN_BELOW : -Infinity;
+    const isSeen = (point: Vector3, face: number): boolean =>
+      depthOf(point) > behind && paint.isFaceShown(face) && !(this.plane && isBeyond(point, this.plane));
+    return snapping.at({ x: clientX - left, y: clientY - top }, (point) => this.project(point), isSeen, depthOf);
+  }
+
+  /** A direction of the file as it is seen: x to the right, y up, z towards the viewer. */
+  turned(way: Vector3): Vector3 {
+    return way.clone().transformDirection(this.camera.matrixWorldInverse);
   }
 
   /** Where on the canvas a drawn point is seen, in CSS pixels from its top left. */
@@ -286,10 +314,11 @@ export class Viewer {
   private clear(): void {
     this.scene.clear();
     this.pickScene.clear();
+    this.shown?.caps.dispose();
     this.shown?.paint.dispose();
     this.shown?.materials.dispose();
     this.shown?.model.dispose();
-    this.shown = undefined;
+    this.shown = this.plane = undefined;
   }
 
   /** The zoom at which the model's box fills the view as it is seen from there. */
@@ -340,9 +369,10 @@ export class Viewer {
       this.renderer.setSize(width, height);
     }
     if (this.shown) {
-      const { edges, paint, materials, surfaces, model } = this.shown;
+      const { edges, paint, materials, surfaces, model, caps } = this.shown;
       const geometry = (!whole && quality.coarse && model.coarse) || model.surface;
       for (const surface of surfaces) surface.geometry = geometry;
+      caps.use(geometry);
       edges.visible = this.wantsEdges && (whole || quality.edges);
       materials.through.visible = paint.anythingLit && !this.isTransparent;
       materials.lit.visible = paint.anythingLit;
@@ -359,18 +389,10 @@ export class Viewer {
     this.canvas.addEventListener("pointerup", (event) => {
       const clicked = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) <= CLICK_PX && event.button === 0;
       down = undefined;
-      if (clicked) this.onClick(this.pick(event.clientX, event.clientY));
+      if (clicked) this.onClick(this.pick(event.clientX, event.clientY), event.clientX, event.clientY);
     });
     this.canvas.addEventListener("webglcontextrestored", () => this.redraw());
   }
 }
 
-/** What draws, as the browser tells it; empty where it does not. Raises an Error without WebGL 2. */
-function rendererName(): string {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  if (!gl) throw new Error("WebGL 2 is missing");
-  const told = gl.getExtension("WEBGL_debug_renderer_info");
-  const name = told ? String(gl.getParameter(told.UNMASKED_RENDERER_WEBGL)) : "";
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  return name;
-}
+const isBeyond = (point: Vector3, plane: Vector4): boolean => plane.x * point.x + plane.y * point.y + plane.z * point.z > plane.w + 1e-6;

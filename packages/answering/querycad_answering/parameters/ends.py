@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from querycad_contracts import Part, Side, Vector
-
-from .frames import add, dot, less, size, unit
+from querycad_contracts.vectors import add, dot, norm, scale, sub, unit
 
 FACING = 0.7
 """Cosine of the angle between an end's way out and a side, at which the end still is on that side: 45 degrees."""
@@ -41,11 +40,16 @@ def ends_of(part: Part, side: Side | None, place: Vector | None) -> Ends:
         facing = [end for end in ends if dot(end.outward, side.outward) > FACING]
         return Ends(tuple(facing) or _towards(part, side, ends))
     if place is not None:
-        at = [end for end in ends if size(add(end.point, place, -1.0)) < SAME_PLACE]
+        at = [end for end in ends if norm(sub(end.point, place)) < SAME_PLACE]
         if at:
             return Ends(tuple(at))
     entered = {"counterbored", "countersunk", "spotfaced"} & set(part.tags)
     return Ends(tuple(ends), told_apart=len(ends) < 2 or bool(entered))
+
+
+def is_end(part: Part, place: Vector) -> bool:
+    """Is the place one of the part's ends, whichever?"""
+    return any(norm(sub(end.point, place)) < SAME_PLACE for end in _ends(part))
 
 
 def _ends(part: Part) -> list[End]:
@@ -53,11 +57,11 @@ def _ends(part: Part) -> list[End]:
     if part.opening is not None and out is not None:
         found = [End(part.opening, unit(out))]
         if part.bottom == "through" and part.depth is not None:
-            found.append(End(add(part.opening, unit(out), -part.depth), less(unit(out))))
+            found.append(End(sub(part.opening, scale(unit(out), part.depth)), scale(unit(out), -1.0)))
         return found
     if part.tips:
-        ways = [(tip, add(tip, part.center, -1.0)) for tip in part.tips]
-        return [End(tip, unit(way)) for tip, way in ways if size(way) > SAME_PLACE]
+        ways = [(tip, sub(tip, part.center)) for tip in part.tips]
+        return [End(tip, unit(way)) for tip, way in ways if norm(way) > SAME_PLACE]
     if part.normal is not None:
         return [End(part.center, unit(part.normal))]
     return []
@@ -69,4 +73,4 @@ def _towards(part: Part, side: Side, ends: list[End]) -> tuple[End, ...]:
         return ()
     out = side.outward
     half = sum(abs(a * b) for a, b in zip(part.extents, out, strict=True)) / 2
-    return (End(add(part.center, out, half), out),)
+    return (End(add(part.center, scale(out, half)), out),)

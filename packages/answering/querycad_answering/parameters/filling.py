@@ -6,6 +6,7 @@ Nothing is guessed: what is not sure enough has no value, but a reason and alter
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from querycad_answering.answering import NO_LLM, answer_question
@@ -67,34 +68,28 @@ def fill_parameters(
     )
 
 
+@dataclass(frozen=True, slots=True)
 class _Filling:
-    def __init__(
-        self,
-        asked: ParametersRequest,
-        view: ModelView,
-        run: Run,
-        other: Callable[[], Sequence[Part]] | None,
-        summary: ModelSummary | None,
-        llm: LlmWriter,
-    ) -> None:
-        self._asked = asked
-        self._view = view
-        self._run = run
-        self._other = other
-        self._summary = summary
-        self._llm = llm
+    """What `fill_parameters` is given, and each of the parameters by it."""
+
+    asked: ParametersRequest
+    view: ModelView
+    run: Run
+    other: Callable[[], Sequence[Part]] | None
+    summary: ModelSummary | None
+    llm: LlmWriter
 
     def value(self, one: ParameterRequest) -> ParameterValue:
         """What became of one parameter?"""
-        unit = one.unit or self._asked.unit
-        wanted = one.frame or self._asked.frame
+        unit = one.unit or self.asked.unit
+        wanted = one.frame or self.asked.frame
         frame, why_no_frame = self._frame(one, unit)
-        telling = Telling(unit, self._asked.angle_unit, frame or MODEL, is_models=isinstance(wanted, ModelFrame))
+        telling = Telling(unit, self.asked.angle_unit, frame or MODEL, is_models=isinstance(wanted, ModelFrame))
         if frame is None:
             candidates = Candidates(reason=why_no_frame)
         elif one.type is ParameterType.MATES:
-            candidates = self._placing(telling).mates(one, self._parts(), self._other, self._asked.other)
-        elif one.type in _PLACED:
+            candidates = self._placing(telling).mates(one, self._parts(), self.other, self.asked.other)
+        elif one.type in _PLACED or (one.type is ParameterType.POINT and one.side is not None):
             candidates = self._placed(one, telling)
         else:
             candidates = self._typed(one, telling)
@@ -132,7 +127,7 @@ class _Filling:
         return f"there are several: {record.answer.text}"
 
     def _placed(self, one: ParameterRequest, telling: Telling) -> Candidates:
-        """Poses, axes and grasps: the question names a part, at which they are."""
+        """Poses, axes, grasps and the ends of a side: the question names a part, at which they are."""
         record = self._answer(question_of(one), telling.unit, None)
         if record.answer is None:
             return Candidates(reason=_why(record), asked=record.question)
@@ -148,7 +143,7 @@ class _Filling:
         return Candidates(found, best.reason, record.question)
 
     def _is_sure(self, confidence: float | None) -> bool:
-        return confidence is not None and confidence >= self._asked.least_confidence
+        return confidence is not None and confidence >= self.asked.least_confidence
 
     def _told(self, one: ParameterRequest, candidates: Candidates, telling: Telling, frame: Any) -> ParameterValue:
         ranked = sorted(candidates.found, key=lambda each: -each.confidence)
@@ -188,16 +183,16 @@ class _Filling:
 
     def _answer(self, question: str, unit: LengthUnit, kind: AnswerType | None) -> AnswerRecord:
         options = AnswerOptions(
-            codegen=self._asked.codegen,
-            grounding=self._asked.grounding,
+            codegen=self.asked.codegen,
+            grounding=self.asked.grounding,
             expect=Expectation(type=kind) if kind is not None else None,
             least_confidence=0.0,  # how sure is sure enough is said of the parameter
         )
-        return answer_question(question, self._run, self._view, unit, options, summary=self._summary, llm=self._llm)
+        return answer_question(question, self.run, self.view, unit, options, summary=self.summary, llm=self.llm)
 
     def _frame(self, one: ParameterRequest, unit: LengthUnit) -> tuple[Rigid | None, str]:
         """Whose coordinates are wanted? None, and why, where it is a part's that is not found."""
-        wanted = one.frame or self._asked.frame
+        wanted = one.frame or self.asked.frame
         if isinstance(wanted, ModelFrame):
             return MODEL, ""
         if isinstance(wanted, GivenFrame):
@@ -205,14 +200,14 @@ class _Filling:
         part, why = self._part_called(wanted.part)
         if part is None:
             return None, f"the frame is not known: {why}"
-        frame = frame_of(part, self._run)
+        frame = frame_of(part, self.run)
         return frame, "" if frame is not None else f"the frame is not known: {part.id} has no axes of its own"
 
     def _part_called(self, called: str) -> tuple[Part | None, str]:
         by_id = {part.id: part for part in self._parts()}
         if called in by_id:
             return by_id[called], ""
-        record = self._answer(f"Where is {called}?", self._asked.unit, None)
+        record = self._answer(f"Where is {called}?", self.asked.unit, None)
         parts = [by_id[part.id] for part in record.parts if part.id in by_id]
         if len(parts) == 1 and self._is_sure(record.confidence):
             return parts[0], ""
@@ -221,11 +216,11 @@ class _Filling:
         return None, f"'{called}' may be {_listed([part.id for part in parts]) or 'several things'}"
 
     def _parts(self) -> Sequence[Part]:
-        assert self._view.contents is not None
-        return self._view.contents()[1]
+        assert self.view.contents is not None
+        return self.view.contents()[1]
 
     def _placing(self, telling: Telling) -> Placing:
-        return Placing({part.id: part for part in self._parts()}, self._run, telling)
+        return Placing({part.id: part for part in self._parts()}, self.run, telling)
 
 
 _PLURALS = {

@@ -8,40 +8,10 @@ from typing import cast
 
 from querycad_contracts import Vector
 from querycad_contracts.parameters import Axis, Matrix, Pose, Row
+from querycad_contracts.vectors import ORIGIN, cross, dot, norm, scale, sub, unit
 
 SQUARE = 1e-6
 """Sine of an angle below which two directions are one."""
-
-
-def add(a: Vector, b: Vector, times: float = 1.0) -> Vector:
-    """A + times * b."""
-    return (a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2])
-
-
-def dot(a: Vector, b: Vector) -> float:
-    """The scalar product."""
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def less(a: Vector) -> Vector:
-    """The other way."""
-    return (-a[0], -a[1], -a[2])
-
-
-def size(a: Vector) -> float:
-    """How long is it?"""
-    return math.sqrt(dot(a, a))
-
-
-def unit(a: Vector) -> Vector:
-    """Of length 1. Raises ZeroDivisionError for none."""
-    length = size(a)
-    return (a[0] / length, a[1] / length, a[2] / length)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +28,7 @@ class Rigid:
         """The frame with that z axis; its x axis is as near to `x` as it can be, else to an axis of the file."""
         z = unit(z)
         for wanted in (x, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
-            if wanted is not None and size(across := add(wanted, z, -dot(wanted, z))) > SQUARE:
+            if wanted is not None and norm(across := sub(wanted, scale(z, dot(wanted, z)))) > SQUARE:
                 x_axis = unit(across)
                 return cls(origin, x_axis, cross(z, x_axis), z)
         raise AssertionError("one of two axes is not along z")
@@ -67,7 +37,7 @@ class Rigid:
     def of_matrix(cls, matrix: Matrix, metres: float) -> Rigid:
         """The frame of a pose whose translation is in units of so many metres."""
         x, y, z, origin = (cast("Vector", tuple(row[column] for row in matrix[:3])) for column in range(4))
-        return cls(add((0.0, 0.0, 0.0), origin, metres), x, y, z)
+        return cls(scale(origin, metres), x, y, z)
 
     def direction(self, way: Vector) -> Vector:
         """The direction as seen from here."""
@@ -75,7 +45,7 @@ class Rigid:
 
     def point(self, place: Vector) -> Vector:
         """The place as seen from here."""
-        return self.direction(add(place, self.origin, -1.0))
+        return self.direction(sub(place, self.origin))
 
     def seen(self, other: Rigid) -> Rigid:
         """The other frame as seen from here."""
@@ -107,7 +77,7 @@ class Rigid:
         return cast("Row", tuple(_clean(sign * each) for each in found))
 
 
-MODEL = Rigid((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+MODEL = Rigid(ORIGIN, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
 def told_length(length: float, metres: float) -> float:

@@ -8,8 +8,9 @@ from typing import Any
 
 from querycad_contracts import Vector
 from querycad_contracts.parameters import Grasp
+from querycad_contracts.vectors import ORIGIN, add, cross, dot, scale, sub
 
-from .frames import Rigid, add, cross, dot, less, told, told_length
+from .frames import Rigid, told, told_length
 
 OPPOSITE = 0.99985
 """Cosine of one degree: how far from parallel two faces may be, as recognition takes walls to be opposite."""
@@ -53,7 +54,7 @@ class Flat:
         """As `PLANES` tells it."""
         face, center, normal, area, extents, own = told_by_program
         if own is None:
-            along = Rigid.along((0.0, 0.0, 0.0), tuple(normal)).x
+            along = Rigid.along(ORIGIN, tuple(normal)).x
             return cls(face, tuple(center), tuple(normal), area, 0.0, 0.0, along, tuple(extents))
         (length, width, _), along = own
         return cls(face, tuple(center), tuple(normal), area, length, width, tuple(along))
@@ -92,7 +93,7 @@ def _pair(one: Flat, other: Flat) -> tuple[Vector, float, float, tuple[int, int]
     """Centre, distance, shared area, ids, closing, along; None where they are no such pair."""
     if dot(one.normal, other.normal) > -OPPOSITE:
         return None
-    apart = add(other.center, one.center, -1.0)
+    apart = sub(other.center, one.center)
     distance = dot(apart, other.normal)
     if distance <= 0:  # they face each other, as the walls of a slot do
         return None
@@ -102,9 +103,16 @@ def _pair(one: Flat, other: Flat) -> tuple[Vector, float, float, tuple[int, int]
     area = min(max(0.0, high_u - low_u) * max(0.0, high_v - low_v), one.area, other.area)
     if high_u <= low_u or high_v <= low_v or area < SHARED * min(one.area, other.area):
         return None
-    center = add(add(one.center, u, (low_u + high_u) / 2), v, (low_v + high_v) / 2)
+    center = add(one.center, add(scale(u, (low_u + high_u) / 2), scale(v, (low_v + high_v) / 2)))
     along = u if high_u - low_u >= high_v - low_v else v
-    return add(center, other.normal, distance / 2), distance, area, (one.id, other.id), less(one.normal), along
+    return (
+        add(center, scale(other.normal, distance / 2)),
+        distance,
+        area,
+        (one.id, other.id),
+        scale(one.normal, -1.0),
+        along,
+    )
 
 
 def _shared(one: Flat, other: Flat, offset: float, way: Vector) -> tuple[float, float]:

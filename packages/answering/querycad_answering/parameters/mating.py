@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from querycad_contracts import Part, PartKind
 from querycad_contracts.parameters import Mate
+from querycad_contracts.vectors import cross, dot, norm, scale, sub, unit
 
-from .frames import add, cross, dot, size, told_length, unit
+from .frames import told_length
 
 LINE_TO_LINE = 1e-6
 """Metres. Diameters that are nominally the same differ by less in a file."""
@@ -111,8 +112,8 @@ def _assembled(hole: Part, shaft: Part) -> bool:
     """Is the shaft in the hole? They share an axis, and overlap along it."""
     assert hole.axis is not None
     assert shaft.axis is not None
-    axis, apart = unit(hole.axis), add(shaft.center, hole.center, -1.0)
-    if size(cross(axis, unit(shaft.axis))) > COAXIAL or size(add(apart, axis, -dot(apart, axis))) > COAXIAL:
+    axis, apart = unit(hole.axis), sub(shaft.center, hole.center)
+    if norm(cross(axis, unit(shaft.axis))) > COAXIAL or norm(sub(apart, scale(axis, dot(apart, axis)))) > COAXIAL:
         return False
     return abs(dot(apart, axis)) < ((hole.depth or 0.0) + _length(shaft)) / 2 - LINE_TO_LINE
 
@@ -120,5 +121,5 @@ def _assembled(hole: Part, shaft: Part) -> bool:
 def _length(shaft: Part) -> float:
     """Along its axis."""
     if len(shaft.tips) == 2:
-        return size(add(shaft.tips[0], shaft.tips[1], -1.0))
+        return norm(sub(shaft.tips[0], shaft.tips[1]))
     return shaft.height or shaft.length or 0.0

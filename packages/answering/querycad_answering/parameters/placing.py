@@ -10,10 +10,11 @@ from querycad_answering.judging import judge
 from querycad_answering.understanding import Run
 from querycad_contracts import AnswerRecord, AnswerType, Part, PartKind, Program, RunStatus, Vector
 from querycad_contracts.parameters import Axis, Mate, ParameterRequest, ParameterType, Pose
+from querycad_contracts.vectors import scale
 
-from .ends import End, ends_of
+from .ends import End, ends_of, is_end
 from .found import Candidates, Found
-from .frames import MODEL, Rigid, axis, less
+from .frames import MODEL, Rigid, axis, told
 from .grasping import FACES, PLANES, Flat, grasps
 from .mating import Fit, fits
 from .telling import Telling, number_text, triple_text
@@ -116,10 +117,10 @@ class Placing:
         choices = max(len({(fit.hole.diameter, fit.hole.id) for fit in each}) for each in shafts.values())
         sure = ASSEMBLED if all(fit.assembled for fit in found) else ONLY_ONE if choices == 1 else ONE_OF
         ids = (None, other_id)
-        told = [fit.told(self.telling.metres, ids) for fit in found]
-        text = ", ".join(_mate_text(mate, self.telling.unit.value) for mate in told[:AT_MOST])
+        pairs = [fit.told(self.telling.metres, ids) for fit in found]
+        text = ", ".join(_mate_text(mate, self.telling.unit.value) for mate in pairs[:AT_MOST])
         rests_on = tuple(dict.fromkeys(part for fit in found for part in (fit.hole, fit.shaft)))
-        mates = Found(told, text, sure, "which hole takes which shaft", rests_on)
+        mates = Found(pairs, text, sure, "which hole takes which shaft", rests_on)
         reason = f"a shaft fits {choices} holes: which one it goes into is a choice" if sure == ONE_OF else ""
         return Candidates([mates], reason, one.question or "")
 
@@ -131,17 +132,19 @@ class Placing:
             where = f" on the {one.side.value}" if one.side is not None else ""
             return [], f"{part.id} has neither an opening nor a free end{where}: say from which `side` it is come at"
         ends = found.ends[:1] if found.told_apart else found.ends
-        told = [self._found(one, part, end, reading, reading.confidence / len(ends)) for end in ends]
+        at_each = [self._found(one, part, end, reading, reading.confidence / len(ends)) for end in ends]
         reason = "" if found.told_apart else f"{part.id} has {len(ends)} ends that are alike: say which by `side`"
-        return told, reason
+        return at_each, reason
 
     def _found(self, one: ParameterRequest, part: Part, end: End, reading: Reading, confidence: float) -> Found:
+        if one.type is ParameterType.POINT:
+            return self._of(told(self.telling.frame.point(end.point), self.telling.metres), part, reading, confidence)
         if one.type is ParameterType.POSE:
-            place = reading.place or end.point
+            place = end.point if reading.place is None or is_end(part, reading.place) else reading.place
             own = frame_of(part, self.run)
-            pose = Rigid.along(place, less(end.outward), own.x if own is not None else None)
+            pose = Rigid.along(place, scale(end.outward, -1.0), own.x if own is not None else None)
             return self._of(self._pose(pose), part, reading, confidence)
-        way = less(end.outward) if one.type is ParameterType.APPROACH else end.outward
+        way = scale(end.outward, -1.0) if one.type is ParameterType.APPROACH else end.outward
         return self._of(axis(end.point, way, self.telling.frame, self.telling.metres), part, reading, confidence)
 
     def _own_pose(self, part: Part, reading: Reading) -> tuple[list[Found], str]:
@@ -184,7 +187,9 @@ def _place(kind: AnswerType, value: Any) -> Vector | None:
     return (float(value[0]), float(value[1]), float(value[2])) if kind is AnswerType.POINT else None
 
 
-def _value_text(value: Pose | Axis | list[Any], unit: str) -> str:
+def _value_text(value: Pose | Axis | Vector | list[Any], unit: str) -> str:
+    if isinstance(value, tuple):
+        return triple_text(value, unit)
     if isinstance(value, Pose):
         ways = [value.matrix[row][2] for row in range(3)]
         return f"at {triple_text(value.position, unit)}, z along {triple_text(ways)}"

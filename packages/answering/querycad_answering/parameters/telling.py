@@ -18,33 +18,13 @@ _PLACES = (AnswerType.POINT, AnswerType.POINTS)
 _WAYS = (AnswerType.DIRECTION, AnswerType.DIRECTIONS)
 _SIZES = (AnswerType.SIZE, AnswerType.SIZES)
 _POWERS = {Unit.METRE: 1, Unit.SQUARE_METRE: 2, Unit.CUBIC_METRE: 3}
-_UNITS = {
-    ParameterType.AREA: 2,
-    ParameterType.VOLUME: 3,
-    **dict.fromkeys(
-        (
-            ParameterType.LENGTH,
-            ParameterType.LENGTHS,
-            ParameterType.POINT,
-            ParameterType.POINTS,
-            ParameterType.SIZE,
-            ParameterType.POSE,
-            ParameterType.APPROACH,
-            ParameterType.INSERTION,
-            ParameterType.GRASPS,
-            ParameterType.MATES,
-        ),
-        1,
-    ),
-}
-_HAVE_PLACE = frozenset(_UNITS) - {
-    ParameterType.AREA,
-    ParameterType.VOLUME,
-    ParameterType.LENGTH,
-    ParameterType.LENGTHS,
-    ParameterType.SIZE,
-    ParameterType.MATES,
-} | {ParameterType.DIRECTION}
+_LENGTHS = (ParameterType.LENGTH, ParameterType.LENGTHS, ParameterType.SIZE, ParameterType.MATES)
+_PLACED = (
+    *(ParameterType.POINT, ParameterType.POINTS, ParameterType.POSE),
+    *(ParameterType.APPROACH, ParameterType.INSERTION, ParameterType.GRASPS),
+)
+_POWER_OF = {ParameterType.AREA: 2, ParameterType.VOLUME: 3, **dict.fromkeys((*_LENGTHS, *_PLACED), 1)}
+"""Which power of the length unit are values in? None where they have no such unit."""
 
 
 class NotInFrame(ValueError):
@@ -67,13 +47,13 @@ class Telling:
 
     def has_place(self, kind: ParameterType) -> bool:
         """Do values of this type depend on the frame?"""
-        return kind in _HAVE_PLACE
+        return kind in (*_PLACED, ParameterType.DIRECTION)
 
     def unit_name(self, kind: ParameterType) -> str:
         """'mm', 'mm2' …: what values of this type are in."""
         if kind is ParameterType.ANGLE:
             return self.angle.value
-        power = _UNITS.get(kind, 0)
+        power = _POWER_OF.get(kind, 0)
         return f"{self.unit.value}{power if power > 1 else ''}" if power else ""
 
     def answer(self, answer: Answer) -> tuple[Any, str]:

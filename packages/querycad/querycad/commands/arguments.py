@@ -80,6 +80,10 @@ def _add_unit(parser: argparse.ArgumentParser, of: str = "of lengths in text") -
     parser.add_argument("--unit", choices=["mm", "cm", "m", "in"], default="mm", help=f"unit {of} (default: mm)")
 
 
+def _add_server(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--server", metavar="URL", help="let a running service do it, such as http://127.0.0.1:8000")
+
+
 def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
     ask = commands.add_parser("ask", help="answer a question about a STEP file")
     _add_file(ask)
@@ -105,7 +109,7 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
         help="a question asked before, which this one may refer to; as often as needed, the oldest first",
     )
     ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
-    ask.add_argument("--server", metavar="URL", help="let a running service answer, such as http://127.0.0.1:8000")
+    _add_server(ask)
     ask.add_argument(
         "--least-confidence", type=float, metavar="P", help="an answer less probable than this is unsure (default: 0.5)"
     )
@@ -129,6 +133,7 @@ def _add_describe(commands: Commands[argparse.ArgumentParser]) -> None:
     describe = commands.add_parser("describe", help="tell what a STEP file holds, and what can be asked about it")
     _add_file(describe)
     _add_unit(describe)
+    _add_server(describe)
     describe.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     with_examples(describe, "describe part.step", "describe part.step --unit in", "describe part.step --json")
     describe.set_defaults(run=_runs("describe", "describe"))
@@ -154,6 +159,7 @@ def _add_table(commands: Commands[argparse.ArgumentParser]) -> None:
         "--format", choices=[each.value for each in TableFormat], default="text", help="default: %(default)s"
     )
     _add_unit(table, "of lengths; JSON stays SI")
+    _add_server(table)
     rows = table.add_mutually_exclusive_group()
     rows.add_argument("--all", action="store_true", help="a row for each part, however many there are")
     rows.add_argument("--grouped", action="store_true", help="a row for all parts that are alike")

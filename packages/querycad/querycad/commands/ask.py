@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, TextIO, TypeAlias
+from typing import TYPE_CHECKING, TextIO
 
 from pydantic import ValidationError
 
@@ -20,13 +20,12 @@ from querycad_segworker.errors import FileProblem
 
 from .features import listed
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
+from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain
+from .reading import OpenModel
 
 if TYPE_CHECKING:
-    from querycad.model import Model, Reply
+    from querycad.model import Reply
 
-OpenModel: TypeAlias = "Callable[[Callable[[str], None]], Model]"
-"""Opens the file that is asked about, and tells the stages of reading it."""
-EXIT_ANSWERED, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 _BAD_INPUT = ("bad_input", "not_grounded", "not_understood", "unexpected")
 _STAGES = {
     "read": "reading the STEP file",
@@ -42,17 +41,17 @@ def ask(options: argparse.Namespace) -> int:
     try:
         questions = _questions(options)
     except ValueError as error:
-        return _complain(str(error))
+        return complain(str(error))
     if options.server and (refused := not_of_a_service(options)):
-        return _complain(f"{refused} is for this machine: with --server the service asks its own language model")
+        return complain(f"{refused} is for this machine: with --server the service asks its own language model")
     if options.server:
-        from .ask_server import ask_server  # here: no HTTP client is loaded where nothing is sent
+        from .server import on_server  # here: no HTTP client is loaded where nothing is sent
 
-        return ask_server(options, lambda open_model: _ask_each(open_model, options, questions))
+        return on_server(options, lambda open_model: _ask_each(open_model, options, questions))
     try:
         llm = llm_settings(options)
     except ValidationError as error:
-        return _complain(_first(error))
+        return complain(_first(error))
     with EmbeddedRuntime(llm=llm) as runtime:
         return _ask_each(lambda progress: runtime.open(options.file, progress=progress), options, questions)
 
@@ -67,7 +66,7 @@ def prompt(options: argparse.Namespace) -> int:
         try:
             summary, view = runtime.summary(options.file), runtime.view(options.file)
         except FileProblem as problem:
-            return _complain(f"{options.file}: {problem}")
+            return complain(f"{options.file}: {problem}")
     settings = LlmSettings.read()
     if (options.codegen or settings.codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
@@ -75,14 +74,14 @@ def prompt(options: argparse.Namespace) -> int:
     else:
         told = conversation(options.question, summary, which=settings.llm_examples)
     print(as_text(told), end="")
-    return EXIT_ANSWERED
+    return EXIT_DONE
 
 
 def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: list[str]) -> int:
     try:
         how = answer_options(options)
     except ValidationError as error:
-        return _complain(_first(error))
+        return complain(_first(error))
     with _ProgressLine(sys.stderr) as progress:
         try:
             model = open_model(progress.stage)
@@ -90,8 +89,8 @@ def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: lis
             progress.clear()
             if options.json:
                 print(_unreadable(questions[0], problem).model_dump_json())
-            return _complain(f"{options.file}: {problem}")
-    worst = EXIT_ANSWERED
+            return complain(f"{options.file}: {problem}")
+    worst = EXIT_DONE
     for number, question in enumerate(questions):
         reply = model.ask(question, unit=LengthUnit(options.unit), options=how)
         worst = max(worst, _exit_code(reply))
@@ -121,7 +120,7 @@ def _questions(options: argparse.Namespace) -> list[str]:
 
 def _exit_code(record: AnswerRecord) -> int:
     if record.answer is not None:
-        return EXIT_ANSWERED
+        return EXIT_DONE
     category = record.failure.category if record.failure else ""
     return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED
 
@@ -194,20 +193,15 @@ def _draw(reply: Reply, options: argparse.Namespace, path: Path) -> int:
     try:
         reply.picture().save(path)
     except OSError as error:
-        return _complain(f"{path}: the picture cannot be written: {error.strerror}")
+        return complain(f"{path}: the picture cannot be written: {error.strerror}")
     if not options.json:
         print(f"  picture: {path}")
-    return EXIT_ANSWERED
+    return EXIT_DONE
 
 
 def _unreadable(question: str, problem: FileProblem) -> AnswerRecord:
     failure = Failure(category="bad_input", message=str(problem), retryable=problem.retryable)
     return AnswerRecord.failed(question, failure)
-
-
-def _complain(message: str) -> int:
-    print(f"querycad: {message}", file=sys.stderr)
-    return EXIT_BAD_INPUT
 
 
 class _ProgressLine:

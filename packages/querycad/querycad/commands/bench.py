@@ -11,8 +11,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from .outcomes import complain
+
 CHECKOUT = Path(__file__).resolve().parents[4]
-EXIT_BAD_INPUT = 2
 
 
 def add_bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -27,11 +28,9 @@ def add_bench(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
 def run(arguments: Sequence[str], checkout: Path = CHECKOUT) -> int:
     """Does what the benchmark's own command line says; returns the exit code, 2 where there is no benchmark."""
     if not (checkout / "benchmark" / "command" / "arguments.py").is_file():
-        print(
-            "querycad: the benchmark is not part of the installed package: get the sources, and run `make bench` there",
-            file=sys.stderr,
+        return complain(
+            "the benchmark is not part of the installed package: get the sources, and run `make bench` there"
         )
-        return EXIT_BAD_INPUT
     if str(checkout) not in sys.path:
         sys.path.append(str(checkout))
     return int(importlib.import_module("benchmark.command.arguments").main(arguments))

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import argparse
+from typing import TYPE_CHECKING
 
 from querycad.runtime import EmbeddedRuntime
-from querycad_contracts import LengthUnit
+from querycad_contracts import Comparison, Description, LengthUnit
 from querycad_segworker.errors import FileProblem
 
-from .reading import EXIT_DONE, complain
+from .outcomes import EXIT_DONE, complain
+from .reading import with_model
+
+if TYPE_CHECKING:
+    from querycad.model import Model
 
 
 def describe(options: argparse.Namespace) -> int:
     """Prints the description; returns the exit code."""
-    with EmbeddedRuntime() as runtime:
-        try:
-            found = runtime.describe(options.file, LengthUnit(options.unit))
-        except FileProblem as problem:
-            return complain(f"{options.file}: {problem}")
-    print(found.model_dump_json() if options.json else found.text)
-    return EXIT_DONE
+
+    def told(model: Model) -> int:
+        return _print(model.describe(LengthUnit(options.unit)), options)
+
+    return with_model(options, told)
 
 
 def compare(options: argparse.Namespace) -> int:
@@ -31,6 +34,9 @@ def compare(options: argparse.Namespace) -> int:
                 models.append(runtime.open(file))
             except FileProblem as problem:
                 return complain(f"{file}: {problem}")
-        found = models[0].compare(models[1], LengthUnit(options.unit).value)
+        return _print(models[0].compare(models[1], LengthUnit(options.unit)), options)
+
+
+def _print(found: Description | Comparison, options: argparse.Namespace) -> int:
     print(found.model_dump_json() if options.json else found.text)
     return EXIT_DONE

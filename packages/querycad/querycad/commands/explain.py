@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 from typing import Any
 
 from querycad.runtime import EmbeddedRuntime
@@ -16,7 +15,8 @@ from querycad_contracts import Expectation, LengthUnit
 from querycad_language.weights import weights
 from querycad_segworker.errors import FileProblem
 
-EXIT_DONE, EXIT_BAD_INPUT = 0, 2
+from .outcomes import EXIT_DONE, complain
+
 FEATURES_SHOWN = 6
 """Of each reading those that weigh most."""
 
@@ -29,8 +29,7 @@ def explain(options: argparse.Namespace) -> int:
             understanding = Understanding(options.question, view, Expectation())
             tried = understanding.tried(runtime.runner(options.file), every=True)
         except FileProblem as problem:
-            print(f"querycad: {options.file}: {problem}", file=sys.stderr)
-            return EXIT_BAD_INPUT
+            return complain(f"{options.file}: {problem}")
     refused = understanding.refused
     unit = LengthUnit(options.unit)
     told = _told(tried, values(tried), unit)

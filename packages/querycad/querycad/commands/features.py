@@ -13,7 +13,8 @@ from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import LengthUnit, Part, PartKind
 from querycad_segworker.model import Artefacts
 
-from .reading import EXIT_BAD_INPUT, EXIT_DONE, complain, read
+from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, complain
+from .reading import read
 
 
 def features(options: argparse.Namespace) -> int:

@@ -6,7 +6,8 @@ import argparse
 import sys
 from pathlib import Path
 
-EXIT_DONE, EXIT_BAD_INPUT = 0, 2
+from .outcomes import EXIT_DONE, complain
+
 LOOPBACK = "127.0.0.1"
 """There are no keys: nobody but this machine may ask."""
 
@@ -15,8 +16,7 @@ def mcp(options: argparse.Namespace) -> int:
     """Serves until standard input ends, or Ctrl-C; returns the exit code."""
     folder = Path(options.folder) if options.folder else Path.cwd() if options.http is not None else None
     if folder is not None and not folder.is_dir():
-        print(f"querycad: {folder}: no such folder", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(f"{folder}: no such folder")
     import anyio
 
     from querycad.mcp_server import over_stdio, server

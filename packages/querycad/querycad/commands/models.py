@@ -28,7 +28,7 @@ from querycad_segworker.segcad.engines.weights import (
     present,
 )
 
-EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+from .outcomes import EXIT_DONE, EXIT_FAILED, complain
 
 
 def models(options: argparse.Namespace) -> int:
@@ -42,8 +42,7 @@ def models(options: argparse.Namespace) -> int:
             return _verify(weights, chosen)
         return _pull(weights, chosen or default_models(), options)
     except _UnknownModel as error:
-        print(f"querycad: {error}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(str(error))
 
 
 class _UnknownModel(Exception):
@@ -103,8 +102,7 @@ def _pull(weights: Path, chosen: Sequence[Model], options: argparse.Namespace) -
     """Brings the models here, one after the other, with a bar on standard error where that is a terminal."""
     folder = Path(options.folder) if options.folder else None
     if folder is not None and not folder.is_dir():
-        print(f"querycad: {folder}: no such folder", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(f"{folder}: no such folder")
     with httpx.Client() as client, _bars() as progress:
         source: Source = LocalFolder(folder) if folder else Download(client, options.mirror or HUB)
         for model in chosen:
@@ -113,8 +111,7 @@ def _pull(weights: Path, chosen: Sequence[Model], options: argparse.Namespace) -
                 for name, found in pull(model, weights, source, progress):
                     print(f"  {name}: {found}", flush=True)
             except (PullFailed, OSError) as error:
-                print(f"querycad: {error}", file=sys.stderr)
-                return EXIT_FAILED
+                return complain(str(error), EXIT_FAILED)
     print(f"in {weights}")
     return EXIT_DONE
 

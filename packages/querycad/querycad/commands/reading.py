@@ -1,16 +1,24 @@
-"""The file that a command is about, read or known; what is wrong with it is one line."""
+"""The file that a command is about, read here or by a service; what is wrong with it is one line."""
 
 from __future__ import annotations
 
-import sys
+import argparse
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
 
 from querycad.settings import model_store
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, ModelStore
 
-EXIT_DONE, EXIT_BAD_INPUT = 0, 2
+from .outcomes import complain
+
+if TYPE_CHECKING:
+    from querycad.model import Model
+
+OpenModel: TypeAlias = "Callable[[Callable[[str], None]], Model]"
+"""Opens the file that is asked about, and tells the stages of reading it. Raises FileProblem."""
 
 
 def read(file: str) -> Artefacts | None:
@@ -22,7 +30,23 @@ def read(file: str) -> Artefacts | None:
         return None
 
 
-def complain(message: str) -> int:
-    """Says what is wrong with the input; the exit code."""
-    print(f"querycad: {message}", file=sys.stderr)
-    return EXIT_BAD_INPUT
+def with_model(options: argparse.Namespace, work: Callable[[Model], int]) -> int:
+    """Does the work with the model in `options.file`, which `options.server` reads where one is named.
+
+    Returns the exit code of the work, or that of a file that cannot be read.
+    """
+
+    def opened(open_model: OpenModel) -> int:
+        try:
+            return work(open_model(lambda _stage: None))
+        except FileProblem as problem:
+            return complain(f"{options.file}: {problem}")
+
+    if options.server:
+        from .server import on_server  # here: no HTTP client is loaded where nothing is sent
+
+        return on_server(options, opened)
+    from querycad.runtime import EmbeddedRuntime
+
+    with EmbeddedRuntime() as runtime:
+        return opened(lambda progress: runtime.open(options.file, progress=progress))

@@ -3,32 +3,27 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 
-from querycad.settings import model_store, weights_folder
+from querycad.settings import weights_folder
 from querycad_contracts import Face
-from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.inventory import Inventory
-from querycad_segworker.ingest import ingest
-from querycad_segworker.model import Artefacts, Model, ModelStore
+from querycad_segworker.model import Artefacts, Model
 
-EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain
+from .reading import read
 
 
 def segment(options: argparse.Namespace) -> int:
     """Looks for the phrase and writes the pictures; returns the exit code: 2 where there is nothing to look with."""
-    try:
-        artefacts = ingest(Path(options.file), ModelStore(model_store()))
-    except FileProblem as problem:
-        print(f"querycad: {options.file}: {problem}", file=sys.stderr)
+    artefacts = read(options.file)
+    if artefacts is None:
         return EXIT_BAD_INPUT
     try:
         return _segment(options, artefacts, artefacts.load_model(), artefacts.load_faces())
     except OSError as error:
-        print(f"querycad: {options.out}: {error.strerror}", file=sys.stderr)
-        return EXIT_FAILED
+        return complain(f"{options.out}: {error.strerror}", EXIT_FAILED)
 
 
 def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, faces: tuple[Face, ...]) -> int:
@@ -56,8 +51,7 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
     if options.known:
         meant = find(Inventory(model.parts), options.phrase)
         if not meant.parts:
-            print(f"querycad: not grounded: {meant.message}", file=sys.stderr)
-            return EXIT_BAD_INPUT
+            return complain(f"not grounded: {meant.message}")
         models = KnownParts(len(faces), [part.faces for part in meant.parts], numbers.color_seed).models
     else:
         from querycad_segworker.segcad.engines.sessions import UnknownLayout
@@ -73,6 +67,4 @@ def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, fa
         ids = ", ".join(map(str, one.part.faces[:8])) + (" …" if len(one.part.faces) > 8 else "")
         print(f"{one.part.id}: {one.part.label} (faces {ids}; {one.reason})")
     print(f"pictures: {out}")
-    if absent:
-        print(f"querycad: only rendered: {absent}", file=sys.stderr)
-    return EXIT_BAD_INPUT if absent else EXIT_DONE
+    return complain(f"only rendered: {absent}") if absent else EXIT_DONE

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import argparse
-import sys
 
-EXIT_BAD_INPUT = 2
+from .outcomes import complain
 
 
 def add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -58,8 +57,7 @@ def add_segment(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
 
 def _run(options: argparse.Namespace) -> int:
     if options.known and options.shaded:
-        print("querycad: --known reads the flat colours: not together with --shaded", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain("--known reads the flat colours: not together with --shaded")
     from .segment import segment  # here, so that `querycad --help` needs no service
 
     return segment(options)

@@ -28,7 +28,6 @@ from querycad_api.problems import (
     ModelNotFound,
     ModelUnreadable,
     PictureNotFound,
-    RangeNotSatisfiable,
     ServiceUnavailable,
     TooManyRequests,
     responses,
@@ -118,9 +117,7 @@ async def cancel_job(job_id: JobId, services: ServicesDep) -> Job:
     "/models/{model_id}/answers/{job_id}/picture",
     response_class=Response,
     responses={
-        **responses(
-            ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, RangeNotSatisfiable, ServiceUnavailable
-        ),
+        **responses(ModelNotFound, JobNotFound, PictureNotFound, ModelUnreadable, ServiceUnavailable),
         **PNG,
     },
 )

@@ -47,12 +47,13 @@ class BodyLimit:
         if declared.isdigit() and int(declared) > max_bytes:
             await problem_response(problem.problem())(scope, receive, send)
             return
-        arrived, complete, start = 0, False, time.monotonic()
+        arrived, complete, start = 0, False, 0.0
 
         async def counted() -> Message:
-            nonlocal arrived, complete
+            nonlocal arrived, complete, start
             if complete:
                 return await receive()  # it waits for the client to go
+            start = start or time.monotonic()  # who begins to read late has let nobody wait
             left_s = PAUSE_S + arrived / BYTES_PER_S - (time.monotonic() - start)
             try:
                 message = await asyncio.wait_for(receive(), min(PAUSE_S, max(left_s, 0.0)))

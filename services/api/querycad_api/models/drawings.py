@@ -16,8 +16,8 @@ from pydantic import TypeAdapter
 
 from querycad_api.dependencies import Services
 from querycad_api.ops.delivery import matches
-from querycad_api.problems import RangeNotSatisfiable, ServiceUnavailable
-from querycad_contracts import ModelTask, TaskName, TaskOutcome
+from querycad_api.problems import RangeNotSatisfiable, ServiceUnavailable, responses
+from querycad_contracts import ModelTask, TaskName, TaskOutcome, compressed_name
 
 from .service import called
 
@@ -26,7 +26,7 @@ CHUNK_BYTES = 2**18
 KEPT = "private, max-age=31536000, immutable"
 """Of what is made of a file's content alone: its address has the content's hash (RFC 8246)."""
 COMPRESSED = ("model/gltf-binary",)
-"""What is sent compressed to who takes that; a PNG file is compressed as it is."""
+"""What segworkers write compressed as well; a PNG file is compressed as it is."""
 
 _FILE_NAME = TypeAdapter(TaskOutcome[str])
 _BINARY = {"schema": {"type": "string", "format": "binary"}}
@@ -35,7 +35,7 @@ _RANGE = re.compile(r"bytes=(\d{0,18})-(\d{0,18})")
 
 def _documented(what: str, media_type: str) -> dict[int | str, dict[str, Any]]:
     content = {media_type: _BINARY}
-    return {
+    return responses(RangeNotSatisfiable) | {
         200: {"description": f"{what}. `ETag`, `Cache-Control: immutable`.", "content": content},
         206: {"description": "The bytes that `Range` asks for.", "content": content},
         304: {"description": "The client has it, by `If-None-Match`."},
@@ -58,23 +58,30 @@ async def drawn(
     try:
         if path is not None:
             tag = hashlib.sha256(made.encode()).hexdigest()[:32]
-            return await asyncio.to_thread(whole, path, media_type, tag, asked)
+            takes_packed = media_type in COMPRESSED and "gzip" in asked.get("accept-encoding", "")
+            packed = await asyncio.to_thread(services.files.fetch, compressed_name(made)) if takes_packed else None
+            return await asyncio.to_thread(whole, path, media_type, tag, asked, packed)
     except FileNotFoundError:
         pass
     raise ServiceUnavailable("the file was made, and is gone again; try again in a moment")
 
 
-def whole(path: Path, media_type: str, tag: str, asked: Mapping[str, str]) -> Response:
+def whole(path: Path, media_type: str, tag: str, asked: Mapping[str, str], packed: Path | None = None) -> Response:
     """The file as a response, or the one range of it that is asked for (RFC 9110, 14).
 
-    It is open already: its model may be deleted meanwhile. Raises FileNotFoundError and RangeNotSatisfiable.
+    `packed` is the same file compressed by gzip, for a client that takes that; a range is always of the plain file.
+    The file is open already: its model may be deleted meanwhile. Raises FileNotFoundError and RangeNotSatisfiable.
     """
+    etag = f'"{tag}"'
+    headers = {"ETag": etag, "Cache-Control": KEPT, "Accept-Ranges": "bytes"}
+    if packed is not None and "range" not in asked:
+        path = packed
+        headers |= {"ETag": f"W/{etag}", "Content-Encoding": "gzip"}
+    if media_type in COMPRESSED:
+        headers["Vary"] = "Accept-Encoding"
     file = path.open("rb")
     size = os.fstat(file.fileno()).st_size
-    etag = f'"{tag}"'
     wanted = _range(asked, etag, size)
-    may_be_compressed = wanted is None and media_type in COMPRESSED and "gzip" in asked.get("accept-encoding", "")
-    headers = {"ETag": f"W/{etag}" if may_be_compressed else etag, "Cache-Control": KEPT, "Accept-Ranges": "bytes"}
     if matches(asked.get("if-none-match", ""), etag):
         file.close()
         return Response(status_code=HTTPStatus.NOT_MODIFIED, headers=headers)

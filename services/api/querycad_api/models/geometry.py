@@ -11,20 +11,9 @@ from pydantic import Field, TypeAdapter
 
 from querycad_answering.drawing.tables import table
 from querycad_answering.drawing.writing import written
-from querycad_api.dependencies import LimitDep, OffsetDep, Services, ServicesDep
+from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep
 from querycad_api.links import link_next
-from querycad_api.problems import (
-    FaceNotFound,
-    Malformed,
-    ModelNotFound,
-    ModelNotReady,
-    ModelUnreadable,
-    RangeNotSatisfiable,
-    ServiceUnavailable,
-    TooLarge,
-    WrongMediaType,
-    responses,
-)
+from querycad_api.problems import BODY_PROBLEMS, MODEL_PROBLEMS, FaceNotFound, responses
 from querycad_contracts import (
     DescribeTask,
     Description,
@@ -36,7 +25,6 @@ from querycad_contracts import (
     LengthUnit,
     ModelId,
     ModelTask,
-    Part,
     PartKind,
     PartsPage,
     PartsTask,
@@ -54,11 +42,11 @@ from .drawings import DRAW_S, GLB, PNG, drawn
 from .service import called
 
 CALL_S = 20.0
-_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
-_PARTS = TypeAdapter(TaskOutcome[PartsPage])
 DESCRIBE_S = 60.0
 """Suggested questions are answered first, each in some ten milliseconds."""
-PAGE = 1000
+IDS = 1000
+_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
+_PARTS = TypeAdapter(TaskOutcome[PartsPage])
 _GROUNDING = TypeAdapter(TaskOutcome[Grounding])
 _DESCRIPTION = TypeAdapter(TaskOutcome[Description])
 TEXT_MEDIA = {
@@ -67,13 +55,10 @@ TEXT_MEDIA = {
     TableFormat.MARKDOWN: "text/markdown",
 }
 
-PROBLEMS = responses(ModelNotFound, ModelNotReady, ModelUnreadable, ServiceUnavailable)
-BODY_PROBLEMS = {**PROBLEMS, **responses(Malformed, TooLarge, WrongMediaType)}
-
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["geometry"])
 
 
-@router.get("/parts", response_model=PartsPage, responses=PROBLEMS)
+@router.get("/parts", response_model=PartsPage, responses=MODEL_PROBLEMS)
 async def list_parts(
     model_id: ModelId,
     services: ServicesDep,
@@ -83,7 +68,7 @@ async def list_parts(
     offset: OffsetDep = 0,
     limit: LimitDep = 100,
     ids: Annotated[
-        list[str] | None, Query(alias="id", max_length=PAGE, description="Only the parts of these ids, repeated.")
+        list[str] | None, Query(alias="id", max_length=IDS, description="Only the parts of these ids, repeated.")
     ] = None,
 ) -> PartsPage:
     """Which parts were recognised in the model? `Link` tells the next page."""
@@ -94,7 +79,7 @@ async def list_parts(
     return page
 
 
-@router.get("/faces", response_model=tuple[Face, ...], responses={**responses(FaceNotFound), **PROBLEMS})
+@router.get("/faces", response_model=tuple[Face, ...], responses={**responses(FaceNotFound), **MODEL_PROBLEMS})
 async def list_faces(
     model_id: ModelId,
     services: ServicesDep,
@@ -115,7 +100,7 @@ async def list_faces(
     "/tables/{kind}",
     response_model=None,
     responses={
-        **PROBLEMS,
+        **MODEL_PROBLEMS,
         200: {
             "description": "The table: JSON in SI units, other forms in the unit asked for.",
             "model": Table,
@@ -135,12 +120,12 @@ async def get_table(
 ) -> Response:
     """The holes, slots, bends, fasteners, bodies … of the model, a row each."""
     await services.ready_model(model_id)
-    parts = await _all_parts(services, model_id)
-    found = await asyncio.to_thread(table, kind, parts, grouped=grouped, unit=unit)
+    whole = await called(services, TaskName.PARTS, PartsTask(model=model_id), _PARTS, CALL_S)
+    found = await asyncio.to_thread(table, kind, whole.items, grouped=grouped, unit=unit)
     return Response(written(found, form, unit), media_type=TEXT_MEDIA.get(form, "application/json"))
 
 
-@router.get("/description", response_model=Description, responses=PROBLEMS)
+@router.get("/description", response_model=Description, responses=MODEL_PROBLEMS)
 async def get_description(
     model_id: ModelId,
     services: ServicesDep,
@@ -153,16 +138,6 @@ async def get_description(
     return await called(services, TaskName.DESCRIPTION, task, _DESCRIPTION, DESCRIBE_S)
 
 
-async def _all_parts(services: Services, model: str) -> tuple[Part, ...]:
-    found: list[Part] = []
-    while True:
-        task = PartsTask(model=model, offset=len(found), limit=PAGE)
-        page = await called(services, TaskName.PARTS, task, _PARTS, CALL_S)
-        found += page.items
-        if not page.items or len(found) >= page.total:
-            return tuple(found)
-
-
 @router.post("/segment", response_model=Grounding, responses=BODY_PROBLEMS)
 async def segment(model_id: ModelId, asked: SegmentRequest, services: ServicesDep) -> Grounding:
     """Which parts of the model does a phrase mean? A word that is not known is said to be, with the nearest known."""
@@ -172,7 +147,7 @@ async def segment(model_id: ModelId, asked: SegmentRequest, services: ServicesDe
     return await called(services, TaskName.FIND_PARTS, task, _GROUNDING, wait_s)
 
 
-@router.get("/views/{view}", response_class=Response, responses={**PROBLEMS, **responses(RangeNotSatisfiable), **PNG})
+@router.get("/views/{view}", response_class=Response, responses={**MODEL_PROBLEMS, **PNG})
 async def get_view(
     model_id: ModelId,
     view: ViewName,
@@ -187,7 +162,7 @@ async def get_view(
     return await drawn(services, TaskName.VIEW, task, "image/png", request.headers)
 
 
-@router.get("/glb", response_class=Response, responses={**PROBLEMS, **responses(RangeNotSatisfiable), **GLB})
+@router.get("/glb", response_class=Response, responses={**MODEL_PROBLEMS, **GLB})
 async def get_glb(model_id: ModelId, services: ServicesDep, request: Request) -> Response:
     """The model as binary glTF 2.0, metres: a named, coloured node for each body, triangles, and lines of the edges.
 

@@ -6,16 +6,7 @@ from fastapi import APIRouter
 from pydantic import TypeAdapter
 
 from querycad_api.dependencies import ServicesDep
-from querycad_api.problems import (
-    Malformed,
-    ModelNotFound,
-    ModelNotReady,
-    ModelUnreadable,
-    ServiceUnavailable,
-    TooLarge,
-    WrongMediaType,
-    responses,
-)
+from querycad_api.problems import BODY_PROBLEMS
 from querycad_contracts import ModelId, ParameterSet, ParametersRequest, ParametersTask, TaskName, TaskOutcome
 
 from .service import called
@@ -27,14 +18,7 @@ _SET = TypeAdapter(TaskOutcome[ParameterSet])
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["parameters"])
 
 
-@router.post(
-    "/parameters",
-    response_model=ParameterSet,
-    responses={
-        **responses(Malformed, TooLarge, WrongMediaType, ModelNotFound),
-        **responses(ModelNotReady, ModelUnreadable, ServiceUnavailable),
-    },
-)
+@router.post("/parameters", response_model=ParameterSet, responses=BODY_PROBLEMS)
 async def fill(model_id: ModelId, asked: ParametersRequest, services: ServicesDep) -> ParameterSet:
     """Fills parameters, each with its confidence and what it rests on. What is not sure has a reason in its place."""
     model = await services.ready_model(model_id)

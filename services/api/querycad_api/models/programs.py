@@ -9,16 +9,7 @@ from fastapi import APIRouter, Request
 from pydantic import ValidationError
 
 from querycad_api.dependencies import ServicesDep
-from querycad_api.problems import (
-    Malformed,
-    ModelNotFound,
-    ModelNotReady,
-    ModelUnreadable,
-    ServiceUnavailable,
-    TooLarge,
-    WrongMediaType,
-    responses,
-)
+from querycad_api.problems import BODY_PROBLEMS, ModelNotReady, ModelUnreadable, ServiceUnavailable
 from querycad_contracts import ModelId, Problem, ProgramRequest, RunLimits, RunOutcome, RunRequest, carried_trace
 
 from .service import read_again
@@ -31,14 +22,7 @@ SPARE_S = 5.0
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["programs"])
 
 
-@router.post(
-    "/programs",
-    response_model=RunOutcome,
-    responses={
-        **responses(Malformed, TooLarge, WrongMediaType, ModelNotFound),
-        **responses(ModelNotReady, ModelUnreadable, ServiceUnavailable),
-    },
-)
+@router.post("/programs", response_model=RunOutcome, responses=BODY_PROBLEMS)
 async def run_program(
     model_id: ModelId, program: ProgramRequest, services: ServicesDep, request: Request
 ) -> RunOutcome:

@@ -7,8 +7,10 @@ import hashlib
 import re
 from importlib.resources import files
 
-from fastapi import APIRouter, Request, Response
+from fastapi import APIRouter, Response
 from fastapi.openapi.docs import get_redoc_html, get_swagger_ui_html
+
+from querycad_api.problems import NotThere
 
 TITLE = "QueryCAD"
 DESCRIBED = "openapi.json"
@@ -50,7 +52,11 @@ async def redoc() -> Response:
     return _page(bytes(page.body))
 
 
-def _asset(name: str) -> Response:
+@router.get("/docs/{name}")
+async def asset(name: str) -> Response:
+    """What the pages load."""
+    if name not in _TYPES:
+        raise NotThere("the reference has no such file")
     headers = {"Cache-Control": "public, max-age=86400", "X-Content-Type-Options": "nosniff"}
     return Response((_FOLDER / name).read_bytes(), headers=headers, media_type=_TYPES[name])
 
@@ -71,13 +77,3 @@ def _page(html: bytes) -> Response:
     )
     headers = {"Content-Security-Policy": policy, "Cache-Control": "no-cache", "X-Content-Type-Options": "nosniff"}
     return Response(html, headers=headers, media_type="text/html")
-
-
-def _serve(name: str) -> None:
-    @router.get(f"/docs/{name}", name=f"docs_{name}")
-    async def asset(_: Request) -> Response:
-        return _asset(name)
-
-
-for _name in _TYPES:
-    _serve(_name)

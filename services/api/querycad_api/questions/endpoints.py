@@ -68,15 +68,10 @@ async def ask(
     parts: PartsShownDep = PartsShown.FULL,
 ) -> Response:
     """Asks a question about a model. With `Prefer: wait=N` the answer comes at once if it is there within N seconds."""
-    (job,) = await accept(services, model_id, (asked,), once)
-    headers = {"Location": f"/v1/jobs/{job.id}"}
-    if wait_s and await done(services, job, wait_s):
-        job = await _now(services, job)
-    is_done = job.status is JobStatus.DONE
-    if wait_s and is_done:
-        headers["Preference-Applied"] = f"wait={wait_s}"
-    body = shown(job, parts).model_dump_json()
-    return Response(body, 200 if is_done else 202, headers, media_type="application/json")
+    jobs = await _waited(services, await accept(services, model_id, (asked,), once), wait_s)
+    response = _accepted(jobs, wait_s, shown(jobs[0], parts))
+    response.headers["Location"] = f"/v1/jobs/{jobs[0].id}"
+    return response
 
 
 @router.post(
@@ -98,18 +93,8 @@ async def ask_many(
     parts: PartsShownDep = PartsShown.FULL,
 ) -> Response:
     """Asks several questions about a model at once: all are accepted, or none. With `Prefer: wait=N` as for one."""
-    jobs = await accept(services, model_id, asked.questions, once)
-    headers = {}
-    if wait_s:
-        deadline = asyncio.get_running_loop().time() + wait_s
-        for job in jobs:
-            await done(services, job, max(0.0, deadline - asyncio.get_running_loop().time()))
-        jobs = tuple([await _now(services, job) for job in jobs])
-    all_done = all(job.status is JobStatus.DONE for job in jobs)
-    if wait_s and all_done:
-        headers["Preference-Applied"] = f"wait={wait_s}"
-    page = JobsPage(items=tuple(shown(job, parts) for job in jobs), total=len(jobs))
-    return Response(page.model_dump_json(), 200 if all_done else 202, headers, media_type="application/json")
+    jobs = await _waited(services, await accept(services, model_id, asked.questions, once), wait_s)
+    return _accepted(jobs, wait_s, JobsPage(items=tuple(shown(job, parts) for job in jobs), total=len(jobs)))
 
 
 @router.get("/answers", response_model=JobsPage, responses=responses(ModelNotFound, ServiceUnavailable))
@@ -127,6 +112,23 @@ async def list_answers(
     page = await services.state.jobs(services.caller.tenant, model_id, offset, limit)
     link_next(request, response, offset, limit, page.total)
     return JobsPage(items=tuple(shown(job, parts) for job in page.items), total=page.total)
+
+
+async def _waited(services: Services, jobs: tuple[Job, ...], wait_s: int) -> tuple[Job, ...]:
+    """The jobs as they are once all are done, or after so many seconds."""
+    if not wait_s:
+        return jobs
+    deadline = asyncio.get_running_loop().time() + wait_s
+    for job in jobs:
+        await done(services, job, max(0.0, deadline - asyncio.get_running_loop().time()))
+    return tuple([await _now(services, job) for job in jobs])
+
+
+def _accepted(jobs: tuple[Job, ...], wait_s: int, body: Job | JobsPage) -> Response:
+    """200 where all are done, else 202."""
+    all_done = all(job.status is JobStatus.DONE for job in jobs)
+    headers = {"Preference-Applied": f"wait={wait_s}"} if wait_s and all_done else {}
+    return Response(body.model_dump_json(), 200 if all_done else 202, headers, media_type="application/json")
 
 
 async def _now(services: Services, job: Job) -> Job:

@@ -37,7 +37,6 @@ from .sandbox import RunRefused, SandboxUnavailable
 CALL_S, LOOK_S = 20.0, 120.0
 VIEWS_KEPT = 256
 """Models whose names and whole are remembered: a few kilobytes each."""
-PAGE = 1000
 _OUTCOME = TypeAdapter(TaskOutcome[GroundedParts])
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
 T = TypeVar("T")
@@ -66,13 +65,7 @@ class SegcadClient:
 
     def parts(self, model: str) -> tuple[Part, ...]:
         """All parts of the model. Raises as `view` does."""
-        found: list[Part] = []
-        while True:
-            task = PartsTask(model=model, offset=len(found), limit=PAGE)
-            page = self._call(TaskName.PARTS, task, _PARTS, CALL_S)
-            found += page.items
-            if not page.items or len(found) >= page.total:
-                return tuple(found)
+        return self._call(TaskName.PARTS, PartsTask(model=model), _PARTS, CALL_S).items
 
     def _ask(self, task: GroundTask) -> GroundedParts:
         wait_s = CALL_S if task.grounding is GroundedBy.GEOMETRY else LOOK_S

@@ -48,6 +48,7 @@ from querycad_contracts import (
     reply_key,
     working_for,
 )
+from querycad_contracts.workers import STORE_PAUSE_S
 
 from .sandbox import RunRefused, SandboxClient, SandboxUnavailable
 from .segcad import SegcadClient
@@ -63,15 +64,16 @@ BEING_READ = "the model's file is being read"
 READING_AT_MOST_S = 3600.0
 REPLY_S = 60
 """Who asked takes the reply at once; one that nobody waits for any more goes away."""
-STORE_TRIES, STORE_PAUSE_S = 100, 1.0
+STORE_TRIES = 100
 """A worker waits for a store that is away: a task that fails for want of it would be lost."""
 
 log = logging.getLogger(__name__)
 T = TypeVar("T")
+M = TypeVar("M", bound=ModelTask)
 
 
 def register(app: Celery, questions: Questions) -> None:
-    """Adds the task to a worker."""
+    """Adds the tasks to a worker."""
 
     def question(self: Task, payload: dict[str, Any]) -> None:
         task = QuestionTask.model_validate(payload)
@@ -80,19 +82,17 @@ def register(app: Celery, questions: Questions) -> None:
         if again_s is not None:
             raise self.retry(countdown=again_s)
 
-    def description(self: Task, payload: dict[str, Any]) -> None:
-        task = DescribeTask.model_validate(payload)
-        with working_for(task.request):
-            questions.reply(self.request.id, questions.described(task))
+    def reply(name: TaskName, kind: type[M], work: Callable[[M], TaskOutcome[Any]]) -> None:
+        def replied(self: Task, payload: dict[str, Any]) -> None:
+            task = kind.model_validate(payload)
+            with working_for(task.request):
+                questions.reply(self.request.id, work(task))
 
-    def parameters(self: Task, payload: dict[str, Any]) -> None:
-        task = ParametersTask.model_validate(payload)
-        with working_for(task.request):
-            questions.reply(self.request.id, questions.filled(task))
+        app.task(replied, name=name.value, bind=True)
 
-    app.task(parameters, name=TaskName.PARAMETERS.value, bind=True)
     app.task(question, name=TaskName.QUESTION.value, bind=True, max_retries=None)
-    app.task(description, name=TaskName.DESCRIPTION.value, bind=True)
+    reply(TaskName.DESCRIPTION, DescribeTask, questions.described)
+    reply(TaskName.PARAMETERS, ParametersTask, questions.filled)
 
 
 class Questions:
@@ -179,8 +179,7 @@ class Questions:
         def run(program: Program) -> RunOutcome:
             return self.sandbox.run(program, task.model)
 
-        found, failure = _tried(lambda: described(run, self._view(task, task.summary), task.unit))
-        return TaskOutcome[Description](value=found, failure=failure)
+        return _tried(lambda: described(run, self._view(task, task.summary), task.unit))
 
     def filled(self, task: ParametersTask) -> TaskOutcome[ParameterSet]:
         """What are the parameters of a model?"""
@@ -195,8 +194,7 @@ class Questions:
             found = fill_parameters(asked, view, run, other=other, summary=task.summary, llm=self._llm)
             return found.model_copy(update={"model": task.model})
 
-        value, failure = _tried(fill)
-        return TaskOutcome[ParameterSet](value=value, failure=failure)
+        return _tried(fill)
 
     def reply(self, task_id: str, outcome: TaskOutcome[Any]) -> None:
         """Leaves the outcome for whoever waits for it."""
@@ -247,14 +245,15 @@ class Questions:
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
 
 
-def _tried(work: Callable[[], T]) -> tuple[T | None, TaskFailure | None]:
+def _tried(work: Callable[[], T | None]) -> TaskOutcome[T]:
     """What comes of work that somebody waits for, or why nothing does."""
     try:
-        return work(), None
+        return TaskOutcome(value=work())
     except RunRefused as refused:
-        return None, TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
+        failure = TaskFailure(kind=TaskFailureKind.FILE, message=refused.failure.message)
     except ModelStale as stale:
-        return None, TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
+        failure = TaskFailure(kind=TaskFailureKind.NOT_READ, message=str(stale), retryable=True)
     except SandboxUnavailable as error:
         log.warning("sandbox: %s", error)
-        return None, TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
+        failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the sandbox does not answer", retryable=True)
+    return TaskOutcome(failure=failure)

@@ -149,12 +149,17 @@ def job_of(fields: dict[str, str]) -> Job | None:
 
 
 def finished(
-    task: QuestionTask, record: AnswerRecord, kept_s: int, totals: Mapping[str, float]
+    task: QuestionTask, record: AnswerRecord, kept_s: int, times: Mapping[str, float] | None = None
 ) -> tuple[list[str], list[str | float]]:
-    """Keys and arguments of FINISH_JOB: what is kept and told of a finished job, and what is added to the counters."""
+    """Keys and arguments of FINISH_JOB: what is kept and told of a finished job, and what is added to the counters.
+
+    The question is counted by how it ended; `times` are counted beside that.
+    """
     keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING, job_done_key(task.job)]
     told = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
     kept: list[str | float] = [record.model_dump_json(), now().isoformat(), kept_s, told, task.job, TOLD_S]
+    category = record.failure.category if record.failure else ""
+    totals = {f"questions:{record.status.value}:{category}": 1.0, **(times or {})}
     return keys, [*kept, *(each for pair in totals.items() for each in pair)]
 
 

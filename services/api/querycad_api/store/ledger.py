@@ -103,16 +103,14 @@ class Ledger:
 
     def finish_job(self, task: QuestionTask, record: AnswerRecord, took_s: float) -> None:
         """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
-        self._finish_job(*finished(task, record, self._kept_s, _totals(record, took_s)))
+        self._finish_job(*finished(task, record, self._kept_s, _times(record, took_s)))
 
     def _tell(self, job: str, event: JobEvent) -> None:
         """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""
         self._redis.xadd(job_events_key(job), cast("Any", entry(event)), nomkstream=True)
 
 
-def _totals(record: AnswerRecord, took_s: float) -> dict[str, float]:
-    """What one question adds to the counters."""
-    category = record.failure.category if record.failure else ""
-    added = {f"questions:{record.status.value}:{category}": 1.0, "seconds": took_s}
-    added |= {f"seconds_le:{bound:g}": 1.0 for bound in BUCKETS_S if took_s <= bound}
-    return added | {f"step_ms:{step}": ms for step, ms in record.timings_ms.items()}
+def _times(record: AnswerRecord, took_s: float) -> dict[str, float]:
+    """What one question adds to the counters of time."""
+    buckets = {f"seconds_le:{bound:g}": 1.0 for bound in BUCKETS_S if took_s <= bound}
+    return {"seconds": took_s, **buckets, **{f"step_ms:{step}": ms for step, ms in record.timings_ms.items()}}

@@ -235,9 +235,7 @@ class State:
 
     async def end_job(self, task: QuestionTask, record: AnswerRecord) -> bool:
         """Ends a job from outside; False when it was done already."""
-        category = record.failure.category if record.failure else ""
-        total = {f"questions:{record.status.value}:{category}": 1.0}
-        return bool(await self._finish(*finished(task, record, self._kept_s, total)))
+        return bool(await self._finish(*finished(task, record, self._kept_s)))
 
     async def job_done(self, job: str, timeout_s: float) -> bool:
         """Is the job done, after at most so many seconds?"""

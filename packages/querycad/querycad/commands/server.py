@@ -1,10 +1,9 @@
-"""`querycad ask --server`: the same answers, computed by a running service."""
+"""`--server`: a command's model is read, and its answers computed, by a running service."""
 
 from __future__ import annotations
 
 import argparse
 import os
-import sys
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -13,19 +12,19 @@ from pydantic import ValidationError
 
 from querycad.client import Client, ClientError, ServerProblem
 
+from .outcomes import EXIT_BAD_INPUT, EXIT_FAILED, complain
+
 if TYPE_CHECKING:
     from querycad.model import Model
 
-    from .ask import OpenModel
+    from .reading import OpenModel
 
 KEY_VARIABLE = "QUERYCAD_API_KEY"
 """Not an option: the command line is there for all to see."""
 
-EXIT_FAILED, EXIT_BAD_INPUT = 1, 2
 
-
-def ask_server(options: argparse.Namespace, answer_each: Callable[[OpenModel], int]) -> int:
-    """Lets the service answer; returns the exit code."""
+def on_server(options: argparse.Namespace, work: Callable[[OpenModel], int]) -> int:
+    """Does the work with what opens `options.file` at `options.server`; returns the exit code."""
     try:
         with Client(options.server, _key()) as client:
 
@@ -33,23 +32,19 @@ def ask_server(options: argparse.Namespace, answer_each: Callable[[OpenModel], i
                 progress("read")
                 return client.open(options.file)
 
-            return answer_each(open_model)
+            return work(open_model)
     except ServerProblem as error:
-        print(f"querycad: {options.file}: {error}", file=sys.stderr)
-        return EXIT_BAD_INPUT if error.problem.status < httpx.codes.INTERNAL_SERVER_ERROR else EXIT_FAILED
+        is_input = error.problem.status < httpx.codes.INTERNAL_SERVER_ERROR
+        return complain(f"{options.file}: {error}", EXIT_BAD_INPUT if is_input else EXIT_FAILED)
     except (ClientError, TimeoutError) as error:
-        print(f"querycad: {error}", file=sys.stderr)
-        return EXIT_FAILED
+        return complain(str(error), EXIT_FAILED)
     except OSError as error:
-        print(f"querycad: {options.file}: {error.strerror}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(f"{options.file}: {error.strerror}")
     except ValidationError as error:  # a question that no service would take
         first = error.errors()[0]
-        print(f"querycad: {'.'.join(map(str, first['loc']))}: {first['msg']}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
     except ValueError as error:
-        print(f"querycad: {error}", file=sys.stderr)
-        return EXIT_BAD_INPUT
+        return complain(str(error))
 
 
 def _key() -> str:

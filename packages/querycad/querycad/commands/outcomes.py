@@ -1,0 +1,13 @@
+"""How a command ends: its exit code, and one line on standard error that says what went wrong."""
+
+from __future__ import annotations
+
+import sys
+
+EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
+
+
+def complain(message: str, code: int = EXIT_BAD_INPUT) -> int:
+    """Says what is wrong; returns the exit code."""
+    print(f"querycad: {message}", file=sys.stderr)
+    return code
