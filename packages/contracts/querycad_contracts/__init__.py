@@ -73,7 +73,17 @@ from .parameters import (
 from .processes import end_with_parent
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
+from .runs import (
+    FoundFaces,
+    Grounding,
+    PictureRequest,
+    RunId,
+    RunLimits,
+    RunOutcome,
+    RunStatus,
+    SegCad,
+    WallsMissing,
+)
 from .services import (
     NO_ACCOUNTS,
     DescribeTask,
@@ -135,6 +145,7 @@ from .settings import (
     picture_name,
     upload_name,
 )
+from .sights import MarkedPicture, MarkTask, PlacedMark, Sight, Sighted, SightTask, needs_eyes
 from .task_messages import task_message
 from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
@@ -201,6 +212,8 @@ __all__ = [
     "Line",
     "LlmOptions",
     "LogFormat",
+    "MarkTask",
+    "MarkedPicture",
     "Mate",
     "Measure",
     "MissingAttribute",
@@ -226,8 +239,10 @@ __all__ = [
     "PartQuery",
     "PartsPage",
     "PartsTask",
+    "PictureRequest",
     "PictureTask",
     "Place",
+    "PlacedMark",
     "Pose",
     "Printed",
     "Problem",
@@ -259,6 +274,9 @@ __all__ = [
     "Settings",
     "Shape",
     "Side",
+    "Sight",
+    "SightTask",
+    "Sighted",
     "SizeFilter",
     "Status",
     "StorageSettings",
@@ -286,6 +304,7 @@ __all__ = [
     "file_kind",
     "file_store",
     "models_name",
+    "needs_eyes",
     "picture_name",
     "queue_of",
     "reply_key",

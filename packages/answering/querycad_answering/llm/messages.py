@@ -58,6 +58,8 @@ class Message:
 
     role: Role
     text: str
+    images: tuple[bytes, ...] = ()
+    """PNG files that go with it; for models that take images."""
 
 
 @dataclass(frozen=True, slots=True)

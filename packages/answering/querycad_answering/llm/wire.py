@@ -6,6 +6,7 @@ Azure, vLLM, Ollama, llama.cpp and others speak the first.
 from __future__ import annotations
 
 import json
+from base64 import b64encode
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -13,6 +14,7 @@ import httpx
 
 from querycad_contracts import TokenUse
 
+from .forms import Form, constraint
 from .messages import LlmBusy, LlmRefused, Message, Role
 from .settings import LlmApi, LlmSettings
 
@@ -27,6 +29,8 @@ BUSY_ERRORS = (
 )
 """Kinds of errors, told inside a stream or in a body, after which another try may succeed."""
 MESSAGE_CHARS = 300
+CACHED = {"type": "ephemeral"}
+"""Anthropic's mark: what comes up to here is kept for some minutes, and read from there at a tenth of its price."""
 DONE = "[DONE]"
 """What OpenAI's streams end with."""
 
@@ -63,16 +67,30 @@ class Wire(Protocol):
         ...
 
 
-def wire_of(settings: LlmSettings) -> Wire:
-    """How is the server of these settings spoken to?"""
-    return AnthropicWire(settings) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings)
+def wire_of(settings: LlmSettings, form: Form | None = None) -> Wire:
+    """How is the server of these settings spoken to? `form`: what its replies are held to, where it offers that."""
+    return AnthropicWire(settings) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings, form)
+
+
+def openai_messages(conversation: tuple[Message, ...]) -> list[Json]:
+    """The conversation as chat completions have it; pictures are data URLs behind their message's text."""
+    return [
+        {"role": message.role.value, "content": _openai_content(message) if message.images else message.text}
+        for message in conversation
+    ]
+
+
+def _openai_content(message: Message) -> list[Json]:
+    urls = [f"data:image/png;base64,{b64encode(image).decode()}" for image in message.images]
+    return [{"type": "text", "text": message.text}, *({"type": "image_url", "image_url": {"url": url}} for url in urls)]
 
 
 class OpenAiWire:
     """Chat completions."""
 
-    def __init__(self, settings: LlmSettings) -> None:
+    def __init__(self, settings: LlmSettings, form: Form | None = None) -> None:
         self._settings = settings
+        self._form = form
 
     def url(self) -> httpx.URL:
         """`<base>/chat/completions`; a query such as Azure's `api-version` stays."""
@@ -89,9 +107,10 @@ class OpenAiWire:
         model = {"model": self._settings.llm_model} if self._settings.llm_model else {}
         return {
             **model,
-            "messages": [{"role": message.role.value, "content": message.text} for message in conversation],
+            "messages": openai_messages(conversation),
             "max_tokens": self._settings.llm_tokens,
             "temperature": temperature,
+            **constraint(self._form, self._settings.llm_constrained),
             "stream": True,
             "stream_options": {"include_usage": True},
         }
@@ -124,15 +143,21 @@ class AnthropicWire:
 
     def body(self, conversation: tuple[Message, ...], temperature: float) -> Json:
         """The request; what the system says has a field of its own, which the server keeps for the next question."""
-        turns = [message for message in conversation if message.role is not Role.SYSTEM]
+        turns: list[dict[str, Any]] = [
+            {"role": message.role.value, "content": _anthropic_content(message)}
+            for message in conversation
+            if message.role is not Role.SYSTEM
+        ]
+        if len(turns) > 1:  # a conversation goes on: all that was said so far is read once, too
+            turns[-1]["content"][-1]["cache_control"] = CACHED
         return {
             "model": self._settings.llm_model,
             "system": [
-                {"type": "text", "text": message.text, "cache_control": {"type": "ephemeral"}}
+                {"type": "text", "text": message.text, "cache_control": CACHED}
                 for message in conversation
                 if message.role is Role.SYSTEM
             ],
-            "messages": [{"role": message.role.value, "content": message.text} for message in turns],
+            "messages": turns,
             "max_tokens": self._settings.llm_tokens,
             "temperature": min(temperature, 1.0),
             "stream": True,
@@ -153,6 +178,12 @@ class AnthropicWire:
                 text = "".join(block.get("text") or "" for block in event.get("content") or ())
                 return Piece(text, True, event.get("stop_reason") == "max_tokens", _anthropic_tokens(event))
         return Piece()
+
+
+def _anthropic_content(message: Message) -> list[Json]:
+    """Pictures first, then the words about them."""
+    sources = [{"type": "base64", "media_type": "image/png", "data": b64encode(one).decode()} for one in message.images]
+    return [*({"type": "image", "source": source} for source in sources), {"type": "text", "text": message.text}]
 
 
 def _anthropic_tokens(holder: Json) -> TokenUse:
