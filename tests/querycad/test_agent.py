@@ -8,19 +8,21 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.querycad.sidecar_eyes import SidecarEyes
 
 from querycad.cli import main
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.answering import answer_question
+from querycad_answering.eyes.looking import Eyes
 from querycad_answering.llm.messages import LlmBusy, Message, Reply, Role, TimeLimit
 from querycad_answering.llm.settings import LlmSettings
 from querycad_answering.llm.writer import LlmWriter
-from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, Status, TokenUse
+from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, Status, TokenUse
 
 TRANSCRIPTS = sorted((Path(__file__).parent / "transcripts").glob("*.json"))
 REWRITE = "QUERYCAD_REWRITE_SNAPSHOTS"
@@ -33,10 +35,12 @@ class Recorded:
         self.replies = replies
         self.tokens = tokens
         self.shown: list[list[dict[str, str]]] = []
+        self.images: list[list[int]] = []
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         assert [message.role for message in conversation][:2] == [Role.SYSTEM, Role.USER]
         self.shown.append([{"role": message.role.value, "text": message.text} for message in conversation])
+        self.images.append([len(message.images) for message in conversation])
         if len(self.shown) > len(self.replies):
             raise LlmBusy("it said no more")
         return Reply(self.replies[len(self.shown) - 1], tokens=TokenUse(input=self.tokens, output=10))
@@ -48,12 +52,18 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntim
         yield made
 
 
-def ask(runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, **settings: Any) -> AnswerRecord:
-    writer = LlmWriter(LlmSettings(llm_command="recorded", **settings), model)
+def ask(
+    runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, meant: Sequence[str] = (), **settings: Any
+) -> AnswerRecord:
+    """`meant`: parts that the eyes say are meant, whatever they are asked for; without any there are no eyes."""
+    place = runtime.model(file).grounded_by(GroundedBy.EYES)
+    told = LlmSettings(llm_command="recorded", llm_images=bool(meant), **settings)
+    eyes = Eyes(told, SidecarEyes(runtime.store.root, meant)) if meant else None
+    writer = LlmWriter(told, model, eyes=eyes)
     options = AnswerOptions(codegen=Codegen.AGENT)
     summary = runtime.summary(file)
     return answer_question(
-        question, runtime.runner(file), runtime.view(file), options=options, summary=summary, llm=writer
+        question, runtime.runner(file), runtime.view(file), options=options, summary=summary, llm=writer, place=place
     )
 
 
@@ -61,7 +71,7 @@ def ask(runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, **
 def test_a_recorded_conversation_goes_the_same_way(runtime: EmbeddedRuntime, flange: Path, path: Path) -> None:
     kept = json.loads(path.read_text(encoding="utf-8"))
     model = Recorded(kept["replies"])
-    record = ask(runtime, flange, kept["question"], model)
+    record = ask(runtime, flange, kept["question"], model, kept.get("meant", ()))
     shown = [turn[-1]["text"] for turn in model.shown]
     text = record.answer.text if record.answer is not None else record.failure.message if record.failure else ""
     came = {"shown": shown, "status": record.status.value, "text": text, "steps": len(record.attempts)}
@@ -72,7 +82,17 @@ def test_a_recorded_conversation_goes_the_same_way(runtime: EmbeddedRuntime, fla
 
 
 def test_there_is_a_conversation_of_every_kind_of_step() -> None:
-    assert {path.stem for path in TRANSCRIPTS} == {"look", "doubted", "mended", "unsure", "asks_back", "dropped_words"}
+    assert {path.stem for path in TRANSCRIPTS} == {
+        *("look", "doubted", "mended", "unsure", "asks_back", "dropped_words", "sight", "stopped")
+    }
+
+
+def test_a_picture_that_a_program_asks_for_goes_with_what_it_showed(runtime: EmbeddedRuntime, flange: Path) -> None:
+    kept = json.loads((Path(__file__).parent / "transcripts/sight.json").read_text(encoding="utf-8"))
+    model = Recorded(kept["replies"])
+    ask(runtime, flange, kept["question"], model, kept["meant"])
+    assert [turns[-1] for turns in model.images] == [0, 1]
+    assert sum(model.images[-1]) == 1
 
 
 ANSWER = '```python\nsolution = len(parts(kind="hole"))\n```'

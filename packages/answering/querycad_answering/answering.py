@@ -52,8 +52,8 @@ T = TypeVar("T")
 NO_OPTIONS = AnswerOptions()
 NO_LLM = LlmWriter(LlmSettings())
 BY_SIGHT_AT_MOST = 0.7
-"""So sure at most is an answer that rests on sight alone: below what counts as sure, as how often sight is right has not
-been measured on CAD models."""
+"""So sure at most is an answer that rests on sight alone: below what counts as sure, as nobody has measured yet how
+often sight is right."""
 SURE = 0.8
 """An answer of the parser that is at least as probable goes before a language model's."""
 

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from hashlib import sha256
 from typing import Any, Protocol
 
 from querycad_answering.llm.breaker import Breaker
@@ -88,7 +89,8 @@ class Eyes:
     @property
     def name(self) -> str:
         """Who looks, as records say it."""
-        return self.settings.llm_model or self.settings.llm_command or "eyes"
+        where = self.settings.llm_command or self.settings.llm_base_url  # told by a digest: a command may hold a secret
+        return self.settings.llm_model or f"eyes {sha256(where.encode()).hexdigest()[:8]}"
 
     def look(self, phrase: str, place: Place, deadline: TimeLimit) -> Looked:
         """What does the phrase mean on the model, by sight? Raises LlmError where nobody could say."""
