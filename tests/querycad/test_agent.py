@@ -19,7 +19,8 @@ from querycad.cli import main
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.answering import answer_question
 from querycad_answering.eyes.looking import Eyes
-from querycad_answering.llm.messages import LlmBusy, Message, Reply, Role, TimeLimit
+from querycad_answering.llm.messages import ChatModel, LlmBusy, Message, Reply, Role, TimeLimit
+from querycad_answering.llm.replies import KeptReplies
 from querycad_answering.llm.settings import LlmSettings
 from querycad_answering.llm.writer import LlmWriter
 from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, Status, TokenUse
@@ -53,7 +54,7 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntim
 
 
 def ask(
-    runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, meant: Sequence[str] = (), **settings: Any
+    runtime: EmbeddedRuntime, file: Path, question: str, model: ChatModel, meant: Sequence[str] = (), **settings: Any
 ) -> AnswerRecord:
     """`meant`: parts that the eyes say are meant, whatever they are asked for; without any there are no eyes."""
     place = runtime.model(file).grounded_by(GroundedBy.EYES)
@@ -93,6 +94,22 @@ def test_a_picture_that_a_program_asks_for_goes_with_what_it_showed(runtime: Emb
     ask(runtime, flange, kept["question"], model, kept["meant"])
     assert [turns[-1] for turns in model.images] == [0, 1]
     assert sum(model.images[-1]) == 1
+
+
+def test_a_question_that_was_interrupted_goes_on_where_it_was(
+    runtime: EmbeddedRuntime, flange: Path, tmp_path: Path
+) -> None:
+    """What was said so far is kept, and said again without anybody being asked."""
+    said = Recorded([LOOK])
+    settings = LlmSettings(llm_command="recorded", llm_replies=tmp_path)
+    first = ask(runtime, flange, "How many holes are there?", KeptReplies(said, settings))
+    assert ("it said no more" in first.warnings, len(first.attempts)) == (True, 1)
+    later = Recorded(["nothing that is asked for again", ANSWER])
+    later.shown = [[]]
+    record = ask(runtime, flange, "How many holes are there?", KeptReplies(later, settings))
+    assert record.answer is not None
+    assert (record.answer.value, record.codegen, len(record.attempts)) == (11, "agent", 2)
+    assert len(later.shown) == 2
 
 
 ANSWER = '```python\nsolution = len(parts(kind="hole"))\n```'

@@ -44,7 +44,7 @@ _SCHEMA = {
     "required": ["marks"],
     "additionalProperties": False,
 }
-FORM = Form("marks", json.dumps(_SCHEMA))
+FORM = Form("marks", json.dumps(_SCHEMA), "Says which marks are meant.")
 log = logging.getLogger(__name__)
 
 

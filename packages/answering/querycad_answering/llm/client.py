@@ -33,7 +33,7 @@ BODY_BYTES = 2**20
 OTHER_NAMES = {"max_tokens": "max_completion_tokens"}
 """What OpenAI's reasoning models call it."""
 OPTIONAL = frozenset(
-    {"max_tokens", "temperature", "stream_options", "response_format", "grammar", "structured_outputs"}
+    {"max_tokens", "temperature", "stream_options", "response_format", "grammar", "structured_outputs", "tools"}
 )
 
 
@@ -101,6 +101,16 @@ class HttpChatModel:
         self._sleep(pause_s)
 
     def _send(self, body: Json, deadline: TimeLimit) -> Reply:
+        """One request. A server may say the key that it refuses: that is taken out of what it said."""
+        try:
+            return self._exchange(body, deadline)
+        except LlmError as error:
+            key = self._settings.llm_api_key.get_secret_value()
+            if key and key in str(error):
+                error.args = (str(error).replace(key, "…"), *error.args[1:])
+            raise
+
+    def _exchange(self, body: Json, deadline: TimeLimit) -> Reply:
         left_s = deadline.left_s()
         timeout = httpx.Timeout(left_s, connect=min(CONNECT_S, left_s))
         try:
@@ -125,8 +135,8 @@ class HttpChatModel:
         """The whole reply, of a stream or at once."""
         if "text/event-stream" not in response.headers.get("content-type", "text/event-stream"):
             piece = self._wire.piece(parsed(b"".join(_bounded(response.iter_bytes(), deadline))))
-            return Reply(piece.text, piece.cut, piece.tokens or TokenUse())
-        text, ended, cut, tokens = "", False, False, TokenUse()
+            return Reply(_joined(piece.text, piece.call), piece.cut, piece.tokens or TokenUse())
+        text, call, ended, cut, tokens = "", "", False, False, TokenUse()
         for line in _lines(response, deadline):
             ended = ended or line.removeprefix("data:").strip() == DONE
             event = event_of(line)
@@ -134,16 +144,22 @@ class HttpChatModel:
                 continue
             piece = self._wire.piece(event)
             text += piece.text
+            call += piece.call
             ended, cut = ended or piece.ended, cut or piece.cut
             if piece.tokens is not None:
                 tokens = TokenUse(
                     input=max(tokens.input, piece.tokens.input), output=max(tokens.output, piece.tokens.output)
                 )
-            if len(text) > TOKEN_CHARS * self._settings.llm_tokens:
+            if len(text) + len(call) > TOKEN_CHARS * self._settings.llm_tokens:
                 return Reply(text, True, tokens)
         if not ended:
             raise LlmBusy("the language model's reply broke off")
-        return Reply(text, cut, tokens)
+        return Reply(_joined(text, call), cut, tokens)
+
+
+def _joined(text: str, call: str) -> str:
+    """What was said, and the program of a tool's call as a code block."""
+    return f"{text.strip()}\n{as_reply(call)}".strip() if call else text
 
 
 def _lines(response: httpx.Response, deadline: TimeLimit) -> Iterator[str]:

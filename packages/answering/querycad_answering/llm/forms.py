@@ -43,6 +43,8 @@ class Form:
     name: str
     schema: str
     """JSON schema, as JSON."""
+    about: str = ""
+    """What a tool of this form is for, said to the model."""
     grammar: str = ""
     """In llama.cpp's notation (GBNF), which vLLM reads too; empty: the schema is all there is."""
 
@@ -57,8 +59,18 @@ def constraint(form: Form | None, by: Constrained) -> dict[str, Any]:
         return {"grammar": form.grammar} if form.grammar else as_json
     if by is Constrained.VLLM:
         return {"structured_outputs": {"grammar": form.grammar} if form.grammar else {"json": schema}}
+    if by is Constrained.TOOLS:
+        tool = {"name": form.name, "description": form.about, "parameters": schema}
+        return {"tools": [{"type": "function", "function": tool}]}
     told = {"name": form.name, "schema": schema, "strict": True}
     return {"response_format": {"type": "json_schema", "json_schema": told}}
+
+
+def anthropic_tools(form: Form | None, by: Constrained) -> dict[str, Any]:
+    """The same for Anthropic's messages, which know tools alone."""
+    if form is None or by is not Constrained.TOOLS:
+        return {}
+    return {"tools": [{"name": form.name, "description": form.about, "input_schema": json.loads(form.schema)}]}
 
 
 def as_reply(text: str) -> str:
@@ -89,4 +101,5 @@ def program_form() -> Form:
         "required": ["plan", "program"],
         "additionalProperties": False,
     }
-    return Form("program", json.dumps(schema), grammar)
+    about = "Runs a program of the guest API against the model: to look, or, where it assigns `solution`, to answer."
+    return Form("program", json.dumps(schema), about, grammar)

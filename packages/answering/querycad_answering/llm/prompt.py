@@ -20,6 +20,9 @@ from .settings import PromptExamples
 EXAMPLES = 3
 """Shown for a question: enough forms to follow, and little to read for a small model on a slow machine."""
 
+THIS_MODEL = "# The model that is asked about"
+"""Where, in the file `system.md`, begins what is told of one model."""
+
 _TOOLS = {
     "look": '- A word that is no shape ("logo", "connector", "gasket") is found by sight: `look(phrase)`.',
     "picture": "- `picture(side, parts)` in a program that looks shows you a picture of the model after it.",
@@ -113,7 +116,7 @@ def conversation(
     model = facts(summary) if summary is not None else "Nothing is known of it."
     system = filled("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
     asked = filled("question.md", question=" ".join(question.split()), expected=told)
-    return (Message(Role.SYSTEM, system), *shown, Message(Role.USER, asked))
+    return (_system(system), *shown, Message(Role.USER, asked))
 
 
 def agent_conversation(
@@ -135,7 +138,12 @@ def agent_conversation(
     how = "\n".join((filled("agent.md", steps=str(steps)), *(_TOOLS[tool] for tool in tools)))
     asked = filled("question.md", question=" ".join(question.split()), expected=told + read)
     system = filled("system.md", reference=reference(tuple(tools)), model=model, reply=how)
-    return (Message(Role.SYSTEM, system), Message(Role.USER, asked))
+    return (_system(system), Message(Role.USER, asked))
+
+
+def _system(text: str) -> Message:
+    """What the system says: all that never changes, and then the model that is asked about."""
+    return Message(Role.SYSTEM, text, fixed=text.index(THIS_MODEL))
 
 
 def shown(seen: str, left: int, images: tuple[bytes, ...] = ()) -> Message:

@@ -29,6 +29,8 @@ class Constrained(StrEnum):
     """`structured_outputs`."""
     JSON_SCHEMA = "json_schema"
     """`response_format`, as OpenAI, Ollama and others read it."""
+    TOOLS = "tools"
+    """Programs come as calls of a tool, by the endpoint's own protocol; Anthropic's, too."""
 
 
 class PromptExamples(StrEnum):
@@ -87,7 +89,8 @@ class LlmSettings(Settings):
     )
     llm_constrained: Constrained = Field(
         Constrained.NONE,
-        description="How the server holds replies to their form: `llama.cpp`, `vllm`, `json_schema`, or `none`.",
+        description="How the server holds replies to their form: `llama.cpp`, `vllm`, `json_schema`, `tools`, or "
+        "`none`.",
     )
     llm_parallel: int = Field(4, ge=1, le=256, description="Requests under way at once to one address, by one process.")
     llm_per_minute: int = Field(0, ge=0, description="Requests to one address in any minute, by one process; 0: any.")

@@ -14,7 +14,7 @@ import httpx
 
 from querycad_contracts import TokenUse
 
-from .forms import Form, constraint
+from .forms import Form, anthropic_tools, constraint
 from .messages import LlmBusy, LlmRefused, Message, Role
 from .settings import LlmApi, LlmSettings
 
@@ -42,6 +42,8 @@ class Piece:
     """A part of a streamed reply. `ended` says that the model was done; `cut`, that it was at its longest."""
 
     text: str = ""
+    call: str = ""
+    """Of the arguments of a tool call, as JSON."""
     ended: bool = False
     cut: bool = False
     tokens: TokenUse | None = None
@@ -69,7 +71,7 @@ class Wire(Protocol):
 
 def wire_of(settings: LlmSettings, form: Form | None = None) -> Wire:
     """How is the server of these settings spoken to? `form`: what its replies are held to, where it offers that."""
-    return AnthropicWire(settings) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings, form)
+    return AnthropicWire(settings, form) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings, form)
 
 
 def openai_messages(conversation: tuple[Message, ...]) -> list[Json]:
@@ -123,14 +125,18 @@ class OpenAiWire:
         choice: Json = next(iter(event.get("choices") or ()), {})
         said = choice.get("delta") or choice.get("message") or {}
         finish = choice.get("finish_reason")
-        return Piece(said.get("content") or "", finish is not None, finish == "length", tokens if usage else None)
+        call: Json = next(iter(said.get("tool_calls") or ()), {})
+        arguments = (call.get("function") or {}).get("arguments") or ""
+        text = said.get("content") or ""
+        return Piece(text, arguments, finish is not None, finish == "length", tokens if usage else None)
 
 
 class AnthropicWire:
     """Messages."""
 
-    def __init__(self, settings: LlmSettings) -> None:
+    def __init__(self, settings: LlmSettings, form: Form | None = None) -> None:
         self._settings = settings
+        self._form = form
 
     def url(self) -> httpx.URL:
         """`<base>/v1/messages`, whether or not the base names the version."""
@@ -142,7 +148,10 @@ class AnthropicWire:
         return {"x-api-key": self._settings.llm_api_key.get_secret_value(), "anthropic-version": ANTHROPIC_VERSION}
 
     def body(self, conversation: tuple[Message, ...], temperature: float) -> Json:
-        """The request; what the system says has a field of its own, which the server keeps for the next question."""
+        """The request; what the system says has a field of its own, which the server keeps for the next question.
+
+        What is the same for all models is kept apart from what is told of this one.
+        """
         turns: list[dict[str, Any]] = [
             {"role": message.role.value, "content": _anthropic_content(message)}
             for message in conversation
@@ -153,13 +162,16 @@ class AnthropicWire:
         return {
             "model": self._settings.llm_model,
             "system": [
-                {"type": "text", "text": message.text, "cache_control": CACHED}
+                {"type": "text", "text": text, "cache_control": CACHED}
                 for message in conversation
                 if message.role is Role.SYSTEM
+                for text in (message.text[: message.fixed], message.text[message.fixed :])
+                if text
             ],
             "messages": turns,
             "max_tokens": self._settings.llm_tokens,
             "temperature": min(temperature, 1.0),
+            **anthropic_tools(self._form, self._settings.llm_constrained),
             "stream": True,
         }
 
@@ -170,13 +182,16 @@ class AnthropicWire:
             case "message_start":
                 return Piece(tokens=_anthropic_tokens(event.get("message") or {}))
             case "content_block_delta":
-                return Piece((event.get("delta") or {}).get("text") or "")
+                delta = event.get("delta") or {}
+                return Piece(delta.get("text") or "", delta.get("partial_json") or "")
             case "message_delta":
                 reason = (event.get("delta") or {}).get("stop_reason")
                 return Piece(ended=reason is not None, cut=reason == "max_tokens", tokens=_anthropic_tokens(event))
             case "message":
-                text = "".join(block.get("text") or "" for block in event.get("content") or ())
-                return Piece(text, True, event.get("stop_reason") == "max_tokens", _anthropic_tokens(event))
+                blocks = event.get("content") or ()
+                text = "".join(block.get("text") or "" for block in blocks)
+                call = next((json.dumps(block["input"]) for block in blocks if block.get("input")), "")
+                return Piece(text, call, True, event.get("stop_reason") == "max_tokens", _anthropic_tokens(event))
         return Piece()
 
 
