@@ -70,7 +70,7 @@ class Wire(Protocol):
 
 
 def wire_of(settings: LlmSettings, form: Form | None = None) -> Wire:
-    """How is the server of these settings spoken to? `form`: what its replies are held to, where it offers that."""
+    """How is the server of these settings spoken to?"""
     return AnthropicWire(settings, form) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings, form)
 
 
