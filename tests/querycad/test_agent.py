@@ -163,6 +163,20 @@ def test_the_first_messages_can_be_looked_at(capsys: pytest.CaptureFixture[str],
     assert "- depth of the counterbores" in told
 
 
+def test_what_eyes_would_be_sent_can_be_looked_at(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, flange: Path
+) -> None:
+    assert main(["prompt", str(flange), "Where is the logo?", "--codegen", "agent"]) == 0
+    assert "look(phrase" not in capsys.readouterr().out
+    monkeypatch.setenv("QUERYCAD_EYES_COMMAND", "true")
+    assert main(["prompt", str(flange), "Where is the logo?", "--codegen", "agent"]) == 0
+    told = capsys.readouterr().out
+    assert "look(phrase: str)" in told
+    assert "picture(side" not in told
+    assert "user, with 1 picture " in told
+    assert "<<<PHRASE>>>" in told
+
+
 def test_an_unsure_end_shows_both_answers(runtime: EmbeddedRuntime, flange: Path) -> None:
     kept = json.loads((Path(__file__).parent / "transcripts/unsure.json").read_text(encoding="utf-8"))
     record = ask(runtime, flange, kept["question"], Recorded(kept["replies"]))

@@ -164,7 +164,8 @@ def as_text(messages: tuple[Message, ...]) -> str:
 
 
 def _pictures(message: Message) -> str:
-    return f", with {len(message.images)} pictures" if message.images else ""
+    count = len(message.images)
+    return f", with {count} picture{'' if count == 1 else 's'}" if count else ""
 
 
 @cache
