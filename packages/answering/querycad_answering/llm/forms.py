@@ -35,8 +35,8 @@ name ::= NAMES
 """
 """A sentence of at most 240 characters and a program of at most 24 lines, without comments.
 
-There is no way to say "unsure": a model of 1.5 billion parameters, given the choice, said it five times of six, and before
-that wrote a comment for a program.
+There is no way to say "unsure": a model of 1.5 billion parameters, given the choice, said it five times of six, and
+before that wrote a comment for a program.
 """
 
 
