@@ -46,6 +46,10 @@ class NoSegCad:
     def __init__(self, control: RunControl | None = None) -> None:
         self._control = control
 
+    def look(self, phrase: str) -> Grounding:
+        """What was seen: nothing."""
+        return Grounding(description=phrase, sides=None, parts=(), understood=True, seen_by="")
+
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Nothing, after a while in which the run holds no interpreter."""
         del sides

@@ -76,6 +76,9 @@ class FakeSegCad:
         self.calls.append(("shape", None))
         return make_shape()
 
+    def look(self, phrase: str) -> Grounding:
+        return Grounding(description=phrase, sides=None, parts=(), understood=True, seen_by="")
+
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         self.calls.append(("find_parts", (description, sides)))
         words = description if isinstance(description, str) else description.noun

@@ -8,19 +8,22 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.querycad.sidecar_eyes import SidecarEyes
 
 from querycad.cli import main
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.answering import answer_question
-from querycad_answering.llm.messages import LlmBusy, Message, Reply, Role, TimeLimit
+from querycad_answering.eyes.looking import Eyes
+from querycad_answering.llm.messages import ChatModel, LlmBusy, Message, Reply, Role, TimeLimit
+from querycad_answering.llm.replies import KeptReplies
 from querycad_answering.llm.settings import LlmSettings
 from querycad_answering.llm.writer import LlmWriter
-from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, Status, TokenUse
+from querycad_contracts import AnswerOptions, AnswerRecord, Codegen, GroundedBy, Status, TokenUse
 
 TRANSCRIPTS = sorted((Path(__file__).parent / "transcripts").glob("*.json"))
 REWRITE = "QUERYCAD_REWRITE_SNAPSHOTS"
@@ -33,10 +36,12 @@ class Recorded:
         self.replies = replies
         self.tokens = tokens
         self.shown: list[list[dict[str, str]]] = []
+        self.images: list[list[int]] = []
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         assert [message.role for message in conversation][:2] == [Role.SYSTEM, Role.USER]
         self.shown.append([{"role": message.role.value, "text": message.text} for message in conversation])
+        self.images.append([len(message.images) for message in conversation])
         if len(self.shown) > len(self.replies):
             raise LlmBusy("it said no more")
         return Reply(self.replies[len(self.shown) - 1], tokens=TokenUse(input=self.tokens, output=10))
@@ -48,12 +53,18 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntim
         yield made
 
 
-def ask(runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, **settings: Any) -> AnswerRecord:
-    writer = LlmWriter(LlmSettings(llm_command="recorded", **settings), model)
+def ask(
+    runtime: EmbeddedRuntime, file: Path, question: str, model: ChatModel, meant: Sequence[str] = (), **settings: Any
+) -> AnswerRecord:
+    """`meant`: parts that the eyes say are meant, whatever they are asked for; without any there are no eyes."""
+    place = runtime.model(file).grounded_by(GroundedBy.EYES)
+    told = LlmSettings(llm_command="recorded", llm_images=bool(meant), **settings)
+    eyes = Eyes(told, SidecarEyes(runtime.store.root, meant)) if meant else None
+    writer = LlmWriter(told, model, eyes=eyes)
     options = AnswerOptions(codegen=Codegen.AGENT)
     summary = runtime.summary(file)
     return answer_question(
-        question, runtime.runner(file), runtime.view(file), options=options, summary=summary, llm=writer
+        question, runtime.runner(file), runtime.view(file), options=options, summary=summary, llm=writer, place=place
     )
 
 
@@ -61,7 +72,7 @@ def ask(runtime: EmbeddedRuntime, file: Path, question: str, model: Recorded, **
 def test_a_recorded_conversation_goes_the_same_way(runtime: EmbeddedRuntime, flange: Path, path: Path) -> None:
     kept = json.loads(path.read_text(encoding="utf-8"))
     model = Recorded(kept["replies"])
-    record = ask(runtime, flange, kept["question"], model)
+    record = ask(runtime, flange, kept["question"], model, kept.get("meant", ()))
     shown = [turn[-1]["text"] for turn in model.shown]
     text = record.answer.text if record.answer is not None else record.failure.message if record.failure else ""
     came = {"shown": shown, "status": record.status.value, "text": text, "steps": len(record.attempts)}
@@ -72,7 +83,33 @@ def test_a_recorded_conversation_goes_the_same_way(runtime: EmbeddedRuntime, fla
 
 
 def test_there_is_a_conversation_of_every_kind_of_step() -> None:
-    assert {path.stem for path in TRANSCRIPTS} == {"look", "doubted", "mended", "unsure", "asks_back", "dropped_words"}
+    assert {path.stem for path in TRANSCRIPTS} == {
+        *("look", "doubted", "mended", "unsure", "asks_back", "dropped_words", "sight", "stopped")
+    }
+
+
+def test_a_picture_that_a_program_asks_for_goes_with_what_it_showed(runtime: EmbeddedRuntime, flange: Path) -> None:
+    kept = json.loads((Path(__file__).parent / "transcripts/sight.json").read_text(encoding="utf-8"))
+    model = Recorded(kept["replies"])
+    ask(runtime, flange, kept["question"], model, kept["meant"])
+    assert [turns[-1] for turns in model.images] == [0, 1]
+    assert sum(model.images[-1]) == 1
+
+
+def test_a_question_that_was_interrupted_goes_on_where_it_was(
+    runtime: EmbeddedRuntime, flange: Path, tmp_path: Path
+) -> None:
+    """What was said so far is kept, and said again without anybody being asked."""
+    said = Recorded([LOOK])
+    settings = LlmSettings(llm_command="recorded", llm_replies=tmp_path)
+    first = ask(runtime, flange, "How many holes are there?", KeptReplies(said, settings))
+    assert ("it said no more" in first.warnings, len(first.attempts)) == (True, 1)
+    later = Recorded(["nothing that is asked for again", ANSWER])
+    later.shown = [[]]
+    record = ask(runtime, flange, "How many holes are there?", KeptReplies(later, settings))
+    assert record.answer is not None
+    assert (record.answer.value, record.codegen, len(record.attempts)) == (11, "agent", 2)
+    assert len(later.shown) == 2
 
 
 ANSWER = '```python\nsolution = len(parts(kind="hole"))\n```'
@@ -124,6 +161,20 @@ def test_the_first_messages_can_be_looked_at(capsys: pytest.CaptureFixture[str],
     told = capsys.readouterr().out
     assert "You have 6 replies" in told
     assert "- depth of the counterbores" in told
+
+
+def test_what_eyes_would_be_sent_can_be_looked_at(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, flange: Path
+) -> None:
+    assert main(["prompt", str(flange), "Where is the logo?", "--codegen", "agent"]) == 0
+    assert "look(phrase" not in capsys.readouterr().out
+    monkeypatch.setenv("QUERYCAD_EYES_COMMAND", "true")
+    assert main(["prompt", str(flange), "Where is the logo?", "--codegen", "agent"]) == 0
+    told = capsys.readouterr().out
+    assert "look(phrase: str)" in told
+    assert "picture(side" not in told
+    assert "user, with 1 picture " in told
+    assert "<<<PHRASE>>>" in told
 
 
 def test_an_unsure_end_shows_both_answers(runtime: EmbeddedRuntime, flange: Path) -> None:

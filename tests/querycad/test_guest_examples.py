@@ -34,7 +34,7 @@ def test_every_function_has_an_example_that_calls_it() -> None:
 def test_an_example_runs(run: Run, name: str) -> None:
     outcome = run(Program(code=f"solution = {EXAMPLES[name]}", codegen="llm"))
     assert (outcome.status, outcome.message) == (RunStatus.OK, "")
-    assert outcome.value is not None
+    assert outcome.value is not None or outcome.pictures  # a picture is shown after the program
 
 
 @pytest.mark.parametrize(

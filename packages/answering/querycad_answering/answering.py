@@ -20,10 +20,12 @@ from querycad_contracts import (
     Description,
     Expectation,
     Failure,
+    GroundedBy,
     LengthUnit,
     ModelSummary,
     Part,
     PartKind,
+    PictureRequest,
     Program,
     RunOutcome,
     Status,
@@ -35,8 +37,11 @@ from querycad_language.units import asked_unit
 
 from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.callouts import ids_text
+from .eyes.looking import Place
+from .eyes.seeing import Seeing
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
+from .llm.reference import BY_SIGHT
 from .overview import asks_for_overview, asks_what_parts_are, overview, told_parts
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
@@ -46,6 +51,9 @@ T = TypeVar("T")
 
 NO_OPTIONS = AnswerOptions()
 NO_LLM = LlmWriter(LlmSettings())
+BY_SIGHT_AT_MOST = 0.7
+"""So sure at most is an answer that rests on sight alone: below what counts as sure, as nobody has measured yet how
+often sight is right."""
 SURE = 0.8
 """An answer of the parser that is at least as probable goes before a language model's."""
 
@@ -59,11 +67,13 @@ def answer_question(
     *,
     summary: ModelSummary | None = None,
     llm: LlmWriter = NO_LLM,
+    place: Place | None = None,
 ) -> AnswerRecord:
     """What is the answer? Never raises for what is wrong with a question or program: the record's `failure` says it.
 
     `unit` is the one that `answer.text` is written in, unless the words ask for another; `answer.value` is SI whatever
-    it is. `view` is what readings are ranked on, `summary` what a language model is told of the model.
+    it is. `view` is what readings are ranked on, `summary` what a language model is told of the model, `place` who
+    draws it for eyes, where any are set up.
     """
     clock = _Clock()
     unit = asked_unit(question) or unit
@@ -80,6 +90,11 @@ def answer_question(
         writer = llm.chosen(options.llm)
     except LlmOptionRefused as error:
         return _refused(question, str(error), clock, least)
+    codegen = _codegen(options, writer.settings)
+    seeing = _seeing(writer, place, options.grounding is GroundedBy.EYES or codegen is Codegen.AGENT)
+    if seeing is not None:
+        run = seeing.running(run)
+        view = seeing.viewing(view) if options.grounding is GroundedBy.EYES else view
     if not question.strip():
         return _refused(question, "the question is empty", clock, least)
     try:
@@ -90,7 +105,6 @@ def answer_question(
     understanding = Understanding(asked_for, view, expect, at_most)
     if (told := _told(understanding, run, view, unit, expect)) is not None:
         return told.record(question, clock, least)
-    codegen = _codegen(options, writer.settings)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
         parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
@@ -104,12 +118,16 @@ def answer_question(
             lambda program, came: judge(program, came, unit, expect),
             lambda: understanding.readings,
             lambda: _parsed(parsed()),
+            *_tools(writer.settings, seeing),
         )
         outcome = _with_llm(task, codegen, writer, parsed, clock)
     else:
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
+    if seeing is not None:
+        outcome.notes += seeing.notes
+        outcome.looked = seeing.tokens
     return outcome.record(question, clock, least)
 
 
@@ -185,6 +203,21 @@ def _refused(question: str, message: str, clock: _Clock, least: float) -> Answer
 def _codegen(options: AnswerOptions, settings: LlmSettings) -> Codegen:
     """Who writes programs: as the caller says, else as is set, else both where there is a language model."""
     return options.codegen or settings.codegen or (Codegen.BOTH if settings.is_configured else Codegen.PARSER)
+
+
+def _seeing(writer: LlmWriter, place: Place | None, wanted: bool) -> Seeing | None:
+    """The question's eyes, where it may need any and there are some."""
+    eyes = writer.eyes if wanted and place is not None else None
+    return None if eyes is None or place is None else Seeing(eyes, place)
+
+
+def _tools(
+    settings: LlmSettings, seeing: Seeing | None
+) -> tuple[tuple[str, ...], Callable[[PictureRequest], bytes] | None]:
+    """Which functions of the guest API are there by sight, and who draws: pictures only for who takes them."""
+    if seeing is None:
+        return (), None
+    return (BY_SIGHT, seeing.picture) if settings.llm_images else (("look",), None)
 
 
 def _asked_type(understanding: Understanding) -> AnswerType | None:
@@ -269,6 +302,8 @@ class _Outcome:
     """Who wrote the programs does not say which of the answers is right."""
     attempts: tuple[Attempt, ...] = ()
     notes: list[str] = field(default_factory=list)
+    looked: TokenUse = field(default_factory=TokenUse)
+    """What looking at pictures took."""
 
     def record(self, question: str, clock: _Clock, least: float) -> AnswerRecord:
         """The outcome as the contract has it. An answer less probable than `least` is unsure."""
@@ -278,7 +313,10 @@ class _Outcome:
         alternatives = self._alternatives(understood)
         status, answer = verdict.status, verdict.answer
         confidence = understood.confidence if understood is not None else None
+        if confidence is not None and any(part.evidence.source == "vision" for part in verdict.parts):
+            confidence = min(confidence, BY_SIGHT_AT_MOST)
         notes = understood.notes if understood is not None else ()
+        any_asked = bool(self.attempts) or self.looked != TokenUse()
         if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(
@@ -297,7 +335,7 @@ class _Outcome:
             attempts=self.attempts,
             agreement=self.agreement,
             alternatives=alternatives,
-            tokens=sum((attempt.tokens for attempt in self.attempts), TokenUse()) if self.attempts else None,
+            tokens=sum((attempt.tokens for attempt in self.attempts), self.looked) if any_asked else None,
         )
 
     def _understood(self) -> Understood | None:

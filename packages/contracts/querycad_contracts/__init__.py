@@ -73,7 +73,17 @@ from .parameters import (
 from .processes import end_with_parent
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
-from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
+from .runs import (
+    FoundFaces,
+    Grounding,
+    PictureRequest,
+    RunId,
+    RunLimits,
+    RunOutcome,
+    RunStatus,
+    SegCad,
+    WallsMissing,
+)
 from .services import (
     NO_ACCOUNTS,
     DescribeTask,
@@ -136,6 +146,7 @@ from .settings import (
     picture_name,
     upload_name,
 )
+from .sights import MarkedPicture, MarkTask, PlacedMark, Sight, Sighted, SightTask, needs_eyes
 from .task_messages import task_message
 from .tracing import carried_trace, carry_trace, start_tracing, start_worker_tracing
 
@@ -202,6 +213,8 @@ __all__ = [
     "Line",
     "LlmOptions",
     "LogFormat",
+    "MarkTask",
+    "MarkedPicture",
     "Mate",
     "Measure",
     "MissingAttribute",
@@ -227,8 +240,10 @@ __all__ = [
     "PartQuery",
     "PartsPage",
     "PartsTask",
+    "PictureRequest",
     "PictureTask",
     "Place",
+    "PlacedMark",
     "Pose",
     "Printed",
     "Problem",
@@ -260,6 +275,9 @@ __all__ = [
     "Settings",
     "Shape",
     "Side",
+    "Sight",
+    "SightTask",
+    "Sighted",
     "SizeFilter",
     "Status",
     "StorageSettings",
@@ -288,6 +306,7 @@ __all__ = [
     "file_kind",
     "file_store",
     "models_name",
+    "needs_eyes",
     "picture_name",
     "queue_of",
     "reply_key",

@@ -155,12 +155,14 @@ class GroundedBy(StrEnum):
     """What networks see in pictures of the model: seconds. Without their weights geometry answers, with a warning."""
     FUSED = "fused"
     """Both; without weights as above."""
+    EYES = "eyes"
+    """Geometry, and what a language model that takes images sees in pictures with numbered marks: seconds a phrase."""
 
 
 class Evidence(Frozen):
     """What a part rests on."""
 
-    source: str = Field(description="'geometry', 'vision', 'fused' (both agree), 'name' or 'color'.")
+    source: str = Field(description="'geometry', 'vision' (by sight alone), 'fused' (both agree), 'name' or 'color'.")
     confidence: float = Field(ge=0.0, le=1.0)
     reason: str = Field(description="One sentence: why these faces are this part.")
     picture: str | None = Field(None, description="Name of the sheet that shows how it was seen; of vision only.")

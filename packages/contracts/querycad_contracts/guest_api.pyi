@@ -339,6 +339,22 @@ def faces(
     """
     ...
 
+def look(phrase: str) -> list[Part]:
+    """Which parts look like this in pictures? For what geometry has no name for.
+
+    Somebody who takes images is shown the model with numbered marks, where such eyes are set up; else nothing is found.
+    Example: look("logo")
+    """
+    ...
+
+def picture(side: Side | None = None, parts: list[Part] | None = None) -> None:
+    """Shows you a picture after this program, these parts numbered in their order.
+
+    Of use to a model that is shown pictures; to any other program it does nothing.
+    Example: picture("top", parts(kind="hole"))
+    """
+    ...
+
 def coaxial(a: Item, b: Item) -> bool:
     """Do they share one axis?
 

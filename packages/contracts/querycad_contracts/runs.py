@@ -31,6 +31,16 @@ class Grounding(Frozen):
     warnings: tuple[str, ...] = ()
     ignored: tuple[str, ...] = Field((), description="Words of the description that say nothing which is known here.")
     unchecked: tuple[str, ...] = Field((), description="What restricts, by the words, and could not be checked.")
+    seen_by: str | None = Field(
+        None, description="Who looked at pictures for it; empty: nobody did so far. Null where no eyes were asked for."
+    )
+
+
+class PictureRequest(Frozen):
+    """A picture that a program asks for: the model from a side, these parts numbered."""
+
+    side: Side | None = Field(None, description="Null: from wherever the parts are seen best.")
+    parts: tuple[str, ...] = Field((), max_length=30, description="Ids of the parts.")
 
 
 class FoundFaces(Frozen):
@@ -49,6 +59,10 @@ class SegCad(Protocol):
 
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
         """Which parts does `description` mean, of those visible from any of `sides`? Free text is read as a query."""
+        ...
+
+    def look(self, phrase: str) -> Grounding:
+        """Which parts look like this to whoever was shown pictures of them? Geometry has no say."""
         ...
 
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
@@ -129,6 +143,7 @@ class RunOutcome(Frozen):
     )
     printed: str = ""
     groundings: tuple[Grounding, ...] = Field((), description="Every find_parts call, in order.")
+    pictures: tuple[PictureRequest, ...] = Field((), description="What the program asked to be shown, in order.")
     used_parts: tuple[str, ...] = Field(
         (), description="Ids of parts whose measures the program read or returned, in order."
     )

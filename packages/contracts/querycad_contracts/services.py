@@ -54,6 +54,8 @@ class TaskName(StrEnum):
     PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: name of the file in the store
     VIEW = "querycad.view"  # ViewTask -> TaskOutcome[str]: as above
     GLB = "querycad.glb"  # ModelTask -> TaskOutcome[str]: as above
+    MARK = "querycad.mark"  # MarkTask -> TaskOutcome[tuple[MarkedPicture, ...]]
+    SIGHT = "querycad.sight"  # SightTask -> TaskOutcome[bool]: it is kept
     DESCRIPTION = "querycad.description"  # DescribeTask -> TaskOutcome[Description], by the question workers
     PARAMETERS = "querycad.parameters"  # ParametersTask -> TaskOutcome[ParameterSet], by the question workers
     QUESTION = "querycad.question"  # QuestionTask -> nothing: the answer is kept under the job
@@ -71,6 +73,7 @@ _QUEUES = {
     TaskName.PICTURE: Queue.PICTURES,
     TaskName.VIEW: Queue.PICTURES,
     TaskName.GLB: Queue.PICTURES,
+    TaskName.MARK: Queue.PICTURES,
     TaskName.DESCRIPTION: Queue.QUESTIONS,
     TaskName.PARAMETERS: Queue.QUESTIONS,
     TaskName.QUESTION: Queue.QUESTIONS,
@@ -166,6 +169,7 @@ class FindPartsTask(ModelTask):
     description: str | PartQuery
     sides: tuple[Side, ...] | None = None
     grounding: GroundedBy = GroundedBy.GEOMETRY
+    sight_alone: bool = Field(False, description="What eyes saw of the description, and nothing else.")
 
 
 class FacesTask(ModelTask):
@@ -202,7 +206,8 @@ class EdgeDistanceTask(ModelTask):
 
 def queue_of(name: TaskName, task: ModelTask) -> Queue:
     """On which queue is this very task sent? Looking takes seconds: what takes milliseconds does not wait for it."""
-    looks = isinstance(task, FindPartsTask | GroundTask) and task.grounding is not GroundedBy.GEOMETRY
+    networks = (GroundedBy.VISION, GroundedBy.FUSED)
+    looks = isinstance(task, FindPartsTask | GroundTask) and task.grounding in networks
     return Queue.PICTURES if looks else name.queue
 
 

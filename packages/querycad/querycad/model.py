@@ -278,7 +278,7 @@ class Model:
         least_confidence: float | None = None,
         context: Sequence[str] = (),
         select: Sequence[OnePart | int] = (),
-        grounding: GroundedBy | Literal["geometry", "vision", "fused"] | None = None,
+        grounding: GroundedBy | Literal["geometry", "vision", "fused", "eyes"] | None = None,
         options: AnswerOptions = NO_OPTIONS,
     ) -> Reply:
         """What is the answer to a question in English?
@@ -311,7 +311,7 @@ class Model:
         self,
         description: str,
         sides: Sequence[SideName] | None = None,
-        grounding: GroundedBy | Literal["geometry", "vision", "fused"] = GroundedBy.GEOMETRY,
+        grounding: GroundedBy | Literal["geometry", "vision", "fused", "eyes"] = GroundedBy.GEOMETRY,
     ) -> Parts:
         """Which parts does a phrase mean, such as 'blind holes', of those visible from any of `sides`?"""
         seen_from = None if sides is None else tuple(Side(side) for side in sides)

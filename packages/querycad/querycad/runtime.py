@@ -117,7 +117,8 @@ class EmbeddedRuntime:
         model_ms = round(opening_s * 1e3, 3)
         view, run = _view(segcad, options.grounding), self._runner(segcad, options.grounding)
         told = summary(segcad.model) if self._llm.settings.is_configured else None
-        record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm)
+        place = segcad.grounded_by(GroundedBy.EYES)
+        record = answer_question(question, run, view, unit, options, summary=told, llm=self._llm, place=place)
         warnings = tuple(dict.fromkeys((*segcad.model.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})
 

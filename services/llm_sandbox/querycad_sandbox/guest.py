@@ -23,6 +23,7 @@ from querycad_contracts import (
     MissingAttribute,
     Part,
     PartQuery,
+    PictureRequest,
     RunStatus,
     SegCad,
     Shape,
@@ -66,10 +67,12 @@ ON_DEMAND: Final[dict[type, tuple[str, ...]]] = {
     Face: ("neighbours", "part", "frame"),
 }
 """Attributes that are made, or asked for, when a program reads them."""
-FUNCTIONS: Final = ("find_parts", "parts", "faces", "adjacent")
+FUNCTIONS: Final = ("find_parts", "parts", "faces", "adjacent", "look", "picture")
 """What of the guest API asks the host; the rest is Python inside the sandbox."""
 BOX_SLACK_M: Final = 1e-6
 """A centre on the border of a box counts as in it: above kernel noise, below drawing accuracy."""
+MOST_SHOWN: Final = 30
+"""Most parts that are numbered in one picture; the contract has the same."""
 FACES: Final = 5000
 """Most faces of one faces() call; a program that wants more has not said which."""
 SAID_CHARS: Final = 300
@@ -78,8 +81,10 @@ ATTRIBUTE_CHARS: Final = 100
 """Of the name of a measure that is not there, which is the program's to choose."""
 OBJECT_BYTES, ID_BYTES = 6000, 40
 """Of a part or face with what a program sees of it, and of each of its faces' numbers: measured with tracemalloc."""
+PICTURES: Final = 3
+"""Most pictures of one run: each is a thousand tokens to whoever is shown it."""
 DESCRIPTIONS: Final = 100
-"""Most different find_parts, parts and faces calls of a run; each may take long, and its time is not the program's."""
+"""Most different calls of a run that find parts or faces; each may take long, and its time is not the program's."""
 
 _PARALLEL: Final = 1e-3
 """Radians; axes nearer to one direction are parallel."""
@@ -178,6 +183,7 @@ class Guest:
         self._parts: tuple[Part, ...] | None = None
         self._by_id: dict[str, Part] = {}
         self.groundings: list[Grounding] = []
+        self.pictures: list[PictureRequest] = []
         self.ended: BaseException | None = None
         self.absence: Absence | None = None
         """The last measure that was asked for in vain."""
@@ -263,6 +269,35 @@ class Guest:
                 self.groundings.append(_grounding(said, (found.part,)))
             self._chosen[said] = [self._face_view(face) for face in found.faces]
         return [*self._chosen[said]]
+
+    def look(self, phrase: object) -> list[PartView]:
+        """The function `look`: what was seen in pictures, where whoever looks has done so."""
+        said = call_text("look", phrase=phrase)
+        if not isinstance(phrase, str) or not phrase.strip():
+            raise TypeError("look() takes a few words, such as 'logo'")
+        if said not in self._chosen:
+            self._count()
+            grounding = self._ask(lambda: self._segcad.look(phrase[:SAID_CHARS]))
+            self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
+            self.groundings.append(grounding)
+            self._chosen[said] = [self._part_view(part) for part in grounding.parts]
+        return [view for view in self._chosen[said] if isinstance(view, PartView)]
+
+    def picture(self, side: object = None, parts: object = None) -> None:
+        """The function `picture`: notes what is to be drawn once the program has ended."""
+        sides = sides_of(side, "picture")
+        if sides is not None and len(sides) != 1:
+            raise ValueError("picture() takes one side")
+        shown = [parts] if isinstance(parts, Part) else list(parts) if isinstance(parts, list | tuple) else []
+        if not all(isinstance(each, Part) for each in shown) or (parts is not None and not shown):
+            raise TypeError("picture() takes a list of parts")
+        if len(shown) > MOST_SHOWN:
+            raise ValueError(f"picture() numbers {MOST_SHOWN} parts at most: say which")
+        asked = PictureRequest(side=sides[0] if sides else None, parts=tuple(dict.fromkeys(one.id for one in shown)))
+        if asked not in self.pictures:
+            if len(self.pictures) >= PICTURES:
+                raise ValueError(f"a program may ask for {PICTURES} pictures")
+            self.pictures.append(asked)
 
     def adjacent(self, a: object, b: object) -> bool:
         """The function `adjacent`: do they share a face, or an edge?"""

@@ -174,8 +174,13 @@ class RemoteSegCad:
         """Which parts does `description` mean, of those visible from any of `sides`?"""
         asked = None if sides is None else tuple(sides)
         task = FindPartsTask(model=self._model, description=description, sides=asked, grounding=self._grounding)
-        long_s = None if self._grounding is GroundedBy.GEOMETRY else self._settings.measure_s
+        long_s = self._settings.measure_s if self._grounding in (GroundedBy.VISION, GroundedBy.FUSED) else None
         return self._ask(TaskName.FIND_PARTS, task, _GROUNDING, long_s)
+
+    def look(self, phrase: str) -> Grounding:
+        """Which parts look like this to whoever was shown pictures of them? Geometry has no say."""
+        task = FindPartsTask(model=self._model, description=phrase, grounding=GroundedBy.EYES, sight_alone=True)
+        return self._ask(TaskName.FIND_PARTS, task, _GROUNDING)
 
     def ground(self, queries: Sequence[PartQuery]) -> tuple[tuple[Grounded, ...], ...]:
         """In which ways can each query be grounded on the model, the best first?"""

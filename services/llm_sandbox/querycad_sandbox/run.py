@@ -117,6 +117,7 @@ class Run:
             empty_selection=self.ending.empty_selection,
             printed="".join(self._printed),
             groundings=tuple(self.guest.groundings),
+            pictures=tuple(self.guest.pictures),
             used_parts=self.used_parts if ok else (),
             duration_ms=duration_ms,
         )

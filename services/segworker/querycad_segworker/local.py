@@ -6,6 +6,7 @@ import importlib.util
 from collections.abc import Sequence
 from copy import copy
 from functools import cache, cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from querycad_contracts import (
@@ -15,13 +16,19 @@ from querycad_contracts import (
     Grounded,
     GroundedBy,
     Grounding,
+    MarkedPicture,
     Part,
     PartQuery,
+    PictureRequest,
     Shape,
     Side,
+    Sight,
     Vector,
+    needs_eyes,
 )
+from querycad_language.phrases import noun_phrase
 
+from .eyes.sights import Fetch, Sights, nothing_elsewhere, part_of
 from .face_table import chosen, owned
 from .grounding.find import find, present
 from .grounding.ground import ground
@@ -53,13 +60,15 @@ class LocalSegCad:
         networks: Networks = no_networks,
         vision: VisionOptions | None = None,
         keep: Keep = keep_here,
+        fetch: Fetch = nothing_elsewhere,
     ) -> None:
         """`networks` gives those that look at pictures when vision is asked, or raises WeightsAbsent.
 
-        `keep` puts the sheets that show how where others find them.
+        `keep` puts pictures, and what eyes saw in them, where others find them; `fetch` brings what others made.
         """
         self.artefacts = artefacts
         self._vision = Vision(artefacts, networks, vision, keep)
+        self._sights = Sights(artefacts, keep, fetch)
         self._kernel = Kernel(artefacts.kernel_faces)
         self.model = model or artefacts.load_model()
 
@@ -109,9 +118,12 @@ class LocalSegCad:
     def _ways(self, query: PartQuery) -> tuple[Grounded, ...]:
         """What geometry does not have is looked for, where sight has a say."""
         ways = tuple(ground(self._inventory, query))
-        if self.grounding is GroundedBy.GEOMETRY or ways[0].parts:
+        looks = needs_eyes(ways) if self.grounding is GroundedBy.EYES else not ways[0].parts
+        if self.grounding is GroundedBy.GEOMETRY or not looks:
             return ways
         seen = self.find_parts(query)
+        if self.grounding is GroundedBy.EYES and not seen.seen_by:
+            return ways
         return (Grounded(parts=seen.parts, features={}, reason=seen.description), *ways) if seen.parts else ways
 
     def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
@@ -119,9 +131,38 @@ class LocalSegCad:
         by_words = find(self._inventory, description, sides)
         if self.grounding is GroundedBy.GEOMETRY:
             return by_words
+        if self.grounding is GroundedBy.EYES:
+            query = noun_phrase(description, self.names) if isinstance(description, str) else description
+            guessed = needs_eyes(tuple(ground(self._inventory, query)))
+            return self._sights.ground(by_words, self._parts, self._faces, guessed)
         if not can_look():
             return by_words.model_copy(update={"warnings": (*by_words.warnings, NO_EYES)})
         return self._vision.ground(by_words, self.grounding, self.model.parts, self._faces)
+
+    def look(self, phrase: str) -> Grounding:
+        """Which parts look like this to whoever was shown pictures of them? Geometry has no say."""
+        by_words = Grounding(description=" ".join(phrase.split()), sides=None, parts=(), understood=True)
+        return self._sights.ground(by_words, self._parts, self._faces, guessed=True, alone=True)
+
+    def marked(self, asked: PictureRequest | None = None) -> tuple[MarkedPicture, ...]:
+        """The pictures with marks on all that could be meant; or the one that a program asks for. Raises KeyError."""
+        if asked is not None:
+            return (self._sights.picture(asked, self._parts, self._faces),)
+        return self._sights.pictures(self.model.parts, self._faces)
+
+    def png(self, name: str) -> bytes:
+        """A marked picture. Raises OSError."""
+        return self.picture_file(name).read_bytes()
+
+    def picture_file(self, name: str) -> Path:
+        """Where on this machine is a marked picture?"""
+        return self._sights.file(name)
+
+    def keep_sight(self, sight: Sight) -> None:
+        """Keeps what was seen. Raises KeyError where a part is none of the model's."""
+        for one in sight.found:
+            part_of(one.part, self._parts, self._faces)
+        self._sights.keep(sight)
 
     def parts(self) -> tuple[Part, ...]:
         """Which parts were recognised in the model?"""

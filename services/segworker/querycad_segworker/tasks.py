@@ -32,6 +32,8 @@ from querycad_contracts import (
     Grounding,
     GroundTask,
     IngestTask,
+    MarkedPicture,
+    MarkTask,
     ModelSummary,
     ModelTask,
     Part,
@@ -40,6 +42,7 @@ from querycad_contracts import (
     PictureTask,
     ReadingStage,
     Shape,
+    SightTask,
     TaskFailure,
     TaskFailureKind,
     TaskName,
@@ -84,7 +87,7 @@ class ModelCache:
         known = self._store.find(model)
         if known is not None:
             return known
-        folder = self._name(self._store.folder(model))
+        folder = self.name_of(self._store.folder(model))
         if self.files.fetch_folder(folder) and (known := self._store.find(model)) is not None:
             return known
         if not self.files.exists(upload_name(model)):
@@ -96,7 +99,7 @@ class ModelCache:
         try:
             return self.artefacts(model)
         except NotRead:
-            folder = self._name(self._store.folder(model))
+            folder = self.name_of(self._store.folder(model))
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
@@ -112,7 +115,7 @@ class ModelCache:
     def made_of(self, model: str, file_name: str, make: Callable[[Artefacts, Path], None]) -> str:
         """The name, in the store, of a file that is made of the model's artefacts, now if it is not there yet."""
         artefacts = self.artefacts(model)
-        name = self._name(artefacts.folder / "drawn" / file_name)
+        name = self.name_of(artefacts.folder / "drawn" / file_name)
         made = self.made(name, lambda path: make(artefacts, path))
         self.drop_if_deleted(model)
         return made
@@ -129,7 +132,7 @@ class ModelCache:
     def fetch_sheets(self, record: AnswerRecord, artefacts: Artefacts) -> None:
         """Brings here the sheets of what vision saw, where another machine drew them."""
         for name in sheets_of(record):
-            self.files.fetch(self._name(artefacts.sight(name)))
+            self.files.fetch(self.name_of(artefacts.sight(name)))
 
     def drop_if_deleted(self, model: str, *names: str) -> None:
         """Removes what was made of a model, and the files of these names, if it was deleted while they were made.
@@ -145,15 +148,21 @@ class ModelCache:
         raise UnknownModelError("the model was deleted meanwhile")
 
     def _keep(self, unfinished: Path, place: Path) -> None:
-        self.files.keep(self._name(place), unfinished)
+        self.files.keep(self.name_of(place), unfinished)
 
-    def _name(self, path: Path) -> str:
+    def _fetch(self, place: Path) -> None:
+        self.files.fetch(self.name_of(place))
+
+    def name_of(self, path: Path) -> str:
+        """What is a file of this machine called in the store?"""
         return path.relative_to(self.files.home).as_posix()
 
     def segcad(self, model: str) -> LocalSegCad:
         """The recognised model. Raises FileProblem."""
         if model not in self._kept:
-            self._kept[model] = LocalSegCad(self.artefacts(model), networks=self._networks, keep=self._keep)
+            self._kept[model] = LocalSegCad(
+                self.artefacts(model), networks=self._networks, keep=self._keep, fetch=self._fetch
+            )
         self._kept.move_to_end(model)
         while len(self._kept) > self._settings.segworker_models:
             self._kept.popitem(last=False)
@@ -184,7 +193,10 @@ class Tasks:
 
     def find_parts(self, task: FindPartsTask) -> Grounding:
         """Which parts does the description mean?"""
-        found = self.cache.segcad(task.model).grounded_by(task.grounding).find_parts(task.description, task.sides)
+        segcad = self.cache.segcad(task.model)
+        if task.sight_alone:
+            return segcad.look(str(task.description))
+        found = segcad.grounded_by(task.grounding).find_parts(task.description, task.sides)
         if task.grounding is not GroundedBy.GEOMETRY:  # else nothing is written
             self.cache.drop_if_deleted(task.model)
         return found
@@ -254,6 +266,19 @@ class Tasks:
 
         return self.cache.made_of(task.model, f"{task.view.value}-{task.width}x{task.height}.png", draw)
 
+    def mark(self, task: MarkTask) -> tuple[MarkedPicture, ...]:
+        """Draws the pictures that eyes are shown; their files are with the model's in the store."""
+        segcad = self.cache.segcad(task.model)
+        made = segcad.marked(task.asked)
+        self.cache.drop_if_deleted(task.model)
+        return tuple(one.model_copy(update={"name": self.cache.name_of(segcad.picture_file(one.name))}) for one in made)
+
+    def sight(self, task: SightTask) -> bool:
+        """Keeps what eyes saw."""
+        self.cache.segcad(task.model).keep_sight(task.sight)
+        self.cache.drop_if_deleted(task.model)
+        return True
+
     def glb(self, task: ModelTask) -> str:
         """Writes the model as binary glTF, and compressed beside it; the name of the first in the store."""
         from .render.glb import compress, write_glb  # here: as above
@@ -281,6 +306,8 @@ class Tasks:
             TaskName.PICTURE: _as_data(PictureTask, self.picture),
             TaskName.VIEW: _as_data(ViewTask, self.view),
             TaskName.GLB: _as_data(ModelTask, self.glb),
+            TaskName.MARK: _as_data(MarkTask, self.mark),
+            TaskName.SIGHT: _as_data(SightTask, self.sight),
         }
 
 

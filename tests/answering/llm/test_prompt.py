@@ -13,7 +13,7 @@ from querycad_answering.llm.files import VERSION
 from querycad_answering.llm.messages import Role
 from querycad_answering.llm.nearest import Nearest, words
 from querycad_answering.llm.prompt import as_text, conversation, examples, examples_for, in_words, repair
-from querycad_answering.llm.reference import attributes, functions, reference
+from querycad_answering.llm.reference import BY_SIGHT, attributes, functions, reference
 from querycad_answering.llm.settings import PromptExamples
 from querycad_contracts import AnswerType, Body, Expectation, ModelSummary, Shape
 
@@ -83,8 +83,14 @@ def test_what_does_not_change_comes_first() -> None:
     assert conversation("How many holes are there?", summary())[0] == conversation("How wide is it?", summary())[0]
 
 
+def test_what_needs_somebody_who_takes_images_is_told_only_where_there_is_one() -> None:
+    assert "look(phrase: str)" not in reference()
+    assert "look(phrase: str)" in reference(("look",))
+    assert "picture(" not in reference(("look",))
+
+
 def test_the_whole_guest_api_is_told() -> None:
-    told = reference()
+    told = reference(BY_SIGHT)
     for name in (*functions(), *attributes(), *(name for names in attributes().values() for name in names)):
         assert re.search(rf"\b{name}\b", told), name
 
@@ -181,6 +187,8 @@ def test_the_prompt_files_are_of_the_version_in_use() -> None:
     folder = Path(module.__file__).parent / "prompts" / VERSION
     assert {path.name for path in folder.iterdir()} == {
         "agent.md",
+        "eyes.md",
+        "eyes_question.md",
         "reply.md",
         "shown.md",
         "system.md",

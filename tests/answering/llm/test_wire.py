@@ -11,7 +11,9 @@ import pytest
 
 from querycad_answering.llm.client import HttpChatModel
 from querycad_answering.llm.messages import LlmBusy, LlmError, LlmRefused, Message, Reply, Role, TimeLimit
+from querycad_answering.llm.prompt import conversation
 from querycad_answering.llm.settings import LlmApi, LlmSettings
+from querycad_answering.llm.wire import wire_of
 
 RECORDED = Path(__file__).parent / "replies"
 TALK = (
@@ -134,3 +136,32 @@ def test_the_way_of_speaking_can_be_set_where_the_address_does_not_tell() -> Non
     server = Server((RECORDED / "anthropic.sse").read_bytes())
     assert ask(server, "http://127.0.0.1:9000", llm_api=LlmApi.ANTHROPIC).tokens.output == 31
     assert server.requests[0].url.path == "/v1/messages"
+
+
+def test_pictures_go_along_as_each_kind_of_server_reads_them() -> None:
+    shown = (Message(Role.USER, "Which?", images=(b"PNG",)),)
+    openai = wire_of(LlmSettings(llm_base_url=BASES["openai"])).body(shown, 0.0)["messages"][0]["content"]
+    assert openai == [
+        {"type": "text", "text": "Which?"},
+        {"type": "image_url", "image_url": {"url": "data:image/png;base64,UE5H"}},
+    ]
+    anthropic = wire_of(LlmSettings(llm_base_url=BASES["anthropic"], llm_api=LlmApi.ANTHROPIC)).body(shown, 0.0)
+    source = {"type": "base64", "media_type": "image/png", "data": "UE5H"}
+    assert anthropic["messages"][0]["content"] == [
+        {"type": "image", "source": source},
+        {"type": "text", "text": "Which?"},
+    ]
+
+
+def test_anthropic_keeps_what_is_the_same_for_all_models_then_the_model_then_the_conversation() -> None:
+    wire = wire_of(LlmSettings(llm_base_url=BASES["anthropic"], llm_api=LlmApi.ANTHROPIC))
+    first = conversation("How many holes are there?", None)
+    system = wire.body(first, 0.0)["system"]
+    assert [block["cache_control"] for block in system] == [{"type": "ephemeral"}] * 2
+    assert system[1]["text"].startswith("# The model that is asked about")
+    assert "find_parts" in system[0]["text"]
+    longer = (*first, Message(Role.ASSISTANT, "x"), Message(Role.USER, "y"))
+    body = wire.body(longer, 0.0)
+    marked = [turn for turn in body["messages"] if any("cache_control" in block for block in turn["content"])]
+    assert marked == [body["messages"][-1]]
+    assert sum("cache_control" in block for turn in body["messages"] for block in turn["content"]) + len(system) <= 4

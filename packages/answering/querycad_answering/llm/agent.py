@@ -56,6 +56,8 @@ class _Course:
     tokens: TokenUse = field(default_factory=TokenUse)
     answers: list[Candidate] = field(default_factory=list)
     """Programs that gave an answer, in order."""
+    images: tuple[bytes, ...] = ()
+    """Those that the last program asked for."""
     codes: set[str] = field(default_factory=set)
     """Those of them that were doubted."""
 
@@ -68,7 +70,7 @@ def work(
     What there is by then is kept.
     """
     steps, most_tokens = limits
-    course = _Course(agent_conversation(task.question, task.summary, task.expect, task.readings(), steps))
+    course = _Course(agent_conversation(task.question, task.summary, task.expect, task.readings(), steps, task.tools))
     for step in range(1, steps + 1):
         began = time.perf_counter()
         try:
@@ -87,8 +89,9 @@ def work(
         course.messages = (
             *course.messages,
             Message(Role.ASSISTANT, reply.text[:REPLY_CHARS]),
-            shown(seen, left),
+            shown(seen, left, course.images),
         )
+        course.images = ()
     if not written.question and not written.candidates:
         written.candidates += course.answers[-1:]
 
@@ -101,7 +104,8 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     code = blocks[-1]
     if not _assigns_result(code):
         outcome = task.run(Program(code=f"{code}\n{RESULT} = None", codegen=attempt.codegen))
-        return False, look(outcome), attempt.model_copy(update={"code": code})
+        drawn = _drawn(task, course, outcome)
+        return False, "\n".join((look(outcome), *drawn)), attempt.model_copy(update={"code": code})
     code = program_in(reply.text, reply.cut) or code
     attempt = attempt.model_copy(update={"code": code})
     if wrong := problems(code, task.question):
@@ -149,6 +153,23 @@ def _different(answers: Sequence[Candidate]) -> list[Candidate]:
 
 def _same(answer: Answer, other: Candidate) -> bool:
     return other.verdict.answer is not None and same_value(answer, other.verdict.answer)
+
+
+def _drawn(task: Task, course: _Course, outcome: RunOutcome) -> list[str]:
+    """What is said of the pictures that a program asked for; those that could be drawn go with the next message."""
+    lines: list[str] = []
+    for asked in outcome.pictures:
+        if task.draw is None:
+            return ["No pictures can be shown here."]
+        try:
+            course.images += (task.draw(asked),)
+        except (KeyError, OSError) as error:
+            lines.append(f"A picture could not be drawn: {error}")
+            continue
+        numbers = "; ".join(f"{number}: {part}" for number, part in enumerate(asked.parts, start=1))
+        side = f"seen from {asked.side.value}" if asked.side is not None else "seen from where most of it shows"
+        lines.append(f"Picture {len(course.images)}, {side}{f', with numbers {numbers}' if numbers else ''}.")
+    return lines
 
 
 def look(outcome: RunOutcome, why: bool = True) -> str:

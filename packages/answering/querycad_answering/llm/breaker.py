@@ -1,11 +1,19 @@
-"""A circuit breaker: a language model that does not answer is left alone for a while; the parser answers at once."""
+"""What spares a server: a breaker leaves one alone that does not answer, a gate lets only so many requests through.
+
+Both are of one process. While a breaker is open the parser answers at once; who stands at a gate waits his turn.
+"""
 
 from __future__ import annotations
 
+import threading
 import time
-from collections.abc import Callable
+from collections import deque
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
-from .messages import LlmBusy, LlmError, LlmTooSlow
+from .messages import LlmBusy, LlmError, LlmTooSlow, TimeLimit
+
+MINUTE_S = 60.0
 
 
 class Breaker:
@@ -35,3 +43,59 @@ class Breaker:
             self._failed += 1
             if self._failed >= self._most:
                 self._until = self._clock() + self._pause_s
+
+
+class Gate:
+    """Lets so many requests at once through to one address, and so many in any minute; 0: any number. Thread safe."""
+
+    def __init__(
+        self,
+        parallel: int,
+        per_minute: int,
+        clock: Callable[[], float] = time.monotonic,
+        sleep: Callable[[float], None] = time.sleep,
+    ) -> None:
+        self._free = threading.BoundedSemaphore(parallel)
+        self._per_minute = per_minute
+        self._clock = clock
+        self._sleep = sleep
+        self._begun: deque[float] = deque()
+        self._lock = threading.Lock()
+
+    @contextmanager
+    def passed(self, deadline: TimeLimit) -> Iterator[None]:
+        """While the context lasts, one of the places is taken. Raises LlmTooSlow where none is free in time."""
+        if not self._free.acquire(timeout=deadline.left_s()):
+            deadline.left_s()
+            raise LlmTooSlow("too many other requests to the language model are under way")
+        try:
+            self._wait(deadline)
+            yield
+        finally:
+            self._free.release()
+
+    def _wait(self, deadline: TimeLimit) -> None:
+        """Waits until fewer than so many requests were begun in the minute before; this one counts from then on."""
+        while self._per_minute:
+            with self._lock:
+                now = self._clock()
+                while self._begun and self._begun[0] <= now - MINUTE_S:
+                    self._begun.popleft()
+                if len(self._begun) < self._per_minute:
+                    self._begun.append(now)
+                    return
+                left_s = self._begun[0] + MINUTE_S - now
+            if left_s >= deadline.left_s():
+                raise LlmTooSlow(f"the language model is asked {self._per_minute} times a minute at most")
+            self._sleep(left_s)
+
+
+_GATES: dict[str, Gate] = {}
+_GATES_LOCK = threading.Lock()
+
+
+def gate_of(address: str, parallel: int, per_minute: int) -> Gate:
+    """The gate of an address, one for all who ask there from this process."""
+    key = f"{address} {parallel} {per_minute}"
+    with _GATES_LOCK:
+        return _GATES.setdefault(key, Gate(parallel, per_minute))

@@ -37,7 +37,7 @@ def problems(code: str, question: str = "") -> tuple[str, ...]:
         return ()
     found = [problem for node in ast.walk(tree) if (problem := _problem(node))]
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    if not names & {"find_parts", "parts", "faces", "shape"}:
+    if not names & {"find_parts", "parts", "faces", "shape", "look"}:
         found.append("The program uses neither find_parts, parts, faces nor shape: compute the answer from the model.")
     found += _slips(tree, question)
     return tuple(dict.fromkeys(found))

@@ -6,6 +6,7 @@ import random
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from datetime import UTC, datetime
 from email.utils import parsedate_to_datetime
 
@@ -13,6 +14,8 @@ import httpx
 
 from querycad_contracts import TokenUse
 
+from .breaker import Gate, gate_of
+from .forms import Form, as_reply
 from .messages import ChatModel, LlmBusy, LlmError, LlmRefused, LlmTooSlow, Message, Reply, TimeLimit
 from .process import ProcessChatModel
 from .replies import KeptReplies
@@ -29,26 +32,35 @@ TOKEN_CHARS = 12
 BODY_BYTES = 2**20
 OTHER_NAMES = {"max_tokens": "max_completion_tokens"}
 """What OpenAI's reasoning models call it."""
-OPTIONAL = frozenset({"max_tokens", "temperature", "stream_options"})
+OPTIONAL = frozenset(
+    {"max_tokens", "temperature", "stream_options", "response_format", "grammar", "structured_outputs", "tools"}
+)
 
 
-def open_model(settings: LlmSettings) -> ChatModel:
-    """The language model of these settings, a command before an address; its replies are kept where they say so."""
-    model = ProcessChatModel(settings) if settings.llm_command else HttpChatModel(settings)
+def open_model(settings: LlmSettings, form: Form | None = None) -> ChatModel:
+    """The language model of these settings, a command before an address; its replies are kept where they say so.
+
+    `form`: what its replies are held to, where the settings say how.
+    """
+    model = ProcessChatModel(settings) if settings.llm_command else HttpChatModel(settings, form=form)
     return model if settings.llm_replies is None else KeptReplies(model, settings)
 
 
 class HttpChatModel:
-    """A language model behind an address. For one thread; `transport` and `sleep` replace network and clock."""
+    """A language model behind an address. Thread safe; `transport`, `sleep` and `gate` replace network and clock."""
 
     def __init__(
         self,
         settings: LlmSettings,
         transport: httpx.BaseTransport | None = None,
         sleep: Callable[[float], None] = time.sleep,
+        form: Form | None = None,
+        gate: Gate | None = None,
     ) -> None:
         self._settings = settings
-        self._wire = wire_of(settings)
+        self._form = form
+        self._wire = wire_of(settings, form)
+        self._gate = gate or gate_of(str(self._wire.url()), settings.llm_parallel, settings.llm_per_minute)
         self._http = httpx.Client(transport=transport, follow_redirects=False)  # a redirect would take the key along
         self._sleep = sleep
         self._unwanted: set[str] = set()
@@ -59,7 +71,9 @@ class HttpChatModel:
         while True:
             body = self._accepted(self._wire.body(conversation, temperature))
             try:
-                return self._send(body, deadline)
+                with self._gate.passed(deadline):
+                    reply = self._send(body, deadline)
+                return replace(reply, text=as_reply(reply.text)) if self._form is not None else reply
             except LlmRefused as error:
                 if error.parameter not in body.keys() & OPTIONAL:
                     raise
@@ -87,6 +101,16 @@ class HttpChatModel:
         self._sleep(pause_s)
 
     def _send(self, body: Json, deadline: TimeLimit) -> Reply:
+        """One request. A server may say the key that it refuses: that is taken out of what it said."""
+        try:
+            return self._exchange(body, deadline)
+        except LlmError as error:
+            key = self._settings.llm_api_key.get_secret_value()
+            if key and key in str(error):
+                error.args = (str(error).replace(key, "…"), *error.args[1:])
+            raise
+
+    def _exchange(self, body: Json, deadline: TimeLimit) -> Reply:
         left_s = deadline.left_s()
         timeout = httpx.Timeout(left_s, connect=min(CONNECT_S, left_s))
         try:
@@ -111,8 +135,8 @@ class HttpChatModel:
         """The whole reply, of a stream or at once."""
         if "text/event-stream" not in response.headers.get("content-type", "text/event-stream"):
             piece = self._wire.piece(parsed(b"".join(_bounded(response.iter_bytes(), deadline))))
-            return Reply(piece.text, piece.cut, piece.tokens or TokenUse())
-        text, ended, cut, tokens = "", False, False, TokenUse()
+            return Reply(_joined(piece.text, piece.call), piece.cut, piece.tokens or TokenUse())
+        text, call, ended, cut, tokens = "", "", False, False, TokenUse()
         for line in _lines(response, deadline):
             ended = ended or line.removeprefix("data:").strip() == DONE
             event = event_of(line)
@@ -120,16 +144,22 @@ class HttpChatModel:
                 continue
             piece = self._wire.piece(event)
             text += piece.text
+            call += piece.call
             ended, cut = ended or piece.ended, cut or piece.cut
             if piece.tokens is not None:
                 tokens = TokenUse(
                     input=max(tokens.input, piece.tokens.input), output=max(tokens.output, piece.tokens.output)
                 )
-            if len(text) > TOKEN_CHARS * self._settings.llm_tokens:
+            if len(text) + len(call) > TOKEN_CHARS * self._settings.llm_tokens:
                 return Reply(text, True, tokens)
         if not ended:
             raise LlmBusy("the language model's reply broke off")
-        return Reply(text, cut, tokens)
+        return Reply(_joined(text, call), cut, tokens)
+
+
+def _joined(text: str, call: str) -> str:
+    """What was said, and the program of a tool's call as a code block."""
+    return f"{text.strip()}\n{as_reply(call)}".strip() if call else text
 
 
 def _lines(response: httpx.Response, deadline: TimeLimit) -> Iterator[str]:

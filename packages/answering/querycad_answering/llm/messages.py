@@ -58,6 +58,10 @@ class Message:
 
     role: Role
     text: str
+    images: tuple[bytes, ...] = ()
+    """PNG files that go with it; for models that take images."""
+    fixed: int = 0
+    """Characters at its beginning that are the same for all models and questions: a server may keep them read."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ is started for each reply, without a shell, and ended with all its children when
     {"messages": [{"role": "system" | "user" | "assistant", "content": text}, …],
      "temperature": number, "max_tokens": number, "sample": number}
 
+(a message with pictures has a list as its content, of one `text` and of `image_url`s with the PNG file's data URL),
 and its standard output, as text, is the reply. An exit code other than 0 is no reply; the last line of its standard
 error says why.
 """
@@ -23,14 +24,15 @@ from threading import Timer
 
 from .messages import LlmBusy, LlmRefused, Message, Reply, TimeLimit
 from .settings import LlmSettings
+from .wire import openai_messages
 
 CHARS_A_TOKEN = 12
 """As of replies over HTTP: what is longer comes from a process that keeps no limit."""
 COMPLAINT_BYTES = 2**16
 SAID_CHARS = 200
 """Of what the process says on standard error, in the reason for which there is no reply."""
-OF_OURS = ("QUERYCAD_LLM_API_KEY",)
-"""What the process is not told: the key is for the address that it belongs to."""
+OF_OURS = ("QUERYCAD_LLM_API_KEY", "QUERYCAD_EYES_API_KEY")
+"""What the process is not told: a key is for the address that it belongs to."""
 
 
 class ProcessChatModel:
@@ -43,7 +45,7 @@ class ProcessChatModel:
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         """What does it say? Raises LlmError."""
         asked = {
-            "messages": [{"role": message.role.value, "content": message.text} for message in conversation],
+            "messages": openai_messages(conversation),
             "temperature": temperature,
             "max_tokens": self._settings.llm_tokens,
             "sample": sample,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from string import Template
 
@@ -18,6 +19,14 @@ from .settings import PromptExamples
 
 EXAMPLES = 3
 """Shown for a question: enough forms to follow, and little to read for a small model on a slow machine."""
+
+THIS_MODEL = "# The model that is asked about"
+"""Where, in the file `system.md`, begins what is told of one model."""
+
+_TOOLS = {
+    "look": '- A word that is no shape ("logo", "connector", "gasket") is found by sight: `look(phrase)`.',
+    "picture": "- `picture(side, parts)` in a program that looks shows you a picture of the model after it.",
+}
 
 _IN_WORDS = {
     AnswerType.COUNT: "a whole number",
@@ -100,14 +109,14 @@ def conversation(
         message
         for example in shown_examples(question, which)
         for message in (
-            Message(Role.USER, _text("question.md", question=example.question, expected="")),
+            Message(Role.USER, filled("question.md", question=example.question, expected="")),
             Message(Role.ASSISTANT, example.reply),
         )
     ]
     model = facts(summary) if summary is not None else "Nothing is known of it."
-    system = _text("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
-    asked = _text("question.md", question=" ".join(question.split()), expected=told)
-    return (Message(Role.SYSTEM, system), *shown, Message(Role.USER, asked))
+    system = filled("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
+    asked = filled("question.md", question=" ".join(question.split()), expected=told)
+    return (_system(system), *shown, Message(Role.USER, asked))
 
 
 def agent_conversation(
@@ -116,31 +125,47 @@ def agent_conversation(
     expect: Expectation | None = None,
     readings: tuple[str, ...] = (),
     steps: int = 6,
+    tools: Sequence[str] = (),
 ) -> tuple[Message, ...]:
-    """What is sent first to who may look before answering: the rules, the facts, how a parser reads the question."""
+    """What is sent first to who may look before answering: the rules, the facts, how a parser reads the question.
+
+    `tools`: which of `look` and `picture` it may call, since eyes are set up, or it takes images itself.
+    """
     told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
     listed = "".join(f"\n- {reading}" for reading in readings)
     read = f"\nHow a parser reads it, the likeliest first:{listed}" if readings else ""
     model = facts(summary) if summary is not None else "Nothing is known of it."
-    how = _text("agent.md", steps=str(steps))
-    asked = _text("question.md", question=" ".join(question.split()), expected=told + read)
-    system = _text("system.md", reference=reference(), model=model, reply=how)
-    return (Message(Role.SYSTEM, system), Message(Role.USER, asked))
+    how = "\n".join((filled("agent.md", steps=str(steps)), *(_TOOLS[tool] for tool in tools)))
+    asked = filled("question.md", question=" ".join(question.split()), expected=told + read)
+    system = filled("system.md", reference=reference(tuple(tools)), model=model, reply=how)
+    return (_system(system), Message(Role.USER, asked))
 
 
-def shown(seen: str, left: int) -> Message:
+def _system(text: str) -> Message:
+    """What the system says: all that never changes, and then the model that is asked about."""
+    return Message(Role.SYSTEM, text, fixed=text.index(THIS_MODEL))
+
+
+def shown(seen: str, left: int, images: tuple[bytes, ...] = ()) -> Message:
     """What is said to a program that looked, or whose answer is doubted; `left`: how many steps there still are."""
-    return Message(Role.USER, _text("shown.md", seen=seen, left=str(left)))
+    return Message(Role.USER, filled("shown.md", seen=seen, left=str(left)), images)
 
 
 def repair(problem: str) -> Message:
     """What is said to a program that is no answer?"""
-    return Message(Role.USER, _text("repair.md", problem=problem))
+    return Message(Role.USER, filled("repair.md", problem=problem))
 
 
 def as_text(messages: tuple[Message, ...]) -> str:
     """A conversation as a person reads it."""
-    return "\n\n".join(f"--- {message.role.value} ---\n{message.text}" for message in messages) + "\n"
+    return (
+        "\n\n".join(f"--- {message.role.value}{_pictures(message)} ---\n{message.text}" for message in messages) + "\n"
+    )
+
+
+def _pictures(message: Message) -> str:
+    count = len(message.images)
+    return f", with {count} picture{'' if count == 1 else 's'}" if count else ""
 
 
 @cache
@@ -148,5 +173,6 @@ def _nearest() -> Nearest:
     return Nearest([example.question for example in examples()])
 
 
-def _text(name: str, **values: str) -> str:
+def filled(name: str, **values: str) -> str:
+    """The prompt file of this name with these values in their places."""
     return Template(prompt_text(name)).substitute(values).strip()

@@ -7,6 +7,9 @@ import re
 from functools import cache
 from importlib.resources import files
 
+BY_SIGHT = ("look", "picture")
+"""Functions that need somebody who takes images."""
+
 
 @cache
 def guest_api() -> ast.Module:
@@ -35,10 +38,13 @@ def functions() -> tuple[str, ...]:
 
 
 @cache
-def reference() -> str:
-    """All classes, attributes and functions with their docstrings, as short as they can be said."""
+def reference(tools: tuple[str, ...] = ()) -> str:
+    """All classes, attributes and functions with their docstrings, as short as they can be said.
+
+    `tools`: which functions of `BY_SIGHT` there is somebody for.
+    """
     lines: list[str] = []
-    body = guest_api().body
+    body = [node for node in guest_api().body if _name(node) not in BY_SIGHT or _name(node) in tools]
     for node, follower in zip(body, [*body[1:], None], strict=True):
         match node:
             case ast.ClassDef():

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from querycad_contracts import Frozen, TokenUse
 
 from .messages import ChatModel, Message, Reply, TimeLimit
-from .settings import LlmSettings
+from .settings import Constrained, LlmSettings
 
 
 class _Kept(Frozen):
@@ -29,7 +29,13 @@ class KeptReplies:
         assert settings.llm_replies is not None
         self._model = model
         self._folder = settings.llm_replies
-        self._who = [settings.llm_command or settings.llm_base_url, settings.llm_model, settings.llm_tokens]
+        self._who: list[str | int] = [
+            settings.llm_command or settings.llm_base_url,
+            settings.llm_model,
+            settings.llm_tokens,
+        ]
+        if settings.llm_constrained is not Constrained.NONE:
+            self._who.append(settings.llm_constrained.value)
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         """What did it say to this, or what does it say now? Raises LlmError."""
@@ -43,7 +49,10 @@ class KeptReplies:
         return Reply(kept.text, kept.cut, kept.tokens)
 
     def _path(self, conversation: tuple[Message, ...], temperature: float, sample: int) -> Path:
-        turns = [[message.role.value, message.text] for message in conversation]
+        turns = [
+            [message.role.value, message.text, *(hashlib.sha256(image).hexdigest() for image in message.images)]
+            for message in conversation
+        ]
         asked = json.dumps([*self._who, turns, temperature, sample])
         return self._folder / f"{hashlib.sha256(asked.encode()).hexdigest()}.json"
 

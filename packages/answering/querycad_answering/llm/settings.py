@@ -19,6 +19,20 @@ class LlmApi(StrEnum):
     ANTHROPIC = "anthropic"
 
 
+class Constrained(StrEnum):
+    """How is a language model held to the form of its replies?"""
+
+    NONE = "none"
+    LLAMA_CPP = "llama.cpp"
+    """`grammar`, as llama.cpp's servers read it."""
+    VLLM = "vllm"
+    """`structured_outputs`."""
+    JSON_SCHEMA = "json_schema"
+    """`response_format`, as OpenAI, Ollama and others read it."""
+    TOOLS = "tools"
+    """Programs come as calls of a tool, by the endpoint's own protocol; Anthropic's, too."""
+
+
 class PromptExamples(StrEnum):
     """Which worked examples are shown with a question?"""
 
@@ -73,11 +87,28 @@ class LlmSettings(Settings):
         description="Worked examples shown with a question: `nearest`, the three most like it; `3`, always the same "
         "three; `0`, none.",
     )
+    llm_constrained: Constrained = Field(
+        Constrained.NONE,
+        description="How the server holds replies to their form: `llama.cpp`, `vllm`, `json_schema`, `tools`, or "
+        "`none`.",
+    )
+    llm_parallel: int = Field(4, ge=1, le=256, description="Requests under way at once to one address, by one process.")
+    llm_per_minute: int = Field(0, ge=0, description="Requests to one address in any minute, by one process; 0: any.")
+    llm_images: bool = Field(
+        False, description="Whether it takes images: then the agent is shown pictures, and it is the eyes."
+    )
+    eyes_base_url: str = Field("", description="Address of another model that takes images, which is the eyes.")
+    eyes_command: str = Field("", description="A command in its place.")
+    eyes_api: LlmApi | None = Field(None, description="As `llm_api`, of the eyes.")
+    eyes_api_key: SecretStr = Field(SecretStr(""), description="Key of the eyes' address.")
+    eyes_model: str = Field("", description="Name of the eyes' model.")
+    eyes_phrases: int = Field(4, ge=1, le=50, description="Phrases that are looked for, for one question.")
+    eyes_pictures: int = Field(12, ge=1, le=16, description="Pictures that are looked at for one phrase.")
     llm_replies: Path | None = Field(
         None, description="Folder that keeps replies; the same request is then answered from it, without being sent."
     )
 
-    @field_validator("llm_command")
+    @field_validator("llm_command", "eyes_command")
     @classmethod
     def _is_command(cls, command: str) -> str:
         try:
@@ -88,7 +119,7 @@ class LlmSettings(Settings):
             raise ValueError("is no command: it is blank")
         return command
 
-    @field_validator("llm_base_url")
+    @field_validator("llm_base_url", "eyes_base_url")
     @classmethod
     def _is_http(cls, url: str) -> str:
         parts = urlsplit(url)
@@ -102,6 +133,25 @@ class LlmSettings(Settings):
     def is_configured(self) -> bool:
         """Is there a language model to ask?"""
         return bool(self.llm_base_url or self.llm_command)
+
+    def eyes(self) -> LlmSettings | None:
+        """The settings of who is shown pictures: of another model where one is set up, else these. None without any.
+
+        The key of one address never goes to another.
+        """
+        if self.eyes_base_url or self.eyes_command:
+            other = {
+                "llm_base_url": self.eyes_base_url,
+                "llm_command": self.eyes_command,
+                "llm_api": self.eyes_api,
+                "llm_api_key": self.eyes_api_key,
+                "llm_model": self.eyes_model,
+                "llm_images": True,
+            }
+            return self.model_copy(update=other)
+        if not self.llm_images or not self.is_configured:
+            return None
+        return self.model_copy(update={"llm_model": self.eyes_model}) if self.eyes_model else self
 
     @property
     def api(self) -> LlmApi:

@@ -6,7 +6,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from querycad_answering.judging import NO_EXPECTATION, Verdict
-from querycad_contracts import Answer, AnswerType, Attempt, Expectation, ModelSummary, Program, RunOutcome
+from querycad_contracts import (
+    Answer,
+    AnswerType,
+    Attempt,
+    Expectation,
+    ModelSummary,
+    PictureRequest,
+    Program,
+    RunOutcome,
+)
 
 from .messages import LlmError
 
@@ -48,6 +57,10 @@ class Task:
     judged: Callable[[Program, RunOutcome], Verdict] = _no_verdict
     readings: Callable[[], tuple[str, ...]] = tuple
     parsed: Callable[[], Parsed | None] = lambda: None
+    tools: tuple[str, ...] = ()
+    """Which of `look` and `picture` programs may call."""
+    draw: Callable[[PictureRequest], bytes] | None = None
+    """The picture that a program asked for, a PNG file. Raises KeyError and OSError."""
 
     @property
     def wanted(self) -> AnswerType | None:

@@ -6,6 +6,7 @@ Azure, vLLM, Ollama, llama.cpp and others speak the first.
 from __future__ import annotations
 
 import json
+from base64 import b64encode
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -13,6 +14,7 @@ import httpx
 
 from querycad_contracts import TokenUse
 
+from .forms import Form, anthropic_tools, constraint
 from .messages import LlmBusy, LlmRefused, Message, Role
 from .settings import LlmApi, LlmSettings
 
@@ -27,6 +29,8 @@ BUSY_ERRORS = (
 )
 """Kinds of errors, told inside a stream or in a body, after which another try may succeed."""
 MESSAGE_CHARS = 300
+CACHED = {"type": "ephemeral"}
+"""Anthropic's mark: what comes up to here is kept for some minutes, and read from there at a tenth of its price."""
 DONE = "[DONE]"
 """What OpenAI's streams end with."""
 
@@ -38,6 +42,8 @@ class Piece:
     """A part of a streamed reply. `ended` says that the model was done; `cut`, that it was at its longest."""
 
     text: str = ""
+    call: str = ""
+    """Of the arguments of a tool call, as JSON."""
     ended: bool = False
     cut: bool = False
     tokens: TokenUse | None = None
@@ -63,16 +69,30 @@ class Wire(Protocol):
         ...
 
 
-def wire_of(settings: LlmSettings) -> Wire:
+def wire_of(settings: LlmSettings, form: Form | None = None) -> Wire:
     """How is the server of these settings spoken to?"""
-    return AnthropicWire(settings) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings)
+    return AnthropicWire(settings, form) if settings.api is LlmApi.ANTHROPIC else OpenAiWire(settings, form)
+
+
+def openai_messages(conversation: tuple[Message, ...]) -> list[Json]:
+    """The conversation as chat completions have it; pictures are data URLs behind their message's text."""
+    return [
+        {"role": message.role.value, "content": _openai_content(message) if message.images else message.text}
+        for message in conversation
+    ]
+
+
+def _openai_content(message: Message) -> list[Json]:
+    urls = [f"data:image/png;base64,{b64encode(image).decode()}" for image in message.images]
+    return [{"type": "text", "text": message.text}, *({"type": "image_url", "image_url": {"url": url}} for url in urls)]
 
 
 class OpenAiWire:
     """Chat completions."""
 
-    def __init__(self, settings: LlmSettings) -> None:
+    def __init__(self, settings: LlmSettings, form: Form | None = None) -> None:
         self._settings = settings
+        self._form = form
 
     def url(self) -> httpx.URL:
         """`<base>/chat/completions`; a query such as Azure's `api-version` stays."""
@@ -89,9 +109,10 @@ class OpenAiWire:
         model = {"model": self._settings.llm_model} if self._settings.llm_model else {}
         return {
             **model,
-            "messages": [{"role": message.role.value, "content": message.text} for message in conversation],
+            "messages": openai_messages(conversation),
             "max_tokens": self._settings.llm_tokens,
             "temperature": temperature,
+            **constraint(self._form, self._settings.llm_constrained),
             "stream": True,
             "stream_options": {"include_usage": True},
         }
@@ -104,14 +125,18 @@ class OpenAiWire:
         choice: Json = next(iter(event.get("choices") or ()), {})
         said = choice.get("delta") or choice.get("message") or {}
         finish = choice.get("finish_reason")
-        return Piece(said.get("content") or "", finish is not None, finish == "length", tokens if usage else None)
+        call: Json = next(iter(said.get("tool_calls") or ()), {})
+        arguments = (call.get("function") or {}).get("arguments") or ""
+        text = said.get("content") or ""
+        return Piece(text, arguments, finish is not None, finish == "length", tokens if usage else None)
 
 
 class AnthropicWire:
     """Messages."""
 
-    def __init__(self, settings: LlmSettings) -> None:
+    def __init__(self, settings: LlmSettings, form: Form | None = None) -> None:
         self._settings = settings
+        self._form = form
 
     def url(self) -> httpx.URL:
         """`<base>/v1/messages`, whether or not the base names the version."""
@@ -123,18 +148,30 @@ class AnthropicWire:
         return {"x-api-key": self._settings.llm_api_key.get_secret_value(), "anthropic-version": ANTHROPIC_VERSION}
 
     def body(self, conversation: tuple[Message, ...], temperature: float) -> Json:
-        """The request; what the system says has a field of its own, which the server keeps for the next question."""
-        turns = [message for message in conversation if message.role is not Role.SYSTEM]
+        """The request; what the system says has a field of its own, which the server keeps for the next question.
+
+        What is the same for all models is kept apart from what is told of this one.
+        """
+        turns: list[dict[str, Any]] = [
+            {"role": message.role.value, "content": _anthropic_content(message)}
+            for message in conversation
+            if message.role is not Role.SYSTEM
+        ]
+        if len(turns) > 1:  # a conversation goes on: all that was said so far is read once, too
+            turns[-1]["content"][-1]["cache_control"] = CACHED
         return {
             "model": self._settings.llm_model,
             "system": [
-                {"type": "text", "text": message.text, "cache_control": {"type": "ephemeral"}}
+                {"type": "text", "text": text, "cache_control": CACHED}
                 for message in conversation
                 if message.role is Role.SYSTEM
+                for text in (message.text[: message.fixed], message.text[message.fixed :])
+                if text
             ],
-            "messages": [{"role": message.role.value, "content": message.text} for message in turns],
+            "messages": turns,
             "max_tokens": self._settings.llm_tokens,
             "temperature": min(temperature, 1.0),
+            **anthropic_tools(self._form, self._settings.llm_constrained),
             "stream": True,
         }
 
@@ -145,14 +182,23 @@ class AnthropicWire:
             case "message_start":
                 return Piece(tokens=_anthropic_tokens(event.get("message") or {}))
             case "content_block_delta":
-                return Piece((event.get("delta") or {}).get("text") or "")
+                delta = event.get("delta") or {}
+                return Piece(delta.get("text") or "", delta.get("partial_json") or "")
             case "message_delta":
                 reason = (event.get("delta") or {}).get("stop_reason")
                 return Piece(ended=reason is not None, cut=reason == "max_tokens", tokens=_anthropic_tokens(event))
             case "message":
-                text = "".join(block.get("text") or "" for block in event.get("content") or ())
-                return Piece(text, True, event.get("stop_reason") == "max_tokens", _anthropic_tokens(event))
+                blocks = event.get("content") or ()
+                text = "".join(block.get("text") or "" for block in blocks)
+                call = next((json.dumps(block["input"]) for block in blocks if block.get("input")), "")
+                return Piece(text, call, True, event.get("stop_reason") == "max_tokens", _anthropic_tokens(event))
         return Piece()
+
+
+def _anthropic_content(message: Message) -> list[Json]:
+    """Pictures first, then the words about them."""
+    sources = [{"type": "base64", "media_type": "image/png", "data": b64encode(one).decode()} for one in message.images]
+    return [*({"type": "image", "source": source} for source in sources), {"type": "text", "text": message.text}]
 
 
 def _anthropic_tokens(holder: Json) -> TokenUse:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from querycad_answering.judging import Verdict
 from querycad_answering.quantities import measures_anything, scalar_type, triple_type
@@ -22,6 +23,7 @@ from .agent import work
 from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts
+from .forms import program_form
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .nearest import words
@@ -29,6 +31,9 @@ from .program import program_in
 from .prompt import conversation, in_words, repair
 from .settings import LlmSettings
 from .task import Candidate, Task, Written
+
+if TYPE_CHECKING:
+    from querycad_answering.eyes.looking import Eyes
 
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
@@ -53,18 +58,33 @@ class LlmWriter:
     """Writes programs with the language model of the settings, or with `model`."""
 
     def __init__(
-        self, settings: LlmSettings, model: ChatModel | None = None, breakers: dict[str, Breaker] | None = None
+        self,
+        settings: LlmSettings,
+        model: ChatModel | None = None,
+        breakers: dict[str, Breaker] | None = None,
+        eyes: Eyes | None = None,
     ) -> None:
         self.settings = settings
         self._model = model
         self._breakers = {} if breakers is None else breakers
         """By the model's name; shared by all writers that come of one."""
+        self._eyes = eyes
 
     def chosen(self, options: LlmOptions | None) -> LlmWriter:
         """The writer with what a caller chose. Raises LlmOptionRefused."""
         settings = self.settings.chosen(options)
         model = self._model if settings.llm_model == self.settings.llm_model else None
-        return LlmWriter(settings, model, self._breakers)
+        return LlmWriter(settings, model, self._breakers, self.eyes)
+
+    @property
+    def eyes(self) -> Eyes | None:
+        """Who is shown pictures; None where nobody is."""
+        shown = self.settings.eyes()
+        if self._eyes is None and shown is not None:
+            from querycad_answering.eyes.looking import Eyes  # here: eyes speak through this package
+
+            self._eyes = Eyes(shown)
+        return self._eyes
 
     @property
     def codegen(self) -> str:
@@ -88,7 +108,7 @@ class LlmWriter:
         if self._model is None:
             from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
 
-            self._model = open_model(self.settings)
+            self._model = open_model(self.settings, program_form())
         deadline = TimeLimit(self.settings.llm_timeout_s)
         try:
             if looks:

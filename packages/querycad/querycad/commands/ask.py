@@ -60,6 +60,7 @@ def prompt(options: argparse.Namespace) -> int:
     """Prints what a language model would be sent for a question, at first; returns the exit code."""
     from querycad_answering.llm import LlmSettings
     from querycad_answering.llm.prompt import agent_conversation, as_text, conversation
+    from querycad_answering.llm.reference import BY_SIGHT
     from querycad_answering.understanding import Understanding
 
     with EmbeddedRuntime() as runtime:
@@ -70,10 +71,18 @@ def prompt(options: argparse.Namespace) -> int:
     settings = LlmSettings.read()
     if (options.codegen or settings.codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
-        told = agent_conversation(options.question, summary, readings=readings, steps=settings.llm_steps)
+        tools = () if settings.eyes() is None else BY_SIGHT if settings.llm_images else BY_SIGHT[:1]
+        told = agent_conversation(options.question, summary, readings=readings, steps=settings.llm_steps, tools=tools)
     else:
         told = conversation(options.question, summary, which=settings.llm_examples)
     print(as_text(told), end="")
+    if settings.eyes() is not None:
+        from querycad_answering.eyes.looking import asked
+        from querycad_contracts import MarkedPicture, PlacedMark
+
+        marks = tuple(PlacedMark(number=number, part="", x=0, y=0) for number in (1, 2, 3))
+        picture = MarkedPicture(name="", view="top", marks=marks)
+        print(f"\nTo the eyes, for each phrase and each picture:\n\n{as_text(asked('PHRASE', picture, b''))}", end="")
     return EXIT_DONE
 
 

@@ -15,15 +15,24 @@ from querycad_answering.understanding import ModelView
 from querycad_api.store.keyspace import ModelStale
 from querycad_contracts import (
     Failure,
+    FileStore,
+    FindPartsTask,
     Grounded,
     GroundedBy,
     GroundedParts,
+    Grounding,
     GroundTask,
+    MarkedPicture,
+    MarkTask,
     ModelTask,
     Part,
     PartQuery,
     PartsPage,
     PartsTask,
+    PictureRequest,
+    Side,
+    Sight,
+    SightTask,
     TaskFailureKind,
     TaskName,
     TaskOutcome,
@@ -39,6 +48,9 @@ VIEWS_KEPT = 256
 """Models whose names and whole are remembered: a few kilobytes each."""
 _OUTCOME = TypeAdapter(TaskOutcome[GroundedParts])
 _PARTS = TypeAdapter(TaskOutcome[PartsPage])
+_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
+_PICTURES = TypeAdapter(TaskOutcome[tuple[MarkedPicture, ...]])
+_KEPT = TypeAdapter(TaskOutcome[bool])
 T = TypeVar("T")
 
 
@@ -67,8 +79,16 @@ class SegcadClient:
         """All parts of the model. Raises as `view` does."""
         return self._call(TaskName.PARTS, PartsTask(model=model), _PARTS, CALL_S).items
 
+    def place(self, model: str, files: FileStore) -> ModelPlace:
+        """The model as eyes need it."""
+        return ModelPlace(self, model, files)
+
+    def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]]) -> T:
+        """What comes of a task that may draw. Raises as `view` does."""
+        return self._call(name, task, value, LOOK_S)
+
     def _ask(self, task: GroundTask) -> GroundedParts:
-        wait_s = CALL_S if task.grounding is GroundedBy.GEOMETRY else LOOK_S
+        wait_s = LOOK_S if task.grounding in (GroundedBy.VISION, GroundedBy.FUSED) else CALL_S
         return self._call(TaskName.GROUND, task, _OUTCOME, wait_s)
 
     def _call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], wait_s: float) -> T:
@@ -93,3 +113,33 @@ class SegcadClient:
         if failure is None or failure.kind is not TaskFailureKind.FILE:
             raise RunRefused(Failure(category="internal", message="the segworker could not do this; its log says why"))
         raise RunRefused(Failure(category="bad_input", message=failure.message, retryable=failure.retryable))
+
+
+class ModelPlace:
+    """A model whose pictures segworkers draw, and by whom what was seen is kept: the port of eyes, over the queue."""
+
+    def __init__(self, client: SegcadClient, model: str, files: FileStore) -> None:
+        self._client = client
+        self._model = model
+        self._files = files
+
+    def find_parts(self, description: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
+        """Which parts are meant, by geometry and by what was seen so far?"""
+        seen_from = None if sides is None else tuple(sides)
+        task = FindPartsTask(model=self._model, description=description, sides=seen_from, grounding=GroundedBy.EYES)
+        return self._client.call(TaskName.FIND_PARTS, task, _GROUNDING)
+
+    def marked(self, asked: PictureRequest | None = None) -> tuple[MarkedPicture, ...]:
+        """The pictures with marks on all that could be meant; or the one that a program asks for."""
+        return self._client.call(TaskName.MARK, MarkTask(model=self._model, asked=asked), _PICTURES)
+
+    def png(self, name: str) -> bytes:
+        """A picture's file. Raises OSError."""
+        path = self._files.fetch(name)
+        if path is None:
+            raise FileNotFoundError(f"the picture {name} is not in the store")
+        return path.read_bytes()
+
+    def keep_sight(self, sight: Sight) -> None:
+        """Keeps what was seen."""
+        self._client.call(TaskName.SIGHT, SightTask(model=self._model, sight=sight), _KEPT)

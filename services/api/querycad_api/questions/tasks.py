@@ -45,6 +45,7 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    file_store,
     reply_key,
     working_for,
 )
@@ -231,7 +232,10 @@ class Questions:
 
         try:
             view = self._view(task, summary, task.grounding)
-            record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=self._llm)
+            place = self.segcad.place(task.model, file_store(self._settings))
+            record = answer_question(
+                task.question, run, view, task.unit, task, summary=summary, llm=self._llm, place=place
+            )
         except RunRefused as refused:
             return AnswerRecord.failed(task.question, refused.failure)
         except (SoftTimeLimitExceeded, SandboxUnavailable, ModelStale):

@@ -25,7 +25,7 @@ def draw_evidence(artefacts: Artefacts, record: AnswerRecord, path: Path | Bytes
     if isinstance(path, Path):
         path.parent.mkdir(parents=True, exist_ok=True)
     picture = annotate(Mesh.load(artefacts.mesh), marks, record.question, answer)
-    save_png(_stacked([picture, *_sheets(artefacts, sheets_of(record))]), path)
+    save_png(stacked([picture, *_sheets(artefacts, sheets_of(record))]), path)
 
 
 def _sheets(artefacts: Artefacts, names: Sequence[str]) -> list[Image.Image]:
@@ -39,7 +39,7 @@ def _sheets(artefacts: Artefacts, names: Sequence[str]) -> list[Image.Image]:
     return found
 
 
-def _stacked(pictures: Sequence[Image.Image]) -> Image.Image:
+def stacked(pictures: Sequence[Image.Image]) -> Image.Image:
     """One below the other, all as wide as the first."""
     width = pictures[0].width
     fitted = [

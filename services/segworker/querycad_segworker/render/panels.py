@@ -11,7 +11,7 @@ from querycad_contracts import Vector
 from querycad_segworker.visibility.cameras import Camera
 from querycad_segworker.visibility.raycast import IdImage, Scene
 
-from .labels import Point, place_balloons, ring_around
+from .labels import Balloon, Point, place_balloons, ring_around
 from .palette import readable_on
 from .shading import NEUTRAL, shade
 from .sheet import MUTED, OVERSAMPLING, Box, Color, Sheet
@@ -61,8 +61,8 @@ class Panel:
     """The parts around which a frame marks what the enlarged view shows."""
 
 
-def draw_panel(sheet: Sheet, marked: Marked, panel: Panel, box: Box) -> frozenset[int]:
-    """Draws the panel into the box; which parts got their number? More than fit around the view do not."""
+def draw_panel(sheet: Sheet, marked: Marked, panel: Panel, box: Box) -> tuple[Balloon, ...]:
+    """Draws the panel into the box; which parts got their number, and where? More than fit around the view do not."""
     left, top, right, bottom = box
     width, height = int(right - left), int(bottom - top - STRIP)
     camera = _camera(marked, panel, width, height)
@@ -172,8 +172,8 @@ def _outline(image: IdImage, box: Box) -> NDArray[np.float64]:
 
 def _draw_balloons(
     sheet: Sheet, marked: Marked, spots: dict[int, Point], outline: NDArray[np.float64]
-) -> frozenset[int]:
-    """Draws the balloons as large as they fit; which parts have one?"""
+) -> tuple[Balloon, ...]:
+    """Draws the balloons as large as they fit; which are there?"""
     for radius in RADII:
         ring = ring_around(outline, radius)
         if len(ring.rims) >= len(spots):
@@ -185,7 +185,7 @@ def _draw_balloons(
     for balloon in balloons:
         color = marked.colors[balloon.part]
         sheet.numbered(balloon.part + 1, balloon.center, radius, _rgb(color), readable_on(color))
-    return frozenset(fitting)
+    return balloons
 
 
 def _draw_name(sheet: Sheet, camera: Camera, panel: Panel, at: Point) -> None:

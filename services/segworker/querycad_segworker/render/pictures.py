@@ -63,7 +63,7 @@ def annotate(
     panels = _panels(marked, choose_views(ready, marked.part_of, len(marks)), area)
     numbered: set[int] = set()
     for panel, box in zip(panels, _boxes(len(panels), area), strict=True):
-        numbered |= draw_panel(sheet, marked, panel, box)
+        numbered |= {balloon.part for balloon in draw_panel(sheet, marked, panel, box)}
     if marks:
         _legend(sheet, marks, marked.colors, numbered, (legend_left, top + 10))
     return sheet.finish()

@@ -1,0 +1,1 @@
+"""A model that takes images says which numbered marks a phrase means: see docs/segcad.md."""
