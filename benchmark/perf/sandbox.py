@@ -86,6 +86,10 @@ class NoSegCad:
         """Never asked."""
         raise NotImplementedError
 
+    def overlap(self, part_a: str, part_b: str) -> float:
+        """Never asked."""
+        raise NotImplementedError
+
     def edge_distance(self, part: str) -> float:
         """Never asked."""
         raise NotImplementedError

@@ -40,6 +40,12 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Get((Measure.POSITION,), HOLES), AnswerType.POINT),
     (Get((Measure.VOLUME,), None), AnswerType.VOLUME),
     (Get((Measure.MASS,), None, density=7850.0), AnswerType.NUMBER),
+    (Get((Measure.CENTER_OF_MASS,), None), AnswerType.POINT),
+    (Get((Measure.INERTIA,), None, density=7850.0), AnswerType.NUMBERS),
+    (Get((Measure.APPROACH,), HOLES), AnswerType.DIRECTION),
+    (Count(HOLES, Measure.MIRROR_PLANES), AnswerType.COUNT),
+    (Distance(HOLES, OTHERS, "overlap"), AnswerType.VOLUME),
+    (Check(Distance(HOLES, "each other", "overlap"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
     (Count(HOLES), AnswerType.COUNT),
     (Count(HOLES, Measure.DIAMETER), AnswerType.COUNT),
     (Exists(HOLES), AnswerType.BOOLEAN),
@@ -86,3 +92,17 @@ def test_a_measure_of_no_part_is_not_written() -> None:
 def test_the_grounding_that_is_meant_is_named_by_its_sense() -> None:
     assert '"sense": 2' in write(DEPTH, {HOLES: (TWO, 2)}, whole()).code
     assert "sense" not in write(DEPTH, {HOLES: (TWO, 0)}, whole()).code
+
+
+def test_all_steps_have_a_diameter_where_values_are_counted_or_listed() -> None:
+    """A hole of 9 mm with a counterbore of 16 mm has both."""
+    stepped = hole(1, 0, diameter=0.009, radius=0.0045, radii=(0.008, 0.0045))
+    for form in (Count(HOLES, Measure.DIAMETER), Get((Measure.DIAMETER,), HOLES, Reduce.DIFFERENT)):
+        assert "p.radii" in write(form, {HOLES: ((stepped,), 0)}, whole()).code
+    assert "p.radii" not in write(Get((Measure.DIAMETER,), HOLES), {HOLES: ((stepped,), 0)}, whole()).code
+
+
+def test_planes_through_the_axis_of_what_is_round_are_not_counted() -> None:
+    turned = whole(tags=("symmetric", "rotational", "axisymmetric"))
+    with pytest.raises(Unwritable):
+        write(Count(HOLES, Measure.MIRROR_PLANES), {HOLES: ((turned,), 0)}, turned)

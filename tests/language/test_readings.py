@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
-from querycad_contracts import Measure, Relation
+from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language.describe import describe
 from querycad_language.forms import (
     LONGEST,
@@ -113,6 +115,42 @@ def test_courtesy_costs_nothing_and_what_carries_meaning_is_told() -> None:
 def test_the_whole_model_is_a_reading_that_passes_over_the_part() -> None:
     whole = next(r for r in read("What is the depth of the slot?") if isinstance(r.form, Get) and r.form.target is None)
     assert ("noun", "slot") in whole.skipped
+
+
+@pytest.mark.parametrize(
+    ("question", "second"),
+    [
+        ("Do the bodies overlap?", "each other"),
+        ("Is there any interference between the crank and the piston?", PartQuery),
+        ("Does the crank collide with the piston?", PartQuery),
+    ],
+)
+def test_an_overlap_is_asked_of_bodies_and_is_not_whether_there_are_any(question: str, second: Any) -> None:
+    form = read(question)[0].form
+    assert isinstance(form, Check)
+    assert isinstance(form.left, Distance)
+    assert form.left.mode == "overlap"
+    assert form.left.second == second or isinstance(form.left.second, second)
+    assert not any(isinstance(one, Exists) for one in forms(question))
+
+
+def test_the_volume_of_an_overlap_is_not_that_of_the_bodies() -> None:
+    form = read("What is the overlap volume of the crank and the piston?")[0].form
+    assert isinstance(form, Distance)
+    assert form.mode == "overlap"
+
+
+def test_bodies_touch_where_nothing_is_between_their_surfaces() -> None:
+    form = read("Do the gears touch each other?")[0].form
+    assert isinstance(form, Check)
+    assert isinstance(form.left, Distance)
+    assert (form.left.mode, form.relation, form.low) == ("surfaces", Relation.AT_MOST, 0.0)
+
+
+def test_a_named_material_stands_for_its_density() -> None:
+    (form,) = [one for one in forms("What does the lever weigh in stainless steel?") if isinstance(one, Get)][:1]
+    assert (form.measures, form.density) == ((Measure.MASS,), 7900.0)
+    assert "7900 kg/m3" in describe(form)
 
 
 def test_a_stated_density_is_kept_for_the_mass() -> None:

@@ -48,11 +48,28 @@ def test_a_range_shares_its_unit() -> None:
 
 @pytest.mark.parametrize(
     ("text", "kind", "word"),
-    [("M6x1", Kind.THREAD, "m6x1"), ("1/4-20", Kind.THREAD, "1/4-20"), ("4x", Kind.TIMES, "x")],
+    [("M6x1", Kind.THREAD, "m6x1"), ("1/4-20", Kind.THREAD, "1/4-20"), ("4x", Kind.TIMES, "x")]
+    + [
+        (text, Kind.THREAD, word)
+        for text, word in (
+            ("#10-32", "10-32"),
+            ('1/4"-20', "1/4-20"),
+            ("0-80", "0-80"),
+            ("G 1/4", "g1/4"),
+            ("G1 1/4", "g1-1/4"),
+            ("1/4-18 NPT", "1/4npt"),
+            ("1 1/4 NPT", "1-1/4npt"),
+        )
+    ],
 )
 def test_threads_and_how_many_are_tokens_of_their_own(text: str, kind: Kind, word: str) -> None:
     (token,) = tokenize(text)
     assert (token.kind, token.word) == (kind, word)
+
+
+@pytest.mark.parametrize("text", ["10-28 mm", "3-48 mm", "G12345", "the 1-2 slots"])
+def test_ranges_and_numbers_of_articles_are_no_threads(text: str) -> None:
+    assert all(token.kind is not Kind.THREAD for token in tokenize(text))
 
 
 def test_words_are_folded_to_one_form() -> None:

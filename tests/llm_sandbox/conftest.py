@@ -120,6 +120,10 @@ class FakeSegCad:
         self.calls.append(("distance", (part_a, part_b)))
         return 0.0 if part_a == part_b else 0.007
 
+    def overlap(self, part_a: str, part_b: str) -> float:
+        self.calls.append(("overlap", (part_a, part_b)))
+        return 2e-9
+
     def edge_distance(self, part: str) -> float:
         self.calls.append(("edge_distance", part))
         return {"1": 0.003, "2": 0.002, "3": 0.004}[part[-1]]
@@ -287,7 +291,7 @@ class FakeSegworker(threading.Thread):
         self.join()
         self._redis.close()
 
-    def _answer(self, name: TaskName, payload: dict[str, Any]) -> Any:
+    def _answer(self, name: TaskName, payload: dict[str, Any]) -> Any:  # noqa: PLR0911 - a case a task
         match name:
             case TaskName.SHAPE:
                 return self._segcad.shape()
@@ -308,6 +312,9 @@ class FakeSegworker(threading.Thread):
             case TaskName.DISTANCE:
                 between = DistanceTask.model_validate(payload)
                 return self._segcad.distance(between.part_a, between.part_b)
+            case TaskName.OVERLAP:
+                shared = DistanceTask.model_validate(payload)
+                return self._segcad.overlap(shared.part_a, shared.part_b)
             case TaskName.EDGE_DISTANCE:
                 return self._segcad.edge_distance(EdgeDistanceTask.model_validate(payload).part)
         raise AssertionError(name)

@@ -105,6 +105,11 @@ def full_part() -> Part:
         developed_length=1.0,
         volume=1.0,
         area=1.0,
+        center_of_mass=UP,
+        inertia=(UP, UP, UP),
+        mirror_planes=(UP,),
+        rotation_axes=((UP, 0),),
+        approach=(UP,),
     )
 
 
@@ -115,7 +120,9 @@ def test_every_attribute_of_the_stub_is_served_and_no_other() -> None:
     assert frame_measures(LocalFrame(UP, UP, UP, UP)).keys() == attributes("Frame")
     assert opening_measures(Opening(UP, UP, Outline.CIRCLE)).keys() == attributes("Opening")
     assert body_measures(make_body(color="#c0c0c0")).keys() == attributes("Body")
-    assert shape_measures(make_shape(thickness=0.01, up=Side.TOP)).keys() | {"bodies"} == attributes("Shape")
+    assert shape_measures(make_shape(thickness=0.01, up=Side.TOP, center_of_mass=UP)).keys() | {"bodies"} == attributes(
+        "Shape"
+    )
 
 
 def test_every_method_of_the_stub_is_served_and_no_other() -> None:

@@ -2,20 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
-from tests.llm_sandbox.conftest import make_face, make_part
+from tests.llm_sandbox.conftest import FakeSegCad, make_face, make_part
 
 from querycad_contracts import Face, Outline, Part, RunStatus
 from querycad_sandbox import Sandbox
 from querycad_sandbox.measures import face_frame, openings_of, part_frame
 from querycad_sandbox.rewriting import rewritten
 
-if TYPE_CHECKING:
-    from tests.llm_sandbox.conftest import FakeSegCad
-
 UP, RIGHT = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+
+
+class Bodies(FakeSegCad):
+    """Three bodies along x, the first and second 2 mm into each other, the second and third side by side."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.asked: list[tuple[str, str]] = []
+
+    def parts(self) -> tuple[Part, ...]:
+        size = {"kind": "body", "extents": (0.01, 0.01, 0.01), "volume": 1e-6}
+        return tuple(
+            make_part(f"body-{n}", center=(x, 0.0, 0.0), **size) for n, x in ((1, 0.0), (2, 0.008), (3, 0.018))
+        )
+
+    def overlap(self, part_a: str, part_b: str) -> float:
+        self.asked.append((part_a, part_b))
+        return 2e-7 if {part_a, part_b} == {"body-1", "body-2"} else 1e-13
 
 
 def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
@@ -44,6 +59,27 @@ def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
 )
 def test_parts_are_those_that_are_so(sandbox: Sandbox, segcad: FakeSegCad, call: str, ids: list[str]) -> None:
     assert value(sandbox, segcad, f"[p.id for p in {call}]") == ids
+
+
+def test_bodies_overlap_where_they_share_more_than_a_cube_of_a_tenth_of_a_millimetre(sandbox: Sandbox) -> None:
+    """Three bodies in a row, each 10 mm long: 1 reaches into 2, and 3 only touches 2."""
+    segcad = Bodies()
+    pairs = "[[a.id, b.id] for a, b in overlaps({})]"
+    assert value(sandbox, segcad, pairs.format("parts(kind='body')")) == [["body-1", "body-2"]]
+    assert value(sandbox, segcad, pairs.format("parts(kind='body')[:1], parts(kind='body')[1:]")) == [
+        ["body-1", "body-2"]
+    ]
+    assert value(sandbox, segcad, pairs.format("parts(kind='body')[1:]")) == []
+    assert value(sandbox, segcad, "parts(kind='body')[0].overlap_with(parts(kind='body')[1])") == 2e-7
+    assert ("body-1", "body-3") not in segcad.asked, "their boxes are apart"
+
+
+def test_only_closed_bodies_can_overlap(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    outcome = sandbox.run("solution = overlaps(parts(kind='hole')[:2] + parts(kind='hole')[:2])", segcad)
+    assert outcome.status is RunStatus.OK  # none of their boxes meet, but a hole and itself, which is one part
+    outcome = sandbox.run("solution = parts(kind='hole')[0].overlap_with(parts(kind='hole')[1])", segcad)
+    assert outcome.status is RunStatus.RAISED
+    assert "takes bodies" in outcome.message
 
 
 def test_the_nearest_pair_comes_first_and_one_part_has_no_neighbour(sandbox: Sandbox, segcad: FakeSegCad) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from typing import Any
 
 import pytest
-from tests.segworker.shapes import box, compound, cylinder, write_step
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import ball, box, compound, cut, cylinder, plate, write_step
 
 from querycad_segworker.errors import KernelDied
 from querycad_segworker.ingest import ingest
@@ -53,3 +56,35 @@ def test_an_extent_is_exact_along_any_direction(two_bodies: LocalSegCad) -> None
     assert two_bodies.extent("body-2", (0.0, half, half)) == pytest.approx(0.026 * half, abs=1e-8)
     with pytest.raises(KeyError):
         two_bodies.extent("body-99", (1.0, 0.0, 0.0))
+
+
+HOLLOW = cut(box((10, 10, 10)), ball(4, (5, 5, 5)))
+BORED = cut(plate(), cylinder(5, 60, (0, 0, -30)))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "shared_mm3"),
+    [
+        (box((10, 10, 10)), box((10, 10, 10), (8, 0, 0)), 200.0),
+        (box((10, 10, 10)), box((10, 10, 10), (10, 0, 0)), 0.0),
+        (box((10, 10, 10)), box((2, 2, 2), (4, 4, 4)), 8.0),
+        (cylinder(5, 10), box((2, 2, 2), (4, 4, 0)), 0.0),
+        (HOLLOW, ball(3, (5, 5, 5)), 0.0),
+        (HOLLOW, ball(4, (5, 5, 5)), 0.0),
+        (HOLLOW, ball(4.5, (5, 5, 5)), 4 / 3 * math.pi * (4.5**3 - 4**3)),
+        (BORED, cylinder(5, 40, (0, 0, -30)), 0.0),
+        (BORED, cylinder(4.9, 40, (0, 0, -30)), 0.0),
+        (BORED, cylinder(5.05, 40, (0, 0, -30)), math.pi * (5.05**2 - 5**2) * 20),
+    ],
+    ids=["in", "beside", "inside", "boxes only", "in a void", "fills a void", "beyond a void", "fit", "loose", "tight"],
+)
+def test_bodies_share_the_volume_that_both_take(
+    first: TopoDS_Shape, second: TopoDS_Shape, shared_mm3: float, tmp_path: Path
+) -> None:
+    model = ingest(write_step(tmp_path / "two.step", compound(first, second)), ModelStore(tmp_path / "store"))
+    assert LocalSegCad(model).overlap("body-1", "body-2") * 1e9 == pytest.approx(shared_mm3, rel=1e-6, abs=1e-6)
+
+
+def test_bodies_far_apart_share_nothing_without_the_kernel(two_bodies: LocalSegCad, monkeypatch: Any) -> None:
+    monkeypatch.setattr(two_bodies, "_kernel", None)
+    assert two_bodies.overlap("body-1", "body-2") == 0.0

@@ -38,6 +38,7 @@ _TRIPLES = {
     "y": AnswerType.DIRECTION,
     "z": AnswerType.DIRECTION,
     "normal": AnswerType.DIRECTION,
+    "center_of_mass": AnswerType.POINT,
 }
 _OWN_FRAME = frozenset(("local_size", "size_in"))
 """The triples of the guest API that are told in a part's own frame."""

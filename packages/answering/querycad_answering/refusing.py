@@ -33,6 +33,7 @@ of another kind."""
 _AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
+_WEIGHED = frozenset((Measure.MASS, Measure.INERTIA))
 _CANNOT_KNOW = {
     "price": "a STEP file holds no price",
     "tolerance": "a STEP file of this kind holds no tolerance and no surface finish: it is the nominal shape",
@@ -54,10 +55,6 @@ _BEYOND = tuple(
             "a STEP file holds the shape of a part, not the reasons for it",
         ),
         (r"\bhow long (?:does|do|did|will|would)\b.*\btakes?\b", "a STEP file does not say how long anything takes"),
-        (
-            r"\bcent(?:re|er)s? of (?:gravity|mass)\b|\bmoments? of inertia\b",
-            "no centre of gravity and no moment of inertia is computed here: ask for the centre or the volume",
-        ),
         (
             r"\bdo you (?:like|love|hate|enjoy|prefer)\b|\bdo you (?:think|feel|say) (?:of|about)\b",
             "that is a matter of opinion: ask for a measure, a number or a place",
@@ -111,7 +108,7 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     if any(token.power == DENSITY for token in text.tokens):
         return None
     first = next(iter(asked.reader.readings), None)
-    if first is not None and isinstance(first.form, Get) and Measure.MASS in first.form.measures:
+    if isinstance(form := first and first.form, Get) and form.density is None and _WEIGHED & set(form.measures):
         return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]

@@ -42,6 +42,7 @@ from .geometry import (
     Face,
     Frozen,
     GroundedBy,
+    Matrix,
     Outline,
     Part,
     PartKind,
@@ -50,6 +51,7 @@ from .geometry import (
     Side,
     SurfaceKind,
     Vector,
+    Weighed,
 )
 from .logs import LogFormat, current_request, start_logging, working_for
 from .parameters import (
@@ -216,6 +218,7 @@ __all__ = [
     "MarkTask",
     "MarkedPicture",
     "Mate",
+    "Matrix",
     "Measure",
     "MissingAttribute",
     "ModelFrame",
@@ -296,6 +299,7 @@ __all__ = [
     "ViewName",
     "ViewTask",
     "WallsMissing",
+    "Weighed",
     "WorkerSettings",
     "alive_key",
     "carried_trace",

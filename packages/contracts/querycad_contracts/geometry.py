@@ -12,6 +12,8 @@ from pydantic import BaseModel, ConfigDict, Field
 
 Vector = tuple[float, float, float]
 """A point (metres) or a unit direction in the frame of the file."""
+Matrix = tuple[Vector, Vector, Vector]
+"""Three rows."""
 
 
 class Frozen(BaseModel):
@@ -115,7 +117,24 @@ class Face(Frozen):
     part: str = Field("", description="Id of the feature that it belongs to, else of its body.")
 
 
-class Body(Frozen):
+class Weighed(Frozen):
+    """What a body, the model, or the part that stands for either is as a mass of one density."""
+
+    center_of_mass: Vector | None = Field(None, description="Of closed bodies only.")
+    inertia: Matrix | None = Field(
+        None,
+        description="About the centre of mass, along the file's axes, for density 1 (m5): times a density in kg/m3 it "
+        "is in kg m2. Off the diagonal are the products of inertia with a minus sign.",
+    )
+    mirror_planes: tuple[Vector, ...] = Field(
+        (), description="Unit normals of the planes through its middle that mirror it onto itself."
+    )
+    rotation_axes: tuple[tuple[Vector, int], ...] = Field(
+        (), description="Axes through its middle, and in how many positions each turns it onto itself; 0: in any."
+    )
+
+
+class Body(Weighed):
     """One body: a solid, or a loose shell where the file holds surfaces only."""
 
     id: int
@@ -129,7 +148,7 @@ class Body(Frozen):
     face_count: int
 
 
-class Shape(Frozen):
+class Shape(Weighed):
     """The whole model."""
 
     name: str
@@ -290,7 +309,7 @@ _NO_FEATURES = frozenset(
 )
 
 
-class Part(Frozen):
+class Part(Weighed):
     """A part or feature of the model that words can name: a hole, a boss, a body, a face.
 
     A measure that the part does not have is None.
@@ -320,6 +339,11 @@ class Part(Frozen):
     opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
     tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes.")
     tips: tuple[Vector, ...] = Field((), description="All free ends of its axis, `tip` first: two of a shaft or rod.")
+    approach: tuple[Vector, ...] = Field(
+        (),
+        description="Unit directions into the material that it is reached along from its mouths, two of what goes "
+        "through; of a screw, that it is driven in.",
+    )
     bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
     local_size: Vector | None = Field(
         None, description="Length, width, height in the part's own frame, longest of the plane first."

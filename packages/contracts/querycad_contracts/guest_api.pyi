@@ -46,9 +46,9 @@ class Face:
     radius: float
     """Of a torus its tube's, of a cone at its widest."""
     normal: Vector
-    """Of a plane, out of the material."""
+    """Out of the material. Of a plane."""
     axis: Vector
-    """Of a cylinder, cone or torus, of length 1. `axis_point` is the point of it beside `center`."""
+    """Of length 1. Of a cylinder, cone or torus. `axis_point` is the point of it beside `center`."""
     axis_point: Vector
     length: float
     """Along its axis; of a plane its longer side."""
@@ -59,7 +59,7 @@ class Face:
     frame: Frame
     neighbours: list["Face"]
     part: "Part"
-    """The smallest feature that it is of, else its body."""
+    """The smallest feature, else its body."""
     body: int
     """Id of its body."""
 
@@ -68,7 +68,7 @@ class Body:
 
     id: int
     name: str
-    """Its product name; may be empty."""
+    """May be empty. Its product name."""
     color: str
     """Such as '#c0c0c0'."""
     is_solid: bool
@@ -89,6 +89,7 @@ class Shape:
     half_extents: Vector
     min_corner: Vector
     max_corner: Vector
+    center_of_mass: Vector
     width: float
     depth: float
     height: float
@@ -103,7 +104,7 @@ class Shape:
     """Likely. The top, unless the model would hardly stand on its bottom."""
 
 class Part:
-    """A part or feature: a hole, a shaft, a slot, a body …"""
+    """A hole, a shaft, a slot, a body …"""
 
     id: str
     kind: str
@@ -155,30 +156,30 @@ class Part:
     count: int
     """Members of a pattern, teeth of a gear."""
     angle: float
-    """Of a V groove, cone or countersink the full angle; of a chamfer to its face. Of a dovetail's flanks to its
+    """The full angle; of a chamfer to its face. Of a V groove, cone or countersink; of a dovetail's flanks to its
     floor."""
     outer_diameter: float
     """Over all, of what is round. Rings, tubes, pipes, shafts, tori, bent bars; of a sheet's bend twice
     its outer radius."""
     inner_diameter: float
-    """Of a ring, tube, pipe, torus: what is free inside. Of a sheet's bend twice its inner radius."""
+    """What is free inside. Of a ring, tube, pipe, torus; of a sheet's bend twice its inner radius."""
     tube_diameter: float
     """Of a torus."""
     across_flats: float
     """Of a hexagon, octagon, square, two flats."""
     across_corners: float
     center_length: float
-    """Between centres of a slot's round ends."""
+    """Between a slot's centres. Of its round ends."""
     chamfer_size: float
-    """Of a chamfer: the '2 mm' of '2 mm x 45 degrees'."""
+    """The '2 mm' of '2 mm x 45 degrees'."""
     draft: float
     """Of a taper's wall to its axis. Of cones and taper pins, of the walls of pockets and pads."""
     bend_radius: float
     """Of a pipe its middle line's; of sheet inside."""
     bend_angle: float
-    """Of a pipe or sheet that bends once."""
+    """Of what bends once. A pipe or sheet."""
     mouth_length: float
-    """Of an opening that narrows or widens."""
+    """Of what narrows or widens. An opening."""
     mouth_width: float
     bottom_length: float
     bottom_width: float
@@ -192,6 +193,16 @@ class Part:
     """To the horizontal."""
     volume: float
     area: float
+    center_of_mass: Vector
+    """Of bodies. And of the model; as of one density, as are the next three."""
+    inertia: list[Vector]
+    """For density 1. About the centre of mass along x, y, z; times kg/m3 in kg m2."""
+    mirror_planes: list[Vector]
+    """Normals. The planes go through the centre of mass; of what is round, those along x, y, z only."""
+    rotation_axes: list[tuple[Vector, int]]
+    """With positions; 0: any. So many look alike; through the centre of mass."""
+    approach: list[Vector]
+    """Ways in. Of a tool, from each mouth of an opening; of a screw as a body."""
 
     def distance_to(self, other: "Part") -> float:
         """Between the surfaces; 0 when they touch."""
@@ -202,15 +213,19 @@ class Part:
         ...
 
     def angle_to(self, other: "Part") -> float:
-        """0 to pi/2, between axes or normals."""
+        """0 to pi/2. Between axes or normals."""
         ...
 
     def is_in(self, other: "Part") -> bool:
         """A hole in a flange, a boss on a plate."""
         ...
 
+    def overlap_with(self, other: "Part") -> float:
+        """Volume that two bodies share."""
+        ...
+
     def edge_distance(self) -> float:
-        """To the outer edge of the face that it lies in. From its surface."""
+        """To the outer edge of its face. From its surface."""
         ...
 
     def size_in(self, frame: Frame) -> Vector:
@@ -301,7 +316,7 @@ Item: TypeAlias = Part | Face
 shape: Shape
 
 def find_parts(description: str | PartQuery, sides: list[Side] | None = None) -> Parts:
-    """Which parts do these words mean, seen from any of `sides`: 'blind hole', 'M5 screw', 'red body'?
+    """Which parts do these words mean: 'blind hole', 'M5 screw', 'red body'? Seen from any of `sides`.
 
     'the hole' is one: of several that differ the largest, or those that are largest alike; 'hole' and 'holes' are all.
     Parts come sorted by id. An empty list means: understood, but the model has none. A description that cannot be
@@ -317,7 +332,7 @@ def parts(
     diameter: float | None = None,
     near: Item | Vector | None = None,
 ) -> list[Part]:
-    """Which have exactly this kind, all these tags, and so on? Sorted by id, or by distance.
+    """Which are so? Exactly this kind, all these tags, and so on. Sorted by id, or by distance.
 
     Nothing is guessed: a kind or tag that this model does not know raises ValueError with those that it has. The
     diameter is compared to drawing accuracy, with that of every step. `near` sorts by distance of the centres.
@@ -370,7 +385,7 @@ def adjacent(a: Item, b: Item) -> bool:
     ...
 
 def offset(a: Item, b: Item) -> float:
-    """Between parallel planes or axes, or a plane and an axis along it. Else ValueError.
+    """Between parallel planes or axes. Or a plane and an axis along it; else ValueError.
 
     Example: offset(faces(facing="top")[0], faces(facing="bottom")[0])
     """
@@ -404,8 +419,15 @@ def nearest(items: list[Part]) -> list[tuple[Part, Part]]:
     """
     ...
 
+def overlaps(items: list[Part], others: list[Part] | None = None) -> list[tuple[Part, Part]]:
+    """Bodies in the same room. Pairs of them that share more than a cube of 0.1 mm.
+
+    Example: len(overlaps(parts(kind="body")))
+    """
+    ...
+
 def outermost(items: list[Part], side: Side | None = None) -> list[Part]:
-    """Those that reach farthest to a side, or from the model's middle.
+    """Those that reach farthest. To a side, or from the model's middle.
 
     Example: outermost(parts(kind="hole"), "left")
     """
@@ -427,7 +449,7 @@ def different(values: list[float], tolerance: float = 1e-6) -> list[float]:
     ...
 
 def close(a: float, b: float, tolerance: float = 5e-5) -> bool:
-    """Are two lengths the same to drawing accuracy, 0.05 mm?
+    """Are two lengths the same? To drawing accuracy, 0.05 mm.
 
     Example: close(parts(kind="hole")[0].diameter, 0.005)
     """

@@ -89,6 +89,10 @@ class SegCad(Protocol):
         """How far apart are the surfaces of two parts, in metres? Raises KeyError for an unknown part id."""
         ...
 
+    def overlap(self, part_a: str, part_b: str) -> float:
+        """Which volume do two closed bodies share, in m3? Raises KeyError for an unknown part id."""
+        ...
+
     def edge_distance(self, part: str) -> float:
         """How far is a part from the outer edge of its face, in metres? Raises KeyError for an unknown part id."""
         ...

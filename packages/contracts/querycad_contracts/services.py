@@ -49,6 +49,7 @@ class TaskName(StrEnum):
     FIND_FACES = "querycad.find_faces"  # FindFacesTask -> TaskOutcome[FoundFaces]
     EXTENT = "querycad.extent"  # ExtentTask -> TaskOutcome[float]
     DISTANCE = "querycad.distance"  # DistanceTask -> TaskOutcome[float]
+    OVERLAP = "querycad.overlap"  # DistanceTask -> TaskOutcome[float]
     EDGE_DISTANCE = "querycad.edge_distance"  # EdgeDistanceTask -> TaskOutcome[float]
     PARTS = "querycad.parts"  # PartsTask -> TaskOutcome[PartsPage]
     PICTURE = "querycad.picture"  # PictureTask -> TaskOutcome[str]: name of the file in the store

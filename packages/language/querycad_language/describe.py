@@ -32,6 +32,7 @@ _MEASURES = {
     Measure.Z_EXTENT: "extent along z", Measure.POSITION: "centre", Measure.SIZE: "extents",
     Measure.CENTRE_LENGTH: "length from centre to centre", Measure.ACROSS_FLATS: "width across flats",
     Measure.ACROSS_CORNERS: "width across corners",
+    Measure.INERTIA: "moments of inertia, in kg m2 about x, y, z through the centre of mass,",
 }  # fmt: skip
 _RELATIONS = {
     Relation.EQUAL: "", Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ",
@@ -47,13 +48,16 @@ _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compa
 def describe(form: Form) -> str:  # noqa: C901, PLR0911 - one case a form
     """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
     match form:
-        case Get(measures, target, reduce):
+        case Get(measures, target, reduce, density):
+            material = f" at {density:g} kg/m3" if density else ""
             names = " and ".join(_measure(measure) for measure in measures)
-            return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}"
+            return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}{material}"
         case Count(target, measure):
             return (
                 f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"
             )
+        case Distance(first, second, "overlap"):
+            return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
         case Distance(first, second, mode, axis, reduce):
             how = {"centers": "between centres ", "surfaces": "between surfaces ", "usual": ""}[mode]
             along = (

@@ -83,7 +83,8 @@ class Distance:
 
     first: Anchor
     second: Anchor | Literal["each other"]
-    mode: Literal["centers", "surfaces", "usual"] = "usual"
+    mode: Literal["centers", "surfaces", "usual", "overlap"] = "usual"
+    """'overlap': the volume that bodies share."""
     axis: int | None = None
     """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
     reduce: Reduce = Reduce.ONE

@@ -16,6 +16,7 @@ Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elo
 Degree = Literal["positive", "more", "less", "most", "least"]
 DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
 """The order of the lists of a scale in measures.toml."""
+INCH = 0.0254
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +60,7 @@ class Adjective:
     whole: bool = False
     loose: bool = False
     unchecked: bool = False
+    decided: bool = False  # bodies and models without the tag are not so
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +94,8 @@ class Lexicon:
     adjectives: dict[str, Adjective] = field(default_factory=dict)
     traits: dict[str, Adjective] = field(default_factory=dict)
     """Nouns that behind 'with' are an attribute: 'with a thread'."""
-    threads: dict[str, tuple[float, ...]] = field(default_factory=dict)
-    """Name of a thread to tap drill and clearance diameters in metres."""
+    threads: dict[str, dict[str, float]] = field(default_factory=dict)
+    """Name to pitch and holes, metres: 'core', 'tap drill', 'nominal', 'close', 'medium', 'loose' (clearance)."""
     hues: dict[str, tuple[float, float]] = field(default_factory=dict)
     units: dict[str, tuple[float, int]] = field(default_factory=dict)
     spelling: dict[str, str] = field(default_factory=dict)
@@ -264,10 +266,29 @@ def _gerund(phrase: str) -> str:
     return " ".join([verb.removesuffix("e") + "ing", *rest])
 
 
+def _screw_holes(nominal: float, pitch: float, tap: float, clear: Sequence[float], unit: float) -> dict[str, float]:
+    """The holes of a thread by ISO 68-1 and ASME B1.1: D1 = D - 1.0825 P."""
+    named = {"pitch": pitch, "core": nominal - 1.0825 * pitch, "tap drill": tap, "nominal": nominal}
+    named |= dict(zip(("close", "medium", "loose"), clear, strict=False))
+    return {name: size * unit for name, size in named.items()}
+
+
 def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:
-    for table in ("metric", "metric_pitch", "unified"):
-        for name, diameters in data[table].items():
-            lex.threads[name.lower()] = tuple(d * 1e-3 for d in diameters)
+    for size, pitches, clear in data["metric"]:
+        for pitch in pitches:
+            tap = round(float(size) - pitch, 1 if float(size) >= 3 else 2)
+            lex.threads[f"m{size}x{pitch:g}"] = holes = _screw_holes(float(size), pitch, tap, clear, 1e-3)
+            lex.threads.setdefault(f"m{size}", holes)
+    for size, nominal, per_inch, drills, clear in data["unified"]:
+        for turns, tap in zip(per_inch, drills, strict=True):
+            lex.threads[f"{size}-{turns}"] = _screw_holes(nominal, 1 / turns, tap, clear, INCH)
+    for name, major, minor, tap in data["pipe"]:
+        pitch = (major - minor) / 1.2807  # Whitworth's form: 2 x 0.640327 pitches deep
+        lex.threads[name.lower()] = _screw_holes(major, pitch, tap, (), 1e-3) | {"core": minor * 1e-3}
+    for name, outside, tap in data["npt"]:
+        lex.threads[f"{name}npt"] = {"tap drill": tap * INCH, "nominal": outside * INCH}
+    for name, density in data["material"].items():
+        lex.add("material", name, float(density))
     for name, (low, high) in data["colour"].items():
         lex.hues[name] = (float(low), float(high))
         lex.add("color", name, name)

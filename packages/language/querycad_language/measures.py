@@ -32,10 +32,11 @@ _ENDS = {
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
     Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
+    Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
     **dict.fromkeys((Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
     **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA), AnswerType.AREA),
-    **dict.fromkeys((Measure.POSITION, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
-    **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION), AnswerType.DIRECTION),
+    **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
+    **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.APPROACH), AnswerType.DIRECTION),
     **dict.fromkeys((Measure.NAME, Measure.KIND, Measure.COLOR, Measure.BOTTOM), AnswerType.TEXT),
 }  # fmt: skip
 """Of what is no single length."""
@@ -213,6 +214,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 if kind in CUT
                 else [("{0}.axis", "own"), ("{0}.normal", "own")]
             )
+        case Measure.APPROACH:
+            return [("{0}.approach[0]", "own")]
         case Measure.EDGE_DISTANCE:
             return [("{0}.edge_distance()", "own")]
         case Measure.KIND:
@@ -234,6 +237,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
         case Measure.AREA:  # of a window the opening, before its walls
             opening: list[tuple[str, Grade]] = [("{0}.opening_area", "own")] if kind in CUT else []
             return [*opening, ("{0}.area", "own")]
+        case Measure.INERTIA:
+            return [("[{0}.inertia[i][i] for i in range(3)]", "own")]
         case _ if measure in _ENDS:
             return [(_end(_ENDS[measure]), "own")]
         case _:

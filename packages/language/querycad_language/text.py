@@ -13,7 +13,7 @@ CLOSED = frozenset([
     "between", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface", "minus",
     "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
-    "remaining", "axis", "stuff", "operation", "left_out", "overview",
+    "remaining", "axis", "stuff", "operation", "left_out", "overview", "overlap", "contact",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))

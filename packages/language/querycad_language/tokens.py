@@ -27,7 +27,8 @@ TYPO_MAX_LETTERS = 40
 _NUMBER = r"\d{1,4}[ -]\d{1,3}/\d{1,3}|\d{1,3}/\d{1,3}|\d{1,3}(?:,\d{3}){1,3}(?:\.\d{1,9})?|\d{0,9}[.,]\d{1,9}|\d{1,9}"
 _THREAD = (
     r"\bM\d{1,2}(?:\.\d)?(?:\s?[x×]\s?\d(?:\.\d{1,2})?)?(?![\w.]\w)"
-    r"|\b\d{1,2}/\d{1,2}-\d{2}\b|(?<![\w#])#?\d{1,2}-(?:24|32|40)\b"
+    r"|\b(?:[12][ -])?\d{1,2}(?:/\d{1,2})?\"?(?:-\d{1,2})?\s?NPT\b|\bG\s?(?:(?:1[ -])?\d/\d{1,2}|[12])(?![\w/.-])"
+    r"|(?:\b\d{1,2}/\d{1,2}\"?-\d{1,2}|(?<![\w#])#?(?:\d{1,2}-(?:24|28|32|36|40)|[0-5]-(?:44|48|56|64|72|80)))(?!\s?mm|\w)"
 )
 _DENSITY = re.compile(
     r"\s?(k?g|(?:kilo)?grams?|kilos?)\s?(?:/|per)\s?((?:cubic\s)?[a-z]+(?:\^?3|³)?)(?!\w)", re.IGNORECASE
@@ -126,7 +127,8 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
     while len(tokens) < MAX_TOKENS and (match := _TOKEN.search(text, position)):
         position = match.end()
         if match["thread"]:
-            name = re.sub(r"\s", "", match["thread"].lower()).replace("×", "x").lstrip("#")
+            name = re.sub(r'[\s"#]', "", re.sub(r"(\d) (?=\d)", r"\1-", match["thread"].lower()).replace("×", "x"))
+            name = re.sub(r"-\d+(?=npt)", "", name)
             tokens.append(Token(name, match["thread"], Kind.THREAD))
         elif match["times"]:
             tokens.append(Token("x", match["times"], Kind.TIMES, float(re.match(r"\d+", match["times"])[0])))  # type: ignore[index]

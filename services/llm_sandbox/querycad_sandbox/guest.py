@@ -22,6 +22,7 @@ from querycad_contracts import (
     Grounding,
     MissingAttribute,
     Part,
+    PartKind,
     PartQuery,
     PictureRequest,
     RunStatus,
@@ -60,7 +61,7 @@ from .selection import (
 
 T = TypeVar("T")
 
-WITH_PART: Final = frozenset({"distance_to", "center_distance", "angle_to", "is_in"})
+WITH_PART: Final = frozenset({"distance_to", "center_distance", "angle_to", "is_in", "overlap_with"})
 PART_METHODS: Final = WITH_PART | {"edge_distance", "size_in", "measures"}
 ON_DEMAND: Final[dict[type, tuple[str, ...]]] = {
     Part: ("faces", "frame", "openings"),
@@ -341,6 +342,15 @@ class Guest:
     def distance_to(self, part: Part, other: Part) -> float:
         """How far apart are the surfaces of two parts, in metres?"""
         return self._ask(lambda: self._segcad.distance(part.id, other.id))
+
+    def overlap_with(self, part: Part, other: Part) -> float:
+        """Which volume do two bodies share, in m3?"""
+        for one in (part, other):
+            if one.kind is not PartKind.BODY:
+                raise ValueError(f"overlap_with() takes bodies; {_noun(one)} is none")
+            if one.volume is None:
+                raise ValueError(f"{_noun(one)} is not closed, so nothing can be inside it")
+        return self._ask(lambda: self._segcad.overlap(part.id, other.id))
 
     def edge_distance(self, part: Part) -> float:
         """How far is a part from the outer edge of the face that it lies in, in metres?"""

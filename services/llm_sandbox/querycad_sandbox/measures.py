@@ -98,6 +98,8 @@ def part_measures(part: Part) -> Measures:
             "developed_length": part.developed_length,
             "volume": part.volume,
             "area": part.area,
+            **_mass(part),
+            "approach": list(part.approach) or None,
         }
     )
 
@@ -162,8 +164,21 @@ def shape_measures(shape: Shape) -> Measures:
             "face_count": shape.face_count,
             "edge_count": shape.edge_count,
             "up": None if shape.up is None else shape.up.value,
+            "center_of_mass": shape.center_of_mass,
         }
     )
+
+
+def _mass(one: Part) -> Measures:
+    """What has a centre of mass is symmetric or not; what has none is no body."""
+    planes, axes = list(one.mirror_planes), list(one.rotation_axes)
+    whole = one.center_of_mass is not None or bool(planes) or bool(axes)
+    return {
+        "center_of_mass": one.center_of_mass,
+        "inertia": None if one.inertia is None else list(one.inertia),
+        "mirror_planes": planes if whole else None,
+        "rotation_axes": axes if whole else None,
+    }
 
 
 def _half(extents: Vector) -> Vector:

@@ -207,6 +207,10 @@ class RemoteSegCad:
         """How far apart are the surfaces of two parts, in metres? Raises KeyError for an unknown part id."""
         return self._measure(TaskName.DISTANCE, DistanceTask(model=self._model, part_a=part_a, part_b=part_b))
 
+    def overlap(self, part_a: str, part_b: str) -> float:
+        """Which volume do two bodies share, in m3? Raises KeyError as above."""
+        return self._measure(TaskName.OVERLAP, DistanceTask(model=self._model, part_a=part_a, part_b=part_b))
+
     def edge_distance(self, part: str) -> float:
         """How far is a part from the outer edge of the face it lies in, in metres? Raises KeyError as above."""
         return self._measure(TaskName.EDGE_DISTANCE, EdgeDistanceTask(model=self._model, part=part))

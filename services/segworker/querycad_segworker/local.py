@@ -194,6 +194,14 @@ class LocalSegCad:
             return between
         return self._kernel.measure("distance", first.faces, second.faces)
 
+    def overlap(self, part_a: str, part_b: str) -> float:
+        """Which volume do two closed bodies share, in m3? By the kernel, where their boxes do."""
+        first, second = self._part(part_a), self._part(part_b)
+        reach = zip(first.center, second.center, first.extents, second.extents, strict=True)
+        if any(abs(a - b) >= (size_a + size_b) / 2 for a, b, size_a, size_b in reach):
+            return 0.0
+        return self._kernel.measure("overlap", first.faces, second.faces)
+
     def extent(self, part: str, direction: Vector) -> float:
         """How far does a part extend along a unit vector, in metres? By the kernel where that is no axis of the file.
 

@@ -30,7 +30,7 @@ class Kernel:
     def measure(
         self, what: str, first: Sequence[int], second: Sequence[int] = (), direction: Vector | None = None
     ) -> float:
-        """What is this distance, or the extent along `direction`, in metres? Raises KernelDied when it cannot tell."""
+        """What is this distance, or extent along `direction`, in metres, or overlap in m3? Raises KernelDied."""
         request = json.dumps({"what": what, "first": list(first), "second": list(second), "direction": direction})
         with self._lock:
             if request not in self._known:
@@ -53,10 +53,10 @@ class Kernel:
         answer = json.loads(line)
         if "problem" in answer:
             raise KernelDied(answer["problem"])
-        metres = float(answer["metres"])
-        if not math.isfinite(metres):
-            raise KernelDied("the CAD kernel found no such distance")
-        return metres
+        value = float(answer["value"])
+        if not math.isfinite(value):
+            raise KernelDied("the CAD kernel found no such measure")
+        return value
 
     def _running(self) -> KernelProcess:
         if self._process is None:

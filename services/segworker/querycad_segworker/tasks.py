@@ -232,6 +232,10 @@ class Tasks:
         """How far apart are the surfaces of two parts, in metres?"""
         return self.cache.segcad(task.model).distance(task.part_a, task.part_b)
 
+    def overlap(self, task: DistanceTask) -> float:
+        """Which volume do two bodies share, in m3?"""
+        return self.cache.segcad(task.model).overlap(task.part_a, task.part_b)
+
     def edge_distance(self, task: EdgeDistanceTask) -> float:
         """How far is a part from the outer edge of its face, in metres?"""
         return self.cache.segcad(task.model).edge_distance(task.part)
@@ -301,6 +305,7 @@ class Tasks:
             TaskName.FIND_FACES: _as_data(FindFacesTask, self.find_faces),
             TaskName.EXTENT: _as_data(ExtentTask, self.extent),
             TaskName.DISTANCE: _as_data(DistanceTask, self.distance),
+            TaskName.OVERLAP: _as_data(DistanceTask, self.overlap),
             TaskName.EDGE_DISTANCE: _as_data(EdgeDistanceTask, self.edge_distance),
             TaskName.PARTS: _as_data(PartsTask, self.parts),
             TaskName.PICTURE: _as_data(PictureTask, self.picture),

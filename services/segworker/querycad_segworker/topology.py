@@ -5,14 +5,15 @@ Metres and radians; frame of the file. Face ids are positions in file order, edg
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 from itertools import combinations
 
-from querycad_contracts import Convexity, SurfaceKind, Vector
+from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
-from .vectors import Box, box_union
+from .vectors import Box, box_union, scale, sub
 
 
 class EdgeKind(StrEnum):
@@ -62,6 +63,45 @@ class Loop:
 
 
 @dataclass(frozen=True, slots=True)
+class Moments:
+    """How much area or volume there is, where its middle lies, and how it spreads around that.
+
+    `inertia`: about the middle, along the file's axes, for density 1: m4 of an area, m5 of a volume. Its diagonal holds
+    the moments about x, y, z; off it are the products of inertia with a minus sign.
+    """
+
+    amount: float
+    center: Vector
+    inertia: Matrix
+
+    def in_metres(self, unit_m: float, dimension: int) -> Moments:
+        """The same in metres; `unit_m`: the unit it is in; `dimension`: 2 of an area, 3 of a volume."""
+        x, y, z = (scale(row, unit_m ** (dimension + 2)) for row in self.inertia)
+        return Moments(self.amount * unit_m**dimension, scale(self.center, unit_m), (x, y, z))
+
+
+NO_MOMENTS = Moments(0.0, (0.0, 0.0, 0.0), ((0.0,) * 3,) * 3)
+
+
+def together(pieces: Sequence[Moments]) -> Moments:
+    """The moments of several pieces as one (parallel axis theorem); of nothing, nothing."""
+    amount = sum(piece.amount for piece in pieces)
+    if not amount:
+        return NO_MOMENTS
+    cx, cy, cz = (sum(piece.amount * piece.center[i] for piece in pieces) / amount for i in range(3))
+    total = [[0.0] * 3 for _ in range(3)]
+    for piece in pieces:
+        arm = sub(piece.center, (cx, cy, cz))
+        square = sum(a * a for a in arm)
+        for i in range(3):
+            for j in range(3):
+                steiner = (square if i == j else 0.0) - arm[i] * arm[j]
+                total[i][j] += piece.inertia[i][j] + piece.amount * steiner
+    x, y, z = ((row[0], row[1], row[2]) for row in total)
+    return Moments(amount, (cx, cy, cz), (x, y, z))
+
+
+@dataclass(frozen=True, slots=True)
 class FaceRecord:
     """One face with its canonical surface.
 
@@ -91,6 +131,8 @@ class FaceRecord:
     """A point on the surface near the middle of the face's parameter range."""
     point_normal: Vector = (0.0, 0.0, 0.0)
     """Outward unit normal there."""
+    moments: Moments = NO_MOMENTS
+    """Of its area."""
 
     @property
     def convexity(self) -> Convexity:
@@ -113,6 +155,8 @@ class BodyRecord:
     faces: tuple[int, ...]
     volume: float
     area: float
+    moments: Moments | None = None
+    """Of its volume; None of a body that is not closed."""
 
 
 @dataclass(frozen=True)

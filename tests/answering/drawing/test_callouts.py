@@ -126,7 +126,17 @@ def test_a_modelled_thread_is_named_by_diameter_and_pitch(
 
 @pytest.mark.parametrize(
     ("diameter_mm", "found"),
-    [(5.0, {"tap drill M6"}), (5.5, {"clears M5 (medium)"}), (8.5, {"tap drill M10"}), (5.13, set())],
+    [
+        (5.0, {"tap drill M6"}),
+        (5.5, {"clears M5 (medium)"}),
+        (8.5, {"tap drill M10"}),
+        (5.1054, {"tap drill 1/4-20"}),
+        (4.0386, {"tap drill #10-32"}),
+        (7.1425, {"clears 1/4 (medium)"}),
+        (11.8, {"tap drill G1/4"}),
+        (11.1125, {"tap drill 1/4 NPT"}),
+        (5.13, set()),
+    ],
 )
 def test_a_plain_hole_suits_threads_by_its_diameter_alone(diameter_mm: float, found: set[str]) -> None:
     assert set(suits(hole(1, diameter=diameter_mm * MM))) == found

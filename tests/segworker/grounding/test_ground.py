@@ -204,3 +204,46 @@ def test_outer_cylinders_are_all_that_are_outer_and_no_inner_ones() -> None:
     walls = [part(f"cylinder-{n}", (n * 0.01, 0.0, 0.0), tags=("outer",)) for n in (1, 2, 3)]
     for there in (walls, [*walls, part("cylinder-4", tags=("inner",))]):
         assert [p.id for p in find(inventory(*there), "outer cylinder").parts] == [p.id for p in walls]
+
+
+def sized_hole(number: int, diameter_mm: float, *steps_mm: float) -> Part:
+    radii = tuple(size / 2e3 for size in (*steps_mm, diameter_mm))
+    return hole(number, 10 * number, diameter=diameter_mm * 1e-3, radius=diameter_mm / 2e3, radii=radii)
+
+
+@pytest.mark.parametrize(
+    ("thread", "roles"),
+    [
+        ("m6", {1: "core of M6", 2: "tap drill of M6", 3: "nominal of M6", 4: "medium clearance of M6"}),
+        ("m6x0.75", {3: "nominal of M6x0.75", 4: "medium clearance of M6x0.75"}),
+        ("1/4-20", {5: "tap drill of 1/4-20"}),
+        ("g1/4", {6: "tap drill of G1/4"}),
+        ("1/4npt", {7: "tap drill of 1/4NPT"}),
+        ("m8", {8: "medium clearance of M8"}),
+    ],
+)
+def test_a_thread_finds_what_is_drawn_for_it_and_says_as_which(thread: str, roles: dict[int, str]) -> None:
+    bores = ((1, 4.9175), (2, 5.0), (3, 6.0), (4, 6.6), (5, 5.1054), (6, 11.8), (7, 11.1125))
+    holes = [*(sized_hole(n, d) for n, d in bores), sized_hole(8, 9.0, 16.0), sized_hole(9, 15.3)]
+    found = best(asked(threads=(thread,)), inventory(*holes))
+    assert {int(one.id.split("-")[1]): one.label.partition("; ")[2] for one in found.parts} == roles
+
+
+def test_a_thread_that_nothing_is_drawn_for_keeps_nothing_unsaid() -> None:
+    ways = ground(inventory(sized_hole(1, 15.3), sized_hole(2, 7.7)), asked(threads=("m6",)))
+    assert all("'m6'" in way.unchecked for way in ways if way.parts)
+
+
+def test_a_size_filter_means_any_step() -> None:
+    holes = inventory(sized_hole(1, 9.0, 16.0), sized_hole(2, 12.0), sized_hole(3, 9.0, 14.0))
+    for measure in (Measure.WIDTH, Measure.DIAMETER, None):
+        wider = SizeFilter(measure=measure, relation=Relation.MORE, low=0.015)
+        assert ids(best(asked(sizes=(wider,)), holes)) == {"hole-1"}
+
+
+def test_a_body_without_the_tag_is_surely_not_symmetric() -> None:
+    one, other = body(1, "left", tags=("solid", "symmetric")), body(2, "right", tags=("solid",))
+    bodies = PartQuery(noun="body", words=("body",), plural=True, adjectives=("symmetric",))
+    assert ids(best(bodies, inventory(one, other))) == {"body-1"}
+    (only,) = ground(inventory(other, body(3, "top", tags=("solid",))), bodies)
+    assert (only.parts, only.unchecked) == ((), ())

@@ -132,3 +132,14 @@ def test_a_bolt_circle_is_visible_where_all_of_its_holes_are() -> None:
     blind = [cylinder(2, 5, (15 * x, 15 * y, 0), DOWN) for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
     (closed,) = seen(cut(plate(), *blind), "pattern")
     assert closed.sides == (Side.TOP,)
+
+
+def test_a_groove_around_a_boss_that_stands_out_of_it_is_seen_from_where_it_opens() -> None:
+    """Its middle is filled: one looks in beside the boss, and not where a lid lies on the groove."""
+    ring = cut(box((100, 20, 100), (-50, 0, -50)), cylinder(30, 10, (0, 10, 0), (0, 1, 0)))
+    open_groove = fuse(ring, cylinder(25, 30, (0, 10, 0), (0, 1, 0)))
+    (groove,) = seen(open_groove, "groove")
+    assert groove.sides == (Side.BACK,)
+    lid = cut(cylinder(45, 5, (0, 20, 0), (0, 1, 0)), cylinder(25, 5, (0, 20, 0), (0, 1, 0)))
+    (covered,) = seen(compound(open_groove, lid), "groove")
+    assert covered.sides == ()

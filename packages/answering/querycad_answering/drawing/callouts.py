@@ -88,7 +88,8 @@ def _hole(part: Part, unit: LengthUnit, known: Known) -> str:
         told.append("countersink" + (f" Ø{length(part.width, unit)}" if part.width else ""))
     if not sections and "spotfaced" in part.tags and not steps:
         told.append("spotface")
-    return ", ".join([_joined(first, _reach(part, unit)), *_counted(told)])
+    drawn_for = [said for said in (part.label.partition("; ")[2],) if said]
+    return ", ".join([_joined(first, _reach(part, unit)), *_counted(told), *drawn_for])
 
 
 def _reach(part: Part, unit: LengthUnit) -> str:

@@ -89,6 +89,8 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
     """How far apart the two ends of a distance are, as an expression and its type."""
     form = replace(form, axis=_axis(draft, form.axis))
     first, second = form.first, form.second
+    if form.mode == "overlap":
+        return f"sum(a.overlap_with(b) for a, b in {overlapping(draft, form)})", AnswerType.VOLUME
     if isinstance(first, Plane) or isinstance(second, Plane):
         return _from_plane(draft, first, second, form.mode), AnswerType.LENGTH
     if not isinstance(first, PartQuery):
@@ -106,6 +108,12 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
     between = _between(draft, form, parts, other is not None)
     reduce = form.reduce
     return pairwise(draft, first, other, between, reduce), kind
+
+
+def overlapping(draft: Draft, form: Distance) -> str:
+    """The pairs of bodies that take the same room, as an expression."""
+    names = [draft.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    return f"overlaps({', '.join(names)})"
 
 
 def several(draft: Draft, forms: Sequence[Distance]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
@@ -24,9 +25,10 @@ from querycad_language.forms import (
 )
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import SLACK, angle_between, directions, distance, several, towards
+from .distances import SLACK, angle_between, directions, distance, overlapping, several, towards
 from .draft import Draft, Grounds, Unwritable, Written
 
+_KNOWN = ("width", "depth", "height", "center_of_mass")
 _SYMBOLS = {
     Relation.LESS: ("<", "-"),
     Relation.AT_MOST: ("<=", "+"),
@@ -47,14 +49,20 @@ def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written
     return Written("\n".join([*draft.lines, f"solution = {result}"]), kind, tuple(draft.reads), option)
 
 
-def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911 - one case a form
+def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911, PLR0912 - one case a form
     match form:
         case Get():
             return _get(draft, form)
         case Count(target, None):
             return f"len({draft.parts(target)})", AnswerType.COUNT
+        case Count(target, Measure.MIRROR_PLANES):
+            if any("axisymmetric" in part.tags for part in draft.of(target)):  # they are more than can be counted
+                raise Unwritable
+            return f"sum(len(p.mirror_planes) for p in {draft.parts(target)})", AnswerType.COUNT
         case Count(target, measure) if measure is not None:
-            return f"len(different({_listed(draft, measure, target)}))", AnswerType.COUNT
+            values = _listed(draft, measure, target)
+            steps = _steps(measure, draft.of(target), draft.read(measure, draft.of(target), True), draft.parts(target))
+            return f"len(different({steps or values}))", AnswerType.COUNT
         case Exists(target):
             return f"len({draft.parts(target)}) > 0", AnswerType.BOOLEAN
         case Parts(target):
@@ -89,6 +97,15 @@ def _listed(draft: Draft, measure: Measure, target: PartQuery) -> str:
     return f"[{expression.format('p')} for p in {draft.parts(target)}]"
 
 
+def _steps(measure: Measure, parts: Sequence[Part], expression: str, name: str) -> str:
+    """The radii or diameters of all steps, where parts have several; else nothing."""
+    named = measure in (Measure.RADIUS, Measure.DIAMETER) and expression == f"{{0}}.{measure.value}"
+    if not named or all(len(part.radii) < 2 for part in parts):
+        return ""
+    scale = "2 * " if measure is Measure.DIAMETER else ""
+    return f"[{scale}r for p in {name} for r in (p.radii if hasattr(p, 'radii') else [p.radius])]"
+
+
 def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
     if form.target is None:
         return _of_whole(draft, form)
@@ -113,6 +130,8 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
         draft.lines.append(f"tips = [tip for p in {name} for tip in p.tips]")
         return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
     expression = draft.read(measure, parts) if measure is not Measure.TIP else "{0}.center"
+    if measure is Measure.INERTIA:
+        expression = expression.replace("[i][i]", f"[i][i] * {_density(form):g}")
     if measure is Measure.MASS:
         expression = f"{expression} * {_density(form):g}"
     kind = answer_type(measure)
@@ -123,12 +142,8 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
             else AnswerType.LENGTH
         )
     values = f"[{expression.format('p')} for p in {name}]"
-    every = (
-        form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST) and expression == f"{{0}}.{measure.value}"
-    )
-    if every and measure in (Measure.RADIUS, Measure.DIAMETER) and any(len(part.radii) > 1 for part in parts):
-        scale = "2 * " if measure is Measure.DIAMETER else ""  # of stepped holes every step has one
-        values = f"[{scale}r for p in {name} for r in (p.radii if hasattr(p, 'radii') else [p.radius])]"
+    if form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST):
+        values = _steps(measure, parts, expression, name) or values
     return _reduced(draft, values, form.reduce, kind)
 
 
@@ -156,6 +171,9 @@ def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tup
 
 
 def _of_whole(draft: Draft, form: Get) -> tuple[str, AnswerType]:
+    if form.measures[0] is Measure.INERTIA:
+        moments = _of_model(draft, "[{0}.inertia[i][i]")
+        return f"{moments} * {_density(form):g} for i in range(3)]", AnswerType.NUMBERS
     if form.measures[0] is Measure.MASS:
         return f"shape.volume * {_density(form):g}", AnswerType.NUMBER
     if form.measures[0] in (Measure.NAME, Measure.COLOR):
@@ -221,6 +239,8 @@ def _check(draft: Draft, form: Check) -> str:
     if isinstance(form.left, Count):
         return f"len({draft.parts(form.left.target)}) == {int(form.low) if isinstance(form.low, float) else 0}"
     measure = Measure.LENGTH if isinstance(form.left, Distance) else form.left.measures[0]
+    if isinstance(form.left, Distance) and form.left.mode == "overlap":
+        return f"len({overlapping(draft, form.left)}) > 0"
     if isinstance(form.left, Distance):
         apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
         values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
@@ -258,6 +278,6 @@ def _density(form: Get) -> float:
 
 def _of_shape(expression: str) -> bool:
     """Does the guest's `shape` have what is read of it?"""
-    known = ("center", "extents", "half_extents", "volume", "area", "thickness", "name", "width", "depth", "height")
+    known = {*_KNOWN, "center", "extents", "half_extents", "volume", "area", "thickness", "name"}
     names = [piece.split("[")[0].split(")")[0].split(" ")[0].split(",")[0] for piece in expression.split("shape.")[1:]]
     return all(name in known for name in names)

@@ -18,6 +18,7 @@ _OUTWARD = {
     "back": (0.0, 1.0, 0.0),
 }
 _PARALLEL = 0.0017  # radians: the tolerance of recognition, 0.1 degrees
+_SHARED = 1e-12  # m3: a cube of 0.1 mm, the last digit of drawings
 _NEAR = 5e-5  # metres: drawing accuracy, as of close()
 
 
@@ -171,6 +172,20 @@ def nearest(items):
             reach.append(far)
     ranks = sorted(range(len(found)), key=lambda i: reach[i])
     return [found[i] for i in ranks]
+
+
+def overlaps(items, others=None):
+    bodies = list(items)
+    found = []
+    for i in range(len(bodies)):
+        for b in bodies[i + 1 :] if others is None else others:
+            a = bodies[i]
+            meet = a.id != b.id
+            for k in range(3):
+                meet = meet and abs(a.center[k] - b.center[k]) < (a.extents[k] + b.extents[k]) / 2
+            if meet and a.overlap_with(b) > _SHARED:
+                found.append((a, b))
+    return found
 
 
 def outermost(items, side=None):

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Sewing
-from OCP.BRepGProp import BRepGProp
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
-from OCP.GProp import GProp_GProps
+from OCP.gp import gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Shape
 
 from querycad_segworker.errors import IncompleteFile
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep
+from querycad_segworker.topology import BodyRecord, Brep, Moments
 from querycad_segworker.vectors import dist
 
 from .boxes import rough_box
-from .faces import INTEGRATION_ERROR, METRES_PER_MM, FaceTable
+from .faces import METRES_PER_MM, FaceTable
+from .moments import of_volume, placed
 from .step import NamedShape, StepContent, subshapes
 
 _FACE = TopAbs_ShapeEnum.TopAbs_FACE
@@ -115,46 +115,36 @@ def _bodies(
     bodies: list[BodyRecord] = []
     volumes = _Volumes()
     for ids, name, color, owning_solid in groups:
-        volume = volumes.of([table.kernel_faces[i] for i in ids], owning_solid)
-        if volume < 0:
+        enclosed = volumes.of([table.kernel_faces[i] for i in ids], owning_solid)
+        if enclosed.amount < 0:
             table.turn(ids)
         area = sum(table.records[i].area for i in ids) * METRES_PER_MM**2
         closed = owning_solid is not None or table.is_closed(ids)
-        bodies.append(
-            BodyRecord(
-                len(bodies), name, color, closed, tuple(ids), abs(volume) * METRES_PER_MM**3 if closed else 0.0, area
-            )
-        )
+        moments = replace(enclosed, amount=abs(enclosed.amount)).in_metres(METRES_PER_MM, 3) if closed else None
+        volume = 0.0 if moments is None else moments.amount
+        bodies.append(BodyRecord(len(bodies), name, color, closed, tuple(ids), volume, area, moments))
     if any(not body.is_solid for body in bodies):
         warnings.append("a body that is not closed has no volume")
     return bodies
 
 
 class _Volumes:
-    """Signed volumes that oriented faces enclose. Instances of one product differ in place only: integrated once."""
+    """What oriented faces enclose, mm3. Instances of one product differ in place only: integrated once."""
 
     def __init__(self) -> None:
         self._unplaced = ShapeMap()
-        self._known: dict[tuple[int, int], float] = {}
+        self._known: dict[tuple[int, int], tuple[gp_Trsf, Moments]] = {}
 
-    def of(self, faces: Sequence[TopoDS_Face], solid: TopoDS_Shape | None) -> float:
-        """In mm3; negative where the faces point inwards."""
+    def of(self, faces: Sequence[TopoDS_Face], solid: TopoDS_Shape | None) -> Moments:
+        """The amount is negative where the faces point inwards."""
         if solid is None or solid.Location().Transformation().IsNegative():
-            return _volume(faces)
+            return of_volume(_compound(faces))
+        place = solid.Location().Transformation()
         key = int(self._unplaced.Add(solid.Located(TopLoc_Location()))), len(faces)
         if key not in self._known:
-            self._known[key] = _volume(faces)
-        return self._known[key]
-
-
-def _volume(faces: Sequence[TopoDS_Face]) -> float:
-    """By the divergence theorem.
-
-    Not by the kernel's Gauss-Kronrod integration: it is quicker and finer, but does not end on ill-formed faces.
-    """
-    properties = GProp_GProps()
-    BRepGProp.VolumeProperties_s(_compound(faces), properties, INTEGRATION_ERROR)
-    return float(properties.Mass())
+            self._known[key] = place, of_volume(_compound(faces))
+        first, moments = self._known[key]
+        return placed(moments, place.Multiplied(first.Inverted()))
 
 
 def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:

@@ -8,13 +8,11 @@ from dataclasses import dataclass, replace
 
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
-from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
 from OCP.GCPnts import GCPnts_AbscissaPoint
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Pnt, gp_Vec
-from OCP.GProp import GProp_GProps
 from OCP.TopAbs import TopAbs_Orientation, TopAbs_ShapeEnum
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopLoc import TopLoc_Location
@@ -22,7 +20,7 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Wire
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
+from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop, Moments
 from querycad_segworker.vectors import (
     Box,
     angle_covered,
@@ -40,16 +38,10 @@ from querycad_segworker.vectors import (
 
 from .boxes import arc_box, curve_box, face_box
 from .canonical import Circle, Surface, canonical_circle, canonical_surface, is_straight, vector
+from .moments import of_surface, placed
 
 METRES_PER_MM = 1e-3
 """The one conversion between the kernel's millimetres and the metres of everything else."""
-
-INTEGRATION_ERROR = 1e-4
-"""Relative error asked of the kernel's adaptive integration of areas and volumes; bolts come out right to 1e-6.
-
-Its plain integration is up to 1 % wrong on B-spline cylinders, 1e-3 is up to 0.5 % wrong on bolts, and at 1e-6 it does
-not finish on some freeform faces.
-"""
 
 ONCE_AROUND = math.radians(120.0)
 """A closed edge whose middle lies further than this around an axis from its start goes around the axis."""
@@ -89,7 +81,7 @@ class FaceTable:
         self.surfaces: list[Surface] = []
         self.records: list[FaceRecord] = []
         self._unplaced = ShapeMap()
-        self._areas: list[float] = []
+        self._areas: list[Moments] = []
         for index, face in enumerate(self.kernel_faces):
             self._face(index, face)
 
@@ -111,6 +103,7 @@ class FaceTable:
         loops = self._loops(index, face, adaptor, surface, outward, flip)
         edges_box = box_union(self.edges[e].box for loop in loops for e in loop.edges)
         small, large = self._radii(surface, loops)
+        moments = self._moments(face)
         self.records.append(
             FaceRecord(
                 id=index,
@@ -118,7 +111,7 @@ class FaceTable:
                 kind=surface.kind,
                 origin=surface.origin,
                 axis=surface.axis,
-                area=self._area(face),
+                area=moments.amount,
                 box=face_box(face, adaptor, surface, edges_box),
                 loops=loops,
                 radius=large,
@@ -128,17 +121,19 @@ class FaceTable:
                 sweep=self._sweep(surface, adaptor, loops, point) if outward else 0.0,
                 point=point,
                 point_normal=outward_normal,
+                moments=moments,
             )
         )
 
-    def _area(self, face: TopoDS_Face) -> float:
-        """In mm2. Instances of one product share their faces but for the place, so that each is integrated once."""
+    def _moments(self, face: TopoDS_Face) -> Moments:
+        """Of its area, mm2. Instances of one product share their faces but for the place: each is integrated once."""
+        place = face.Location()
         position = int(self._unplaced.Add(face.Located(TopLoc_Location())))
         if position > len(self._areas):
-            properties = GProp_GProps()
-            BRepGProp.SurfaceProperties_s(face, properties, INTEGRATION_ERROR)
-            self._areas.append(abs(float(properties.Mass())))
-        return self._areas[position - 1]
+            found = of_surface(face.Located(TopLoc_Location()))
+            self._areas.append(replace(found, amount=abs(found.amount)))
+        known = self._areas[position - 1]
+        return known if place.IsIdentity() else placed(known, place.Transformation())
 
     def _loops(
         self,
@@ -342,6 +337,7 @@ class FaceTable:
                 radius=r.radius * s,
                 minor_radius=r.minor_radius * s,
                 point=scale(r.point, s),
+                moments=r.moments.in_metres(s, 2),
             )
             for r in self.records
         )

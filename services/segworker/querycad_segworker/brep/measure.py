@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from OCP.BinTools import BinTools
-from OCP.BRep import BRep_Builder
+from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Common
+from OCP.BRepClass3d import BRepClass3d_SolidClassifier
 from OCP.BRepExtrema import BRepExtrema_DistShapeShape
 from OCP.BRepGProp import BRepGProp
 from OCP.BRepTools import BRepTools
@@ -18,17 +20,23 @@ from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as S
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.GProp import GProp_GProps
-from OCP.TopAbs import TopAbs_ShapeEnum
+from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopExp import TopExp
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 
 from querycad_contracts import Vector
 from querycad_segworker.errors import UnreadableFile
 from querycad_segworker.vectors import box_union
 
-from .boxes import exact_box
+from .boxes import exact_box, rough_box
+from .canonical import vector
 from .faces import METRES_PER_MM
+from .moments import of_volume
+from .step import subshapes
+
+DRAWN_MM = 0.05
+"""Half of the last digit of drawings: a body that reaches less far into another one only touches it."""
 
 
 def save_faces(faces: Sequence[TopoDS_Face], path: Path) -> None:
@@ -75,6 +83,64 @@ def extent(faces: Sequence[TopoDS_Face], part: Sequence[int], direction: Vector)
     return (high[2] - low[2]) * METRES_PER_MM
 
 
+def overlap(faces: Sequence[TopoDS_Face], first: Sequence[int], second: Sequence[int]) -> float:
+    """Which volume do two bodies, each of closed faces, share, in m3? 0 when they only touch.
+
+    The kernel's intersection may fail in silence: none is believed while a corner of one body lies inside the other.
+    """
+    one, other = (_solid([faces[i] for i in ids]) for ids in (first, second))
+    common = BRepAlgoAPI_Common(one, other)
+    shared = 0.0 if not common.IsDone() or common.Shape().IsNull() else abs(of_volume(common.Shape()).amount)
+    if not common.IsDone() or (not shared and (_corner_inside(one, other) or _corner_inside(other, one))):
+        raise UnreadableFile("the kernel could not intersect these bodies")
+    return shared * METRES_PER_MM**3
+
+
+def _corner_inside(one: TopoDS_Shape, other: TopoDS_Shape) -> bool:
+    """Does a corner of one lie inside the other, by more than drawings tell?"""
+    classifier, box = BRepClass3d_SolidClassifier(other), rough_box(other)
+    for vertex in subshapes(one, TopAbs_ShapeEnum.TopAbs_VERTEX):
+        point = BRep_Tool.Pnt_s(TopoDS.Vertex(vertex))
+        if all(low < c < high for low, c, high in zip(box[0], vector(point), box[1], strict=True)):
+            classifier.Perform(point, DRAWN_MM)
+            if classifier.State() == TopAbs_State.TopAbs_IN:
+                return True
+    return False
+
+
+def _solid(faces: Sequence[TopoDS_Face]) -> TopoDS_Shape:
+    """The solid that closed faces bound: what they enclose from outside, less its voids."""
+    shells = [(of_volume(shell).amount, shell) for shell in _shells(faces)]
+    solid, builder = TopoDS_Solid(), BRep_Builder()
+    builder.MakeSolid(solid)
+    outer = max((abs(amount) for amount, _ in shells), default=0.0)
+    for amount, shell in shells:
+        builder.Add(solid, shell if (amount > 0) == (abs(amount) == outer) else shell.Reversed())
+    return solid
+
+
+def _shells(faces: Sequence[TopoDS_Face]) -> list[TopoDS_Shell]:
+    """A closed shell for each group of faces that hang together by shared edges."""
+    known, builder = ShapeMap(), BRep_Builder()
+    groups: list[tuple[set[int], list[TopoDS_Face]]] = []
+    for face in faces:
+        edges, members = {int(known.Add(edge)) for edge in subshapes(face, TopAbs_ShapeEnum.TopAbs_EDGE)}, [face]
+        for group in [group for group in groups if not edges.isdisjoint(group[0])]:
+            groups.remove(group)
+            edges |= group[0]
+            members = [*group[1], *members]
+        groups.append((edges, members))
+    shells = []
+    for _, members in groups:
+        shell = TopoDS_Shell()
+        builder.MakeShell(shell)
+        for face in members:
+            builder.Add(shell, face)
+        shell.Closed(True)
+        shells.append(shell)
+    return shells
+
+
 def _load_faces(path: Path) -> list[TopoDS_Face]:
     shape = TopoDS_Shape()
     if not BinTools.Read_s(shape, str(path)):
@@ -106,6 +172,8 @@ def _measured(faces: Sequence[TopoDS_Face], request: dict[str, Any]) -> float:
     match request["what"]:
         case "distance":
             return distance(faces, request["first"], request["second"])
+        case "overlap":
+            return overlap(faces, request["first"], request["second"])
         case "extent":
             return extent(faces, request["first"], request["direction"])
     return edge_distance(faces, request["first"])
@@ -114,14 +182,14 @@ def _measured(faces: Sequence[TopoDS_Face], request: dict[str, Any]) -> float:
 def work(kernel_faces: str) -> None:
     """Answers requests about the kept faces, one JSON object a line, until standard input ends.
 
-    {"what": "distance" | "edge_distance" | "extent", "first": [face ids], "second": [face ids], "direction": [x, y, z]}
-    is answered by {"metres": number} or {"problem": sentence}.
+    {"what": "distance" | "overlap" | "edge_distance" | "extent", "first": [face ids], "second": [face ids],
+    "direction": [x, y, z]} is answered by {"value": number} or {"problem": sentence}.
     """
     faces = _load_faces(Path(kernel_faces))
     for line in sys.stdin:
         request = json.loads(line)
         try:
-            answer: dict[str, float | str] = {"metres": _measured(faces, request)}
+            answer: dict[str, float | str] = {"value": _measured(faces, request)}
         except UnreadableFile as problem:
             answer = {"problem": str(problem)}
         sys.stdout.write(json.dumps(answer) + "\n")

@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Part, Refusal, Shape, SurfaceKind
+from querycad_contracts import Part, Refusal, Shape, SurfaceKind, Weighed
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity
@@ -21,7 +21,9 @@ from .assemblies.bodies import (
     bearing_part,
     body,
     body_part,
+    mass_of,
     model_part,
+    weighed,
     with_bearing_roles,
     with_gear_measures,
     with_pipe_measures,
@@ -105,8 +107,8 @@ def recognise(
     curved floors have no volume. `ahead` tells what a ray meets; without it no part says how much material is left.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
-    shape = _shape(brep, thickness.model)
     whole = united(brep, tolerances)
+    shape = _shape(brep, thickness.model, brep if whole is None else whole.brep)
     with gathering() as refused:
         if whole is None:
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
@@ -213,7 +215,7 @@ def _parts(
     parts += region_parts(brep, parts, volumes, tolerances)
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
-    bodies = with_bearing_roles(_bodies(brep, turned, tolerances, is_clear), bearings)
+    bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
     bodies = with_body_thickness(bodies, brep, prisms, turned, thickness.bodies)
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
@@ -245,12 +247,18 @@ def _turned(
     return [turned_body(brep, one, own_bosses[one.id], own_holes[one.id], own_gears[one.id]) for one in brep.bodies]
 
 
-def _bodies(brep: Brep, turned: Sequence[TurnedBody | None], tolerances: Tolerances, is_clear: IsClear) -> list[Part]:
+def _bodies(
+    brep: Brep,
+    masses: Sequence[Weighed],
+    turned: Sequence[TurnedBody | None],
+    tolerances: Tolerances,
+    is_clear: IsClear,
+) -> list[Part]:
     model_m = dist(*brep.box)
     parts = []
     for number, (record, form) in enumerate(zip(brep.bodies, turned, strict=True), start=1):
         tips = tips_of(form, is_clear, model_m) if form is not None and form.slender else ()
-        parts.append(body_part(brep, record, number, tolerances, form, tips))
+        parts.append(body_part(brep, record, number, tolerances, masses[number - 1], form, tips))
     return parts
 
 
@@ -274,7 +282,10 @@ def _numbered(records: Sequence[T], make: Callable[[T, int], Part]) -> list[Part
     return [make(record, number) for number, record in enumerate(records, start=1)]
 
 
-def _shape(brep: Brep, thickness_m: float | None) -> Shape:
+def _shape(brep: Brep, thickness_m: float | None, whole: Brep) -> Shape:
+    """`whole`: the same with pieces of one surface united, which symmetry is told by."""
+    masses = [weighed(whole, [record]) for record in whole.bodies]
+    together = masses[0] if len(masses) == 1 else weighed(whole, whole.bodies)
     return Shape(
         name=brep.name,
         center=box_center(brep.box),
@@ -282,8 +293,9 @@ def _shape(brep: Brep, thickness_m: float | None) -> Shape:
         volume=sum(record.volume for record in brep.bodies),
         area=sum(record.area for record in brep.bodies),
         thickness=thickness_m,
-        bodies=tuple(body(brep, record) for record in brep.bodies),
+        bodies=tuple(body(brep, record, mass) for record, mass in zip(brep.bodies, masses, strict=True)),
         face_count=len(brep.faces),
         edge_count=sum(edge.convexity is not EdgeConvexity.SEAM for edge in brep.edges),
         up=likely_up(brep),
+        **mass_of(together),
     )

@@ -17,6 +17,10 @@ CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""
 SAME_SIZE = 1.02
 """Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+CORE_TOLERANCE_M = 0.005e-3
+"""Cores are no drill sizes: who draws one gives it three digits of a millimetre."""
+SMALL_UNIFIED = {"4-40", "6-32", "8-32", "10-24", "10-32"}
+"""Unified threads below 1/4 inch whose tap drills are taken for threads: the others are near metric clearance holes."""
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
 WIDE = 0.7
@@ -53,10 +57,13 @@ class Inventory:
         return max(self.model.extents) if self.model is not None else 1.0
 
     @cached_property
-    def cores(self) -> list[float]:
-        """Core diameters of the usual threads, metres."""
-        threads = lexicon().threads
-        return sorted({diameters[0] for name, diameters in threads.items() if "x" not in name})
+    def cores(self) -> list[tuple[float, float]]:
+        """Tap drills and cores of the usual threads, and how near to them a hole is taken for one, metres."""
+        metric = {name for name in lexicon().threads if name[0] == "m" and "x" not in name}
+        inch = {name for name in lexicon().threads if "/" in name and name[0] != "g" and not name.endswith("npt")}
+        usual = [lexicon().threads[name] for name in metric | inch | SMALL_UNIFIED]
+        near = {"tap drill": THREAD_TOLERANCE_M, "core": CORE_TOLERANCE_M}
+        return [(holes[role], tolerance) for holes in usual for role, tolerance in near.items()]
 
     def tags(self, part: Part, asked: Iterable[str] = ()) -> set[str]:
         """The attributes of a part; those that only other parts can give where they are asked for."""
@@ -64,7 +71,7 @@ class Inventory:
         if "plate" in part.tags:
             tags = {_TURNED.get(tag, tag) for tag in tags}
         if part.kind == "hole" and part.diameter is not None:
-            if any(abs(part.diameter - core) <= THREAD_TOLERANCE_M for core in self.cores):
+            if any(abs(part.diameter - core) <= near for core, near in self.cores):
                 tags.add("core_diameter")
         return tags | {role for role in asked if role in ROLES and role not in tags and self._plays(part, role)}
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import colorsys
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from querycad_contracts import Measure, Relation, SizeFilter
+from querycad_contracts import Measure, Part, Relation, SizeFilter
 from querycad_language.lexicon import lexicon
 
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
@@ -17,6 +17,8 @@ DRAWN_M = 0.05e-3
 """Stated sizes are met to drawing accuracy, or to half of their last digit."""
 SURFACES = ("cylinder", "cone", "sphere", "torus", "arc")
 """Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
+THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
+"""Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -54,24 +56,32 @@ def _has_color(color: str | None, name: str, hues: dict[str, tuple[float, float]
 
 
 def threaded(request: Request, way: Way) -> Iterator[Way]:
-    """Those that a thread's name marks, or whose diameter fits it: 'the M5 holes'."""
+    """Those that a thread's name marks, or that are drawn for it: 'the M5 holes'. Their labels say as which."""
     if not request.query.threads:
         yield way
         return
     name = request.query.threads[0]
-    nominal = lexicon().threads.get(name) or lexicon().threads.get(name.partition("x")[0]) or ()
-    size = float(name[1:].partition("x")[0]) * 1e-3 if name[0] == "m" else 0.0
+    threads = lexicon().threads
+    holes = threads.get(name) or threads.get(name.partition("x")[0]) or {}
     marked = [
         p
         for p in way.parts
         if p.kind == "body" and any(w == name or w.startswith(f"{name}x") for w in all_words(p.name))
     ]
-    fitting = [
-        p
-        for p in way.parts
-        if any(abs(v - d) <= THREAD_TOLERANCE_M for v in values_of(p, Measure.DIAMETER) for d in (*nominal, size))
-    ]
-    yield from kept(way, marked or fitting, "thread", f"'{name}'")
+    exact, near = ([part for p in way.parts if (part := _drawn_for(p, name, holes, by)) is not None] for by in THREAD_M)
+    yield from kept(way, marked or exact or near, "thread", f"'{name}'")
+
+
+def _drawn_for(part: Part, name: str, holes: Mapping[str, float], near_m: float) -> Part | None:
+    """The part, with what its diameter is to a thread in its label: 'tap drill of M6'; None where it is nothing."""
+    sizes = values_of(part, Measure.DIAMETER)
+    left = ("pitch",) if near_m == THREAD_M[0] else ("pitch", "core")  # cores lie near the drills of other threads
+    apart = {role: min(abs(v - d) for v in sizes) for role, d in holes.items() if sizes and role not in left}
+    role = min(apart, key=lambda each: apart[each], default="")
+    if not role or apart[role] > near_m:
+        return None
+    drawn = f"{role} clearance" if role in ("close", "medium", "loose") else role
+    return part.model_copy(update={"label": f"{part.label}; {drawn} of {name.upper().replace('X', 'x')}"})
 
 
 def narrowed(request: Request, way: Way) -> Iterator[Way]:
@@ -125,6 +135,8 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
             yield way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
     elif adjective.lacks:
         yield way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")
+    elif adjective.decided and all(p.kind in ("model", "body") for p in way.parts):
+        yield way.to((), "adjective_agrees")
     elif not adjective.tags:
         yield way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")
     else:

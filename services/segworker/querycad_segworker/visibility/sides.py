@@ -64,6 +64,9 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
         for row, side in enumerate(Side):
             if share[row] >= OPENING_SHARE and dot(normal, side.outward) > math.cos(OPENING_ANGLE_RAD):
                 found.add(side)
+    hidden = [index for index, found in opening_sides.items() if not found and parts[index].kind != "hole"]
+    for index, found in _over_floors([parts[i] for i in hidden], scene).items():
+        opening_sides[hidden[index]] = found
     result = []
     for index, part in enumerate(parts):
         sides = opening_sides.get(index, set())
@@ -87,6 +90,34 @@ def with_sides(parts: Sequence[Part], brep: Brep, scene: Scene, visibility: Face
             sides |= into
         result.append(part.model_copy(update={"sides": tuple(side for side in Side if side in sides)}))
     return _with_members(_with_bores(result))
+
+
+def _over_floors(parts: Sequence[Part], scene: Scene) -> dict[int, set[Side]]:
+    """From which sides does one look into openings whose middle is filled, as around a boss that stands out of them?
+
+    Asked of points above the floor, at the level of the opening: by position in `parts`.
+    """
+    found: dict[int, set[Side]] = {}
+    for index, part in enumerate(parts):
+        if part.normal is None or part.opening is None:
+            continue
+        floor = scene.mesh.of_faces(np.array(part.faces))
+        a, b, c = (floor.vertices_m[floor.triangles[:, i]] for i in range(3))
+        normal, doubled = np.array(part.normal), np.cross(b - a, c - a)
+        area = np.linalg.norm(doubled, axis=1) / 2
+        lies = np.abs(doubled @ normal) > 2 * FACING.opposed * area
+        if not lies.any():
+            continue
+        points = ((a + b + c) / 3)[lies]
+        points += ((np.array(part.opening) - points) @ normal)[:, None] * normal
+        seen = scene.sees(points, np.tile(normal, (len(points), 1)))
+        share = seen @ area[lies] / area[lies].sum()
+        found[index] = {
+            side
+            for row, side in enumerate(Side)
+            if share[row] >= OPENING_SHARE and dot(part.normal, side.outward) > math.cos(OPENING_ANGLE_RAD)
+        }
+    return found
 
 
 def _walls_around(part: Part, brep: Brep) -> set[int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from querycad_contracts import PartQuery, Place
+from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import Count, Exists
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, replace_fields
@@ -30,9 +30,12 @@ def counts(question: Question) -> Iterator[Draft]:
         noun_here = text.find(inner, "noun")
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
+            named = [m for m in question.mentions if m.query is not None]
+        else:
+            named = question.mentions
         yield from _treated(question, at, used)
-        after = [m for m in question.mentions if m.head >= at and not m.pronoun]
-        before = [m for m in question.mentions if m.end <= span.start and not m.pronoun]
+        after = [m for m in named if m.head >= at and not m.pronoun]
+        before = [m for m in named if m.end <= span.start and not m.pronoun]
         for index, mention in enumerate(after[:3]):
             link = (
                 "count_next"
@@ -71,10 +74,9 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
     for mention in question.mentions:
-        if mention.query is not None and mention.start >= measure.end:
-            yield Draft(
-                Count(mention.query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used
-            )
+        whole = PartQuery(noun="object") if measure.value is Measure.MIRROR_PLANES else None
+        if (query := mention.query or whole) is not None and mention.start >= measure.end:
+            yield Draft(Count(query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
 
 
 def _count_of(mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[Draft]:
@@ -96,6 +98,8 @@ def _count_of(mention: Mention, used: set[int], features: Features, others: Sequ
 def exists(question: Question) -> Iterator[Draft]:
     """'Is there a keyway in the shaft?', 'Does the lever have a rib?'"""
     text = question.text
+    if text.at_phrases("overlap", "contact"):  # whether there are the bodies that touch is not asked
+        return
     for span in text.all("exists"):
         if not question.in_question(span.start) or text.find(span.start, "count"):
             continue

@@ -30,7 +30,8 @@ _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum"
 
 def values(question: Question) -> Iterator[Draft]:
     """A measure of a part or of the whole: 'How deep is the keyway?', 'What is the width of the lever?'"""
-    asked_for = asked_in(question)
+    shared = (Measure.VOLUME,) if question.text.at_phrases("overlap") else ()
+    asked_for = [one for one in asked_in(question) if one.measures != shared]
     for asked in [*asked_for, *_together(question, asked_for)]:
         if not question.in_question(asked.start) and any(question.in_question(other.start) for other in asked_for):
             continue
@@ -75,11 +76,12 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     if overall or text.is_word(asked.start, "overall", "total"):
         features["overall_whole" if owner.target is None else "overall_part"] = 1.0
     density = None
-    if Measure.MASS in asked.measures:
+    if {Measure.MASS, Measure.INERTIA} & set(asked.measures):
         stated = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == DENSITY]
-        if stated:
-            density = text.tokens[stated[0]].value
-            used |= {*stated, *(i for span in text.all("density") for i in span.tokens)}
+        named = text.all("material")
+        if stated or named:
+            density = text.tokens[stated[0]].value if stated else named[0].value
+            used |= {*stated, *(i for span in (*text.all("density"), *named) for i in span.tokens)}
     return Draft(Get(asked.measures, owner.target, reduce, density), features, used | overall)
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
-from querycad_language.forms import Check, Distance, Every, Get, Parallel, Target, Uniform, mapped
+from querycad_language.forms import Check, Distance, Every, Exists, Get, Parallel, Reduce, Target, Uniform, mapped
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft, Features
@@ -19,6 +20,7 @@ def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     text = question.text
     start = _verb_start(question)
+    yield from _overlapping(question, start)
     if start is None:
         return
     yield from _apart(question, start)
@@ -45,9 +47,26 @@ def yes_no(question: Question) -> Iterator[Draft]:
         for inner in _placed(target):
             if inner.sizes:  # 'do the holes lie on a circle of 50 mm?'
                 yield from _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], (), base, used)
+        yield from _predicates(text, mention, target, base, used)
         if target is not None:
-            yield from _predicates(text, mention, target, base, used)
             yield from _attributes(text, mention, target, base, used)
+
+
+def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
+    """'Do the rollers overlap?', 'Is the key in contact with the hub?', 'What volume do they share in overlap?'"""
+    bodies = PartQuery(noun="body", words=("body",), plural=True)
+    for category, mode in (("overlap", "overlap"), ("contact", "surfaces")):
+        said = question.text.at_phrases(category)
+        named = [m for m in question.mentions if m.start >= (start or 0) and m.used.isdisjoint(said)][:2]
+        meant = [one.query or bodies for one in named] or [bodies]
+        shared = Distance(meant[0], meant[1] if len(meant) > 1 else "each other", "overlap", reduce=Reduce.SMALLEST)
+        used = said.union(*(one.used for one in named))
+        if said and start is not None:
+            over = Check(shared, Relation.MORE, 0.0)
+            form = over if mode == "overlap" else Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
+            yield Draft(form, {"check": 1.0}, {start, *used})
+        elif said and mode == "overlap":
+            yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
@@ -105,16 +124,20 @@ def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features,
         yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
 
 
-def _predicates(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
+def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
     """'Are the ports really round?': what is said of them behind the noun."""
+    target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
         span = text.find(at, "adjective")
         if span is None or at in used or not span.value.tags:
             continue
+        if named is None and not span.value.decided:  # the whole has no other tags
+            return
         said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         if text.is_word(at - 1, "not", "non"):
             said = replace_fields(target, lacking=(*target.lacking, span.value.name))
-        yield Draft(Every(target, said), {**base, "predicate": 1.0}, used | set(span.tokens))
+        form = Every(target, said) if named is not None else Exists(said)
+        yield Draft(form, {**base, "predicate": 1.0}, used | set(span.tokens))
         return
 
 

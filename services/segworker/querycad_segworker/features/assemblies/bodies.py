@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
-from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector
+from querycad_contracts import Body, Evidence, Part, Shape, SurfaceKind, Vector, Weighed
 from querycad_segworker.features.holes.hole import Hole
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import outline_of
@@ -14,10 +15,11 @@ from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.pipes import Pipe, bent_measures
 from querycad_segworker.features.turned.round_bodies import COAXIAL, ROUND, TurnedBody
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep
+from querycad_segworker.topology import BodyRecord, Brep, together
 from querycad_segworker.vectors import box_center, box_extents
 
 from .bearings import Bearing
+from .symmetry import symmetry, symmetry_tags
 
 _OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips", "outer_diameter", "inner_diameter", "tube_diameter")
 """What a model that is one round body has of it."""
@@ -29,7 +31,19 @@ RINGS_ALONE = 0.8
 """How surely two rings of one width, one in the other, are a bearing drawn in a simple way."""
 
 
-def body(brep: Brep, record: BodyRecord) -> Body:
+def weighed(brep: Brep, records: Sequence[BodyRecord]) -> Weighed:
+    """How the bodies are as one mass, and how they are symmetric together. Pieces of one surface are one face here."""
+    moments = together([record.moments for record in records if record.moments is not None])
+    found = symmetry([brep.faces[f] for record in records for f in record.faces])
+    return Weighed(
+        center_of_mass=moments.center if moments.amount else None,
+        inertia=moments.inertia if moments.amount else None,
+        mirror_planes=found.planes,
+        rotation_axes=found.axes,
+    )
+
+
+def body(brep: Brep, record: BodyRecord, mass: Weighed) -> Body:
     """A body of the file, for `Shape.bodies`."""
     box = faces_box(brep, record.faces)
     return Body(
@@ -42,7 +56,13 @@ def body(brep: Brep, record: BodyRecord) -> Body:
         volume=record.volume,
         area=record.area,
         face_count=len(record.faces),
+        **mass_of(mass),
     )
+
+
+def mass_of(one: Weighed) -> dict[str, Any]:
+    """What it has as a mass, by name."""
+    return {name: getattr(one, name) for name in Weighed.model_fields}
 
 
 def _outline(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> tuple[str, ...]:
@@ -60,6 +80,7 @@ def body_part(
     record: BodyRecord,
     number: int,
     tolerances: Tolerances,
+    mass: Weighed,
     turned: TurnedBody | None = None,
     tips: tuple[Vector, ...] = (),
 ) -> Part:
@@ -82,7 +103,7 @@ def body_part(
     return Part(
         id=f"body-{number}",
         kind="body",
-        tags=tuple(dict.fromkeys(tags)),
+        tags=tuple(dict.fromkeys((*tags, *symmetry_tags(mass)))),
         label=record.name or ("solid" if record.is_solid else "surface"),
         faces=record.faces,
         center=box_center(box),
@@ -93,6 +114,7 @@ def body_part(
             "height": extents[2],
             "length": max(extents),
             **measures,
+            **mass_of(mass),
         },
         volume=record.volume if record.is_solid else None,
         area=record.area,
@@ -237,6 +259,7 @@ def model_part(brep: Brep, shape: Shape, only: Part | None = None) -> Part:
     return Part(
         id="model-1",
         kind="model",
+        tags=symmetry_tags(shape),
         label=shape.name or "the whole model",
         faces=tuple(face.id for face in brep.faces),
         center=shape.center,
@@ -251,4 +274,5 @@ def model_part(brep: Brep, shape: Shape, only: Part | None = None) -> Part:
         name=shape.name or None,
         evidence=Evidence(source="geometry", confidence=1.0, reason="all faces of the file"),
         **turned,
+        **mass_of(shape),
     )

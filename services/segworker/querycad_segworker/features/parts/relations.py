@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Shape
+from querycad_contracts import Part, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import OFF_ROUND, line_distance, line_key
+from querycad_segworker.vectors import OFF_ROUND, dist, line_distance, line_key, scale, sub, unit
 
 from .hierarchy import carried
 from .turned_pieces import turned_pieces
@@ -53,8 +53,23 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
             update["tags"] = tuple(dict.fromkeys(tags[part.id]))
         if part.id in carried_by:
             update["children"] = tuple(dict.fromkeys((*part.children, *carried_by[part.id])))
+        if ways := _ways_in(part.model_copy(update=update)):
+            update["approach"] = ways
         result.append(part.model_copy(update=update) if update else part)
     return result
+
+
+def _ways_in(part: Part) -> tuple[Vector, ...]:
+    """Along which unit directions is it reached: what is cut in from each of its mouths, a screw from its head?
+
+    Of what stands open at a border, the way that its floor faces is one; others are not told.
+    """
+    if part.kind == "body" and "screw" in part.tags and part.tip is not None and dist(part.tip, part.center) > 0:
+        return (unit(sub(part.tip, part.center)),)
+    if not part.kind.cuts_in or part.opening is None or part.normal is None:
+        return ()
+    into = scale(part.normal, -1.0)
+    return (into, part.normal) if part.bottom == "through" else (into,)
 
 
 def _place_tags(part: Part, shape: Shape) -> list[str]:

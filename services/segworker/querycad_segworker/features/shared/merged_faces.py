@@ -9,7 +9,16 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
+from querycad_segworker.topology import (
+    BodyRecord,
+    Brep,
+    EdgeConvexity,
+    EdgeKind,
+    EdgeRecord,
+    FaceRecord,
+    Loop,
+    together,
+)
 from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub, unit
 
 from .axes import Axis
@@ -194,6 +203,7 @@ def _face(
         point=point,
         point_normal=normal,
         area=sum(face.area for face in pieces),
+        moments=together([face.moments for face in pieces]),
         box=box,
         loops=loops,
         sweep=sweep,
