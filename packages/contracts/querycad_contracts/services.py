@@ -492,3 +492,6 @@ class Health(Frozen):
 
     ready: bool
     checks: dict[str, bool] = Field(default_factory=dict)
+    walls_missing: dict[str, tuple[str, ...]] = Field(
+        default_factory=dict, description="Walls that it does without, as a setting says, by where they are not up."
+    )

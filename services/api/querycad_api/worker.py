@@ -69,7 +69,7 @@ def make_app(settings: ApiSettings) -> Celery:
     process = questions.Questions(settings)
     questions.register(app, process)
     models.register(app, lambda: process.ledger)
-    heartbeat_sent.connect(lambda **_: redis.set(alive_key(Queue.QUESTIONS), 1, ex=ALIVE_S), weak=False)
+    heartbeat_sent.connect(lambda **_: redis.set(alive_key(Queue.QUESTIONS), "", ex=ALIVE_S), weak=False)
     setup_logging.connect(lambda **_: start_logging("questions", settings.log_format), weak=False)
     start_worker_tracing("querycad-questions", settings.traces)
     if settings.sole_worker:

@@ -37,6 +37,7 @@ from querycad_contracts import (
     RunRequest,
     RunStarted,
     TaskFailureKind,
+    Walls,
     WallsMissing,
     carry_trace,
     working_for,
@@ -45,7 +46,7 @@ from querycad_contracts import (
 from .control import RunControl
 from .remote import Caller, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from .sandbox import Sandbox
-from .settings import SandboxSettings, Walls
+from .settings import SandboxSettings
 
 BODY_BYTES = 2 * 2**20
 """Over the longest program that any limit lets run, as JSON."""
@@ -93,7 +94,7 @@ class _Runs:
     def __init__(self, settings: SandboxSettings, call: Caller | None, service_layers: dict[str, bool]) -> None:
         self._settings = settings
         self._call = call or QueueCaller(settings.redis_url)
-        self._sandbox = Sandbox(settings.sandbox_processes, settings.sandbox_walls)
+        self._sandbox = Sandbox(settings.sandbox_processes, settings.walls)
         self._threads = ThreadPoolExecutor(settings.sandbox_runs, thread_name_prefix="run")
         self._redis = Redis.from_url(settings.redis_url, socket_timeout=REDIS_S, socket_connect_timeout=REDIS_S)
         self._service_layers = service_layers
@@ -235,7 +236,7 @@ class _Runs:
 
     def _walled(self) -> bool:
         """May programs be run?"""
-        return self._settings.sandbox_walls is Walls.AVAILABLE or not self._missing()
+        return self._settings.walls is Walls.AVAILABLE or not self._missing()
 
     async def ready(self, _: Request) -> Response:
         """`GET /readyz`: can programs be run now, and behind which walls?"""
@@ -248,7 +249,7 @@ class _Runs:
             ready=all(checks.values()),
             checks=checks,
             layers=self._layers(),
-            walls=self._settings.sandbox_walls,
+            walls=self._settings.walls,
             missing=self._missing(),
         )
         return Response(health.model_dump_json(), 200 if health.ready else 503, media_type="application/json")

@@ -13,7 +13,7 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
+from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, Walls, WallSettings, WallsMissing
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError
@@ -22,7 +22,6 @@ from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
 from .rewriting import ATTRIBUTES
 from .run import Run
-from .settings import Walls, WallSettings
 from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
@@ -40,9 +39,9 @@ class Sandbox:
     """
 
     def __init__(self, workers: int = 2, walls: Walls | None = None) -> None:
-        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_SANDBOX_WALLS says."""
+        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_WALLS says."""
         self._workers = workers
-        self._walls = walls or WallSettings.read().sandbox_walls
+        self._walls = walls or WallSettings.read().walls
         self._prelude, self._relations = (
             files(__package__).joinpath("inside", name).read_text(encoding="utf-8")
             for name in ("prelude.py", "relations.py")
@@ -143,11 +142,7 @@ class Sandbox:
                 for name in self._confinement.missing:
                     log.warning("wall %s is not up; walls: %s", name, self._walls)
             if self._confinement.missing and self._walls is Walls.REQUIRED:
-                without = f"{WallSettings.variable('sandbox_walls')}={Walls.AVAILABLE}"
-                raise WallsMissing(
-                    "no program is run: these walls around the interpreter are not up: "
-                    f"{', '.join(self._confinement.missing)}; {without} runs programs without them"
-                )
+                raise WallsMissing("no program is run", "the interpreter", self._confinement.missing)
             if self._interpreters is None or self._checker is None:
                 self._interpreters = Interpreters(self._workers, self._confinement.binary)
                 self._interpreters.start()

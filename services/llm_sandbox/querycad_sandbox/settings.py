@@ -2,28 +2,9 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
-
 from pydantic import Field
 
-from querycad_contracts import BrokerSettings, Settings
-
-
-class Walls(StrEnum):
-    """What holds where a wall around the interpreter cannot be raised."""
-
-    REQUIRED = "required"
-    """No program is run."""
-    AVAILABLE = "available"
-    """Programs run behind those that there are; health, log and answers name the others."""
-
-
-class WallSettings(Settings):
-    """Of everything that runs programs."""
-
-    sandbox_walls: Walls = Field(
-        Walls.REQUIRED, description="`required`: no program runs unless all walls are up; `available`: degraded."
-    )
+from querycad_contracts import BrokerSettings, WallSettings
 
 
 class SandboxSettings(BrokerSettings, WallSettings):

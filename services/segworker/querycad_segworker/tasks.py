@@ -45,6 +45,7 @@ from querycad_contracts import (
     TaskName,
     TaskOutcome,
     ViewTask,
+    WallsMissing,
     file_store,
     models_name,
     upload_name,
@@ -318,6 +319,8 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
         if error.errno not in DiskFull.CODES:
             raise
         failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(DiskFull()), retryable=True)
+    except WallsMissing as error:
+        failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message=str(error), retryable=True)
     except KeyError as error:
         failure = TaskFailure(
             kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"

@@ -11,8 +11,9 @@ from __future__ import annotations
 import json
 import logging
 import os
+import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, cast
 
 from celery import Celery, Task
@@ -32,6 +33,7 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    WallsMissing,
     alive_key,
     reply_key,
     stage_key,
@@ -39,7 +41,7 @@ from querycad_contracts import (
     start_worker_tracing,
 )
 
-from .kernel_process import ONE_THREAD, start_host
+from .kernel_process import ONE_THREAD, missing_walls, must_be_up, start_host
 from .settings import SegworkerSettings
 from .tasks import Tasks, make_tasks
 
@@ -70,8 +72,8 @@ log = logging.getLogger("querycad_segworker.worker")  # it is run as __main__
 Work = Callable[[dict[str, Any]], str]
 
 
-def make_app(settings: SegworkerSettings) -> Celery:
-    """The Celery application with every task of a segworker."""
+def make_app(settings: SegworkerSettings, missing: Sequence[str] = ()) -> Celery:
+    """The Celery application with every task of a segworker; `missing` are walls that it does without."""
     app = Celery("querycad_segworker", broker=settings.redis_url)
     # These connect when they are used, in each process anew.
     redis = Redis.from_url(settings.redis_url)
@@ -112,7 +114,7 @@ def make_app(settings: SegworkerSettings) -> Celery:
         limit_s = ingest_limit_s if name is TaskName.INGEST else CALL_S
         run = _task(name, process.work(name), replies)
         app.task(run, bind=True, name=name.value, time_limit=limit_s, shared=False)  # not with other applications
-    heartbeat_sent.connect(lambda **_: _say_alive(redis, queues), weak=False)
+    heartbeat_sent.connect(lambda **_: _say_alive(redis, queues, missing), weak=False)
     service = "+".join(sorted(queue.value for queue in queues))
     setup_logging.connect(lambda **_: start_logging(service, settings.log_format), weak=False)
     start_worker_tracing("querycad-segworker", settings.traces)
@@ -207,10 +209,10 @@ def _load_kernel(**_: object) -> None:
     threading.Thread(target=start_host, daemon=True).start()
 
 
-def _say_alive(redis: Redis, queues: list[Queue]) -> None:
-    """Tells with every heartbeat that the queues are being worked on."""
+def _say_alive(redis: Redis, queues: list[Queue], missing: Sequence[str]) -> None:
+    """Tells with every heartbeat that the queues are being worked on, and without which walls."""
     for queue in queues:
-        redis.set(alive_key(queue), 1, ex=ALIVE_S)
+        redis.set(alive_key(queue), " ".join(missing), ex=ALIVE_S)
 
 
 def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
@@ -230,12 +232,17 @@ def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
 
 
 def main() -> None:
-    """Works until it is told to stop; SIGTERM lets running tasks end."""
+    """Works until it is told to stop; SIGTERM lets running tasks end. It ends at once where walls are missing."""
     settings = SegworkerSettings.read()
     for variable, one in ONE_THREAD.items():
         os.environ.setdefault(variable, one)
     name = "+".join(sorted(settings.segworker_queues.replace(" ", "").split(",")))
-    make_app(settings).worker_main(
+    missing = missing_walls()
+    try:
+        must_be_up(missing)
+    except WallsMissing as error:
+        sys.exit(f"querycad_segworker: {error}")
+    make_app(settings, missing).worker_main(
         ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", f"--hostname={name}@%h"]
     )
 

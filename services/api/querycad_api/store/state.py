@@ -92,9 +92,9 @@ class State:
         self._add = redis.register_script(ADD_JOBS)
         self._finish = redis.register_script(FINISH_JOB)
 
-    async def alive(self, *keys: str) -> list[bool]:
-        """Which of the keys are there?"""
-        return [value is not None for value in await self._redis.mget(keys)]
+    async def alive(self, *keys: str) -> list[str | None]:
+        """What do those say that are there? None where one is not."""
+        return [None if value is None else str(value) for value in await self._redis.mget(keys)]
 
     async def totals(self, *queues: str) -> tuple[dict[str, float], dict[str, int]]:
         """The workers' counters, and how many tasks wait in each queue."""
