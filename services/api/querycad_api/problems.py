@@ -21,6 +21,8 @@ ApiProblem
 ├── RangeNotSatisfiable  416
 ├── ModelNotReady        409
 ├── ModelUnreadable      422
+├── QuotaReached         507
+├── DiskFull             507
 └── ServiceUnavailable   503
 """
 
@@ -29,6 +31,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Mapping, Sequence
+from errno import EDQUOT, ENOSPC
 from http import HTTPStatus
 from typing import Any, ClassVar
 
@@ -217,6 +220,21 @@ class ModelUnreadable(ApiProblem):
     title = "Model unreadable"
 
 
+class QuotaReached(ApiProblem):
+    """The tenant has as many bytes of files as it may have."""
+
+    status = HTTPStatus.INSUFFICIENT_STORAGE
+    title = "Storage quota reached"
+
+
+class DiskFull(ApiProblem):
+    """The disk of the service is full; the request may succeed once there is space."""
+
+    status = HTTPStatus.INSUFFICIENT_STORAGE
+    title = "Disk full"
+    retryable = True
+
+
 class ServiceUnavailable(ApiProblem):
     """Something that the request needs does not answer."""
 
@@ -285,6 +303,10 @@ def add_handlers(app: FastAPI) -> None:
     @app.exception_handler(OSError)
     async def of_files(_: Request, error: OSError) -> Response:
         log.error("files: %s", error, exc_info=error)
+        if error.errno in (ENOSPC, EDQUOT):
+            return problem_response(
+                DiskFull("the disk of the service is full; try again when there is space").problem()
+            )
         return problem_response(ServiceUnavailable("files cannot be kept or read; try again in a moment").problem())
 
 

@@ -62,6 +62,8 @@ from .summary import summary
 
 log = logging.getLogger(__name__)
 P = TypeVar("P", bound=ModelTask)
+DRAWN = 100
+"""Views of one model that are kept, in whatever sizes; one that is gone is drawn again."""
 
 
 class UnknownModelError(FileProblem):
@@ -114,6 +116,7 @@ class ModelCache:
         artefacts = self.artefacts(model)
         name = self._name(artefacts.folder / "drawn" / file_name)
         made = self.made(name, lambda path: make(artefacts, path))
+        _keep_newest(artefacts.folder / "drawn")
         self.drop_if_deleted(model)
         return made
 
@@ -276,6 +279,13 @@ class Tasks:
             TaskName.VIEW: _as_data(ViewTask, self.view),
             TaskName.GLB: _as_data(ModelTask, self.glb),
         }
+
+
+def _keep_newest(folder: Path) -> None:
+    """Removes what is more than `DRAWN` files of a folder, the oldest first: every size of every view is one."""
+    paths = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime) if folder.is_dir() else []
+    for path in paths[:-DRAWN]:
+        path.unlink(missing_ok=True)
 
 
 def _bare(part: Part) -> Part:
