@@ -118,7 +118,7 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
     last = ask()
     kept = [job for job in (opened, *done, last) if client.get(f"/v1/jobs/{job}").status_code == 200]
     assert kept == [opened, *done[-2:], last]  # three, and what is open among the oldest
-    assert len(client.get(f"/v1/models/{MODEL}/questions").json()["items"]) == 4
+    assert len(client.get(f"/v1/models/{MODEL}/answers").json()["items"]) == 4
 
 
 def test_a_record_is_bounded_in_size() -> None:

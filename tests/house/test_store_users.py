@@ -70,8 +70,23 @@ FORBIDDEN: dict[str, list[Callable[[Redis], Any]]] = {
         lambda redis: redis.flushall(),
         lambda redis: redis.config_get("*"),
     ],
-    "questions": [lambda redis: redis.flushall(), lambda redis: redis.config_get("*"), lambda redis: redis.keys("*")],
-    "api": [lambda redis: redis.flushall(), lambda redis: redis.config_get("*"), lambda redis: redis.shutdown()],
+    "questions": [
+        lambda redis: redis.flushall(),
+        lambda redis: redis.config_get("*"),
+        lambda redis: redis.keys("*"),
+        lambda redis: redis.lrange("segcad", 0, -1),
+        lambda redis: redis.lpush("ingest", "task"),
+        lambda redis: redis.get("anything"),
+        lambda redis: redis.publish("anything", "said"),
+    ],
+    "api": [
+        lambda redis: redis.flushall(),
+        lambda redis: redis.config_get("*"),
+        lambda redis: redis.shutdown(),
+        lambda redis: redis.set("anything", 1),
+        lambda redis: redis.rpop("segcad"),
+        lambda redis: redis.publish("anything", "said"),
+    ],
 }
 
 

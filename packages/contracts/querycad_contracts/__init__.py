@@ -70,7 +70,7 @@ from .parameters import (
     Pose,
     ReferenceFrame,
 )
-from .processes import end_with_parent
+from .processes import end_with_parent, keep_private
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
 from .runs import FoundFaces, Grounding, RunId, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
@@ -289,6 +289,7 @@ __all__ = [
     "end_with_parent",
     "file_kind",
     "file_store",
+    "keep_private",
     "models_name",
     "picture_name",
     "queue_of",

@@ -115,6 +115,9 @@ class IngestTask(ModelTask):
     """Read an uploaded file."""
 
     file_name: str
+    anew: bool = Field(
+        False, description="Read it though it is known: who uploads what another has cannot tell by the time it takes."
+    )
 
 
 class GroundTask(ModelTask):

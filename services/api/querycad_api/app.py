@@ -20,7 +20,7 @@ from pydantic.json_schema import models_json_schema
 from redis.asyncio import Redis
 from starlette.middleware.cors import CORSMiddleware
 
-from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
+from querycad_contracts import JobEvent, Problem, file_store, keep_private, start_logging, start_tracing
 
 from .accounts.gate import Gate
 from .accounts.service import Access
@@ -179,6 +179,7 @@ def _document_problems(operation: dict[str, Any]) -> None:
 def main() -> None:
     """Serves until told to stop."""
     settings = ApiSettings.read()
+    keep_private()
     start_logging("api", settings.log_format)
     if not settings.on_loopback and not settings.asks_for_keys:
         log.error("QUERYCAD_AUTH is off, and QUERYCAD_API_HOST is not loopback: everybody could read everything")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ipaddress
 from pathlib import Path
 
-from pydantic import Field
+from pydantic import Field, SecretStr
 
 from querycad_answering.llm import LlmSettings
 from querycad_contracts import StorageSettings, WorkerSettings
@@ -36,6 +36,7 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
         "", description="Origins whose pages may call the api from a browser, with commas between them."
     )
     sandbox_url: str = Field("http://127.0.0.1:8101", description="Where the sandbox is.")
+    sandbox_token: SecretStr = Field(SecretStr(""), description="What the sandbox asks for.")
     question_processes: int = Field(2, ge=1, le=64, description="Questions that a question worker answers at once.")
     question_s: int = Field(240, ge=10, description="Seconds after which a question is given up.")
 

@@ -13,7 +13,7 @@ from celery.signals import heartbeat_sent, setup_logging
 from kombu import Queue as KombuQueue
 from redis import Redis
 
-from querycad_contracts import Queue, alive_key, start_logging, start_worker_tracing
+from querycad_contracts import Queue, alive_key, keep_private, start_logging, start_worker_tracing
 
 from .models import tasks as models
 from .questions import tasks as questions
@@ -95,6 +95,7 @@ def _take_over(redis: Redis) -> type[StartStopStep]:
 
 def main() -> None:
     """Works until it is told to stop; SIGTERM lets running questions end."""
+    keep_private()
     settings = ApiSettings.read()
     make_app(settings).worker_main(
         ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", "--hostname=questions@%h"]

@@ -100,13 +100,28 @@ class Sandbox:
 
         Raises WallsMissing, and runs nothing, where walls are required that are not up. The program's own failures are
         outcomes. A failure of `segcad` is raised as it is: it is not the program's.
+        A program whose interpreter crashed is run once more.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
         the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
         exist is missed when the program gets there; no wall depends on it.
         """
-        started = perf_counter()
         control = control or RunControl()
         control.begin(limits)
+        outcome = self._once(code, segcad, limits, expects, control, check)
+        if outcome.status is RunStatus.CRASHED and not control.cancelled:  # it may be another program's doing
+            outcome = self._once(code, segcad, limits, expects, control, check)
+        return outcome
+
+    def _once(
+        self,
+        code: str,
+        segcad: SegCad,
+        limits: RunLimits,
+        expects: AnswerType | None,
+        control: RunControl,
+        check: bool,
+    ) -> RunOutcome:
+        started = perf_counter()
         interpreters, checker = self._start()
         memory_bytes = HOST_SHARE * limits.memory_bytes
         run = Run(Guest(segcad, control, memory_bytes, "AttributeError" in code), limits, control)

@@ -47,8 +47,9 @@ def ingest(
     limits: IngestLimits | None = None,
     progress: Progress | None = None,
     file_name: str | None = None,
+    anew: bool = False,
 ) -> Artefacts:
-    """What does the file hold? Known content is not read again.
+    """What does the file hold? Known content is not read again, unless `anew`: then what is kept stays as it is.
 
     Raises FileProblem, with a sentence for the user, and WallsMissing where nothing may be read. `file_name` is the
     name that the user knows the file by, where `path` has another.
@@ -57,7 +58,7 @@ def ingest(
         sha256 = file_sha256(path) if path.is_file() and os.access(path, os.R_OK) else ""
     except OSError as error:
         raise NotStep(f"{path} cannot be read: {error.strerror}") from error
-    known = store.find(sha256) if sha256 else None
+    known = store.find(sha256) if sha256 and not anew else None
     if known is not None:
         return known
     scratch: Path | None = None

@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -93,18 +94,20 @@ class ModelCache:
             raise UnknownModelError("no such model: upload its file first")
         raise NotRead("the file has to be read first")
 
-    def read(self, model: str, file_name: str, progress: Progress | None = None) -> Artefacts:
-        """What is kept of an uploaded model; its file is read now if need be. Raises FileProblem."""
-        try:
-            return self.artefacts(model)
-        except NotRead:
-            folder = self._name(self._store.folder(model))
+    def read(self, model: str, file_name: str, progress: Progress | None = None, anew: bool = False) -> Artefacts:
+        """What is kept of an uploaded model; its file is read now if need be, or `anew`. Raises FileProblem."""
+        known = None
+        with suppress(NotRead):
+            known = self.artefacts(model)
+        if known is not None and not anew:
+            return known
+        folder = self._name(self._store.folder(model))
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
         limits = IngestLimits(float(self._settings.ingest_s), self._settings.ingest_memory_mib * 2**20)
         try:
-            made = ingest(upload, self._store, limits, progress, file_name)
+            made = ingest(upload, self._store, limits, progress, file_name, anew)
         except FileProblem:
             self.drop_if_deleted(model)  # then it is no fault of the file's
             raise
@@ -177,7 +180,7 @@ class Tasks:
         def progress(stage: str) -> None:
             self.told(task.model, ReadingStage(stage))
 
-        found = summary(self.cache.read(task.model, task.file_name, progress).load_model())
+        found = summary(self.cache.read(task.model, task.file_name, progress, task.anew).load_model())
         self.cache.drop_if_deleted(task.model)
         return found
 

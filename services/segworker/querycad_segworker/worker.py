@@ -35,6 +35,7 @@ from querycad_contracts import (
     TaskOutcome,
     WallsMissing,
     alive_key,
+    keep_private,
     reply_key,
     stage_key,
     start_logging,
@@ -233,6 +234,7 @@ def _take_over(redis: Redis, index: str) -> type[StartStopStep]:
 
 def main() -> None:
     """Works until it is told to stop; SIGTERM lets running tasks end. It ends at once where walls are missing."""
+    keep_private()
     settings = SegworkerSettings.read()
     for variable, one in ONE_THREAD.items():
         os.environ.setdefault(variable, one)

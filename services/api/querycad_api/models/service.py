@@ -126,7 +126,7 @@ async def _read(services: Services, resource: ModelResource, new: bool) -> None:
     task = uuid4().hex
     await services.state.reading(tenant, resource.id, task)
     try:
-        await services.broker.ingest(resource, tenant, task)
+        await services.broker.ingest(resource, tenant, task, anew=new)
     except ServiceUnavailable:
         await services.state.forget_model(tenant, resource.id)
         raise

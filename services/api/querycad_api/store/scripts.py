@@ -114,3 +114,21 @@ return 1
 """
 """Keys: model, its events, models that are read. Arguments: outcome, member of the last, time of the upload. What came
 of a file that was deleted while it was read is none of the same file's that was uploaded anew."""
+RESERVE = """
+redis.call('ZREMRANGEBYSCORE', KEYS[1], 0, ARGV[2])
+local more = 0
+for i = 4, #ARGV do
+  if not redis.call('ZSCORE', KEYS[1], ARGV[i]) then
+    more = more + 1
+  end
+end
+if redis.call('ZCARD', KEYS[1]) + more > tonumber(ARGV[3]) then
+  return 0
+end
+for i = 4, #ARGV do
+  redis.call('ZADD', KEYS[1], ARGV[1], ARGV[i])
+end
+return 1
+"""
+"""Keys: open jobs of an API key. Arguments: time, before when they are forgotten, how many there may be, jobs. 0, and
+none is counted, when that is too many: two requests for the same jobs do not take them from each other."""

@@ -57,7 +57,7 @@ from .keyspace import (
     sizes_key,
     task_of,
 )
-from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB
+from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB, RESERVE
 
 READ_S = 5.0
 """A wait on a stream is cut into pieces, so that it ends soon after its client has gone."""
@@ -97,6 +97,7 @@ class State:
         self._redis = redis
         self._kept_s = answers_days * DAY_S
         self._answers, self._stored_bytes = answers, stored_bytes
+        self._reserve = redis.register_script(RESERVE)
         self._add_model = redis.register_script(ADD_MODEL)
         self._add = redis.register_script(ADD_JOBS)
         self._finish = redis.register_script(FINISH_JOB)
@@ -200,15 +201,10 @@ class State:
 
     async def reserve(self, tasks: Sequence[QuestionTask], at_most: int) -> bool:
         """Counts the tasks as open questions of their API key; False, and nothing counted, when that is too many."""
-        key, time = open_key(tasks[0].key), now().timestamp()
-        async with self._redis.pipeline() as pipe:
-            pipe.zremrangebyscore(key, 0, time - OPEN_S)
-            pipe.zadd(key, {task.job: time for task in tasks})
-            pipe.zcard(key)
-            fits = bool((await pipe.execute())[-1] <= at_most)
-        if not fits:
-            await self._redis.zrem(key, *(task.job for task in tasks))
-        return fits
+        time = now().timestamp()
+        return bool(
+            await self._reserve([open_key(tasks[0].key)], [time, time - OPEN_S, at_most, *(task.job for task in tasks)])
+        )
 
     async def add_jobs(self, tasks: Sequence[QuestionTask]) -> tuple[Job, ...]:
         """Keeps new jobs about one model and puts them on the queue: all of them, or none if there is no such model."""
@@ -311,10 +307,6 @@ class State:
             return wanted
         fingerprint, jobs = json.loads(kept)
         return Once(fingerprint, tuple(jobs))
-
-    async def forget_once(self, tenant: str, key: str) -> None:
-        """Makes an idempotency key unused again: nothing was done for it."""
-        await self._redis.delete(once_key(tenant, key))
 
     # What was lost
 
