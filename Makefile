@@ -21,8 +21,8 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 test: setup ## run all tests; arguments for pytest in ARGS
 	$(BIN)/python -m pytest $(ARGS)
 
-attack: setup ## attack what takes text, files, requests and programs; a few minutes
-	$(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
+attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; half an hour
+	QUERYCAD_MUTANTS=2000 $(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
 
 parity: setup ## compare the vision networks with the public references: installs PyTorch, takes minutes
 	@scripts/parity.sh $(ARGS)

@@ -121,6 +121,9 @@ def _run_child(
         raise KernelDied(_death(code, timed_out, said, source, limits))
     outcome.unlink()
     if "problem" in result:
+        if said.strip():
+            _log.info("of %s: %s", file_name, said.strip().splitlines()[-1])
+            _log.debug("it said: %s", said)
         kind = getattr(errors, result["problem"], FileProblem)
         raise kind(result["message"])
 

@@ -8,6 +8,7 @@ import mmap
 import resource
 import sys
 import time
+import traceback
 from dataclasses import replace
 from pathlib import Path
 
@@ -33,6 +34,7 @@ from .visibility.sides import with_sides
 
 LARGEST_SI = 1e12
 """Metres, square or cubic metres: a cube of ten kilometres."""
+DAMAGED = "the file is damaged: its geometry contradicts itself, and nothing can be measured of it"
 LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""
 
@@ -56,6 +58,13 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
         outcome = {"problem": type(problem).__name__, "message": str(problem)}
     except MemoryError:
         outcome = {"problem": "KernelDied", "message": "the file needs more memory than is allowed for reading"}
+    except OSError:
+        raise  # of the disk's: the parent says so
+    except Exception:
+        # What a file's text passes for may be no geometry: a face without an area, a body without an edge. The log says
+        # where it was noticed; it is the file's fault, as no sound one does this.
+        traceback.print_exc()
+        outcome = {"problem": "UnreadableFile", "message": DAMAGED}
     (folder / "outcome.json").write_text(json.dumps(outcome), encoding="utf-8")
 
 
