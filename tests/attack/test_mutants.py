@@ -1,6 +1,6 @@
 """Mutants of STEP files: each is answered, refused in one line, or crashes in its own process, leaving nothing behind.
 
-QUERYCAD_MUTANTS says how many; `make attack` has 2,000. Those that crashed or were stopped once are kept by their seed.
+`make attack` has 2,000, else there are 25. Those that crashed or were stopped once are kept by their seed.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from tests.attack.mutants import Parent, Verdict, judge, mutant
 
-COUNT = int(os.environ.get("QUERYCAD_MUTANTS", "25"))
+COUNT = 2000 if os.environ.get("QUERYCAD_ATTACK") == "whole" else 25
 KEPT = Path(__file__).with_name("crashing_mutants.json")
 KEPT_SEEDS: list[int] = json.loads(KEPT.read_text(encoding="utf-8"))[: max(10, COUNT)]
 ENDS = {"answered", "refused", "crashed", "stopped"}

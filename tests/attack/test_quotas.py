@@ -20,7 +20,7 @@ from querycad_api.dependencies import Application
 from querycad_api.models.expiry import drop_failed
 from querycad_api.settings import ApiSettings
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import RECORD_BYTES, bounded, job_key
+from querycad_api.store.keyspace import RECORD_BYTES, answers_key, asked_key, bounded, job_key
 from querycad_api.store.ledger import Ledger
 from querycad_api.store.state import State
 from querycad_contracts import (
@@ -111,6 +111,11 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
             client.post(f"/v1/models/{MODEL}/questions", json={"question": "How many?"}).content
         ).id
 
+    first = [ask() for _ in range(3)]
+    for job in first:
+        redis.hset(job_key(job), "record", AnswerRecord.cancelled("How many?").model_dump_json())
+    assert [client.get(f"/v1/jobs/{job}").status_code for job in first] == [200] * 3  # as many as are kept: none goes
+    redis.delete(answers_key(NO_ACCOUNTS), asked_key(NO_ACCOUNTS, MODEL))
     opened = ask()
     done = [ask() for _ in range(4)]
     for job in done:
@@ -118,6 +123,7 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
     last = ask()
     kept = [job for job in (opened, *done, last) if client.get(f"/v1/jobs/{job}").status_code == 200]
     assert kept == [opened, *done[-2:], last]  # three, and what is open among the oldest
+    assert redis.zcard(answers_key(NO_ACCOUNTS)) == 4
     assert len(client.get(f"/v1/models/{MODEL}/answers").json()["items"]) == 4
 
 

@@ -34,7 +34,7 @@ from .visibility.sides import with_sides
 
 LARGEST_SI = 1e12
 """Metres, square or cubic metres: a cube of ten kilometres."""
-DAMAGED = "the file is damaged: its geometry contradicts itself, and nothing can be measured of it"
+DAMAGED = "the file is damaged, or not understood: its geometry contradicts itself, and nothing of it can be measured"
 LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""
 

@@ -19,7 +19,8 @@ for i = 1, (#KEYS - 5) / 2 do
   redis.call('LPUSH', KEYS[4], message)
 end
 local answers = KEYS[5]
-for _, id in ipairs(redis.call('ZRANGE', answers, 0, redis.call('ZCARD', answers) - ARGV[7] - 1)) do
+local more = math.max(0, redis.call('ZCARD', answers) - ARGV[7])
+for _, id in ipairs(redis.call('ZRANGEBYSCORE', answers, '-inf', '+inf', 'LIMIT', 0, more)) do
   local job = 'querycad:job:' .. id
   if redis.call('HEXISTS', job, 'record') == 1 or redis.call('EXISTS', job) == 0 then
     redis.call('DEL', job, 'querycad:events:' .. id, 'querycad:done:' .. id)
