@@ -11,6 +11,8 @@ from __future__ import annotations
 import argparse
 import heapq
 import json
+import math
+import os
 import random
 import sys
 import tempfile
@@ -79,8 +81,8 @@ class Deployment:
         """Workers, a processor each, shared out by what each kind of process costs; a question process waits a lot."""
         kinds = ("api", "questions", "sandbox", "segworker")
         whole = sum(costs[kind] for kind in kinds)
-        share = {kind: max(1, round(workers * costs[kind] / whole)) for kind in kinds}
-        share["questions"] = max(2, round(share["questions"] * whole / costs["questions"]))
+        share = {kind: max(1, math.ceil(workers * costs[kind] / whole)) for kind in kinds}
+        share["questions"] = max(2, math.ceil(share["questions"] * whole / costs["questions"]))
         return cls(**share, store=shards)
 
 
@@ -258,6 +260,7 @@ def measured(workers: int, seconds: float) -> dict[str, Any]:
                 "per_s": round(len(taken) / wall, 1),
                 "p50_s": round(taken[len(taken) // 2], 3),
                 "p99_s": round(taken[int(len(taken) * 0.99)], 3),
+                "load": round(os.getloadavg()[0], 1),
                 "processors_got": round(sum(spent.values()) / wall, 2),
                 "cpu_s": {name: round(each / len(taken), 5) for name, each in spent.items()},
                 "store_bytes": round((_log_bytes(home) - log_before) / len(taken)),
@@ -298,8 +301,7 @@ def main() -> None:
     costs = real[0]["cpu_s"]
     checked = []
     for one in real:
-        here = Deployment(1, one["workers"] + 1, 2, one["workers"], 1, psutil.cpu_count())
-        found = simulate(one["cpu_s"], here, None, CLIENTS)
+        found = _here(one)
         checked.append({"workers": one["workers"], **_told(found)})
     rows = []
     for workers in (1, 2, 10, 100, 1_000, 10_000):
@@ -312,6 +314,18 @@ def main() -> None:
     asked.out.parent.mkdir(parents=True, exist_ok=True)
     asked.out.write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
     sys.stdout.write(json.dumps(report, indent=1) + "\n")
+
+
+def _here(one: Mapping[str, Any]) -> Simulated:
+    """What the simulation says of a measurement on this machine, whose processors others use, too.
+
+    Where more want a processor than there are, each gets its share of the time: a step takes so much longer.
+    """
+    processors = psutil.cpu_count() or 1
+    slower = max(1.0, one["load"] / processors)
+    costs = {name: cost * slower for name, cost in one["cpu_s"].items()}
+    alone = processors if slower == 1.0 else None
+    return simulate(costs, Deployment(1, one["workers"] + 1, 2, one["workers"], 1, alone), None, CLIENTS)
 
 
 def _told(found: Simulated) -> dict[str, Any]:

@@ -199,7 +199,9 @@ def test_no_password_has_a_default_and_the_example_names_each() -> None:
     assert len(uses) >= 2 * 5 - 1  # each of a service by the store and by the service
     assert all(re.match(r"\$\{(?:REDIS_\w*PASSWORD|SANDBOX_TOKEN):\?", use) for use in uses)
     example = (ROOT / ".env.example").read_text(encoding="utf-8")
-    assert sorted({use[2:].partition(":")[0] for use in uses}) == sorted(re.findall(r"^((?:REDIS|SANDBOX)_\w+)=$", example, re.M))
+    assert sorted({use[2:].partition(":")[0] for use in uses}) == sorted(
+        re.findall(r"^((?:REDIS|SANDBOX)_\w+)=$", example, re.M)
+    )
     optional = set(re.findall(r"^#(\w+)=", example, re.M))
     beside = (ROOT / "docker-compose.llm.yml").read_text(encoding="utf-8")
     assert {f"${{{name}" in text + beside or f"{name}:" in beside for name in optional} == {True}
