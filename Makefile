@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test attack parity check format serve web bench fit openapi examples lock dist clean
+.PHONY: help setup demo test attack soak parity check format serve web bench fit openapi examples lock dist clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -21,8 +21,11 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 test: setup ## run all tests; arguments for pytest in ARGS
 	$(BIN)/python -m pytest $(ARGS)
 
-attack: setup ## attack what takes text, files, requests and programs; a few minutes
-	$(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
+attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; half an hour
+	QUERYCAD_ATTACK=whole $(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
+
+soak: setup ## mixed work on a service of its own for MINUTES, 20 as a rule: latencies, errors, slopes
+	$(BIN)/python -m benchmark.perf.soak --minutes $(or $(MINUTES),20) $(ARGS)
 
 parity: setup ## compare the vision networks with the public references: installs PyTorch, takes minutes
 	@scripts/parity.sh $(ARGS)

@@ -6,12 +6,14 @@ segworkers in the same run.
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import httpx
@@ -210,8 +212,19 @@ def drawn_per_s(service: Service, model: str, sizes: Iterator[int], count: int =
 
 
 def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
-    """Asks while segworker, question worker, sandbox and api are killed, once each, and the store is restarted."""
+    """Asks while each process is stopped for some seconds and goes on, then is killed, and the store is restarted.
+
+    `count` questions at least, and as long as it takes.
+    """
+    processes = {
+        "segworker": ("querycad_segworker.worker", "segcad"),
+        "sandbox": ("querycad_sandbox.service", ""),
+        "question worker": ("querycad_api.worker", ""),
+        "api": ("querycad_api.app", ""),
+        "store": ("valkey-server", ""),
+    }
     blows: tuple[tuple[str, Callable[[], None]], ...] = (
+        *((f"{name} stopped for a while", partial(service.pause, *which)) for name, which in processes.items()),
         ("segworker killed", lambda: service.kill("querycad_segworker.worker", "segcad")),
         ("sandbox killed", lambda: service.kill("querycad_sandbox.service")),
         ("question worker killed", lambda: service.kill("querycad_api.worker")),
@@ -219,13 +232,17 @@ def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
         ("store restarted", service.restart_store),
     )
     start = time.perf_counter()
-    left = iter(range(count))
+    asked = 0
+    struck = threading.Event()
     lock = threading.Lock()
     jobs: list[str] = []
 
     def ask() -> None:
         with Client(service.url) as client:
-            while (number := _next(left, lock)) is not None:
+            nonlocal asked
+            while asked < count or not struck.is_set():
+                with lock:
+                    number, asked = asked, asked + 1
                 try:
                     job = client.submit(model, QUESTIONS[number % len(QUESTIONS)]).id
                 except ClientError:
@@ -239,14 +256,16 @@ def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
         for _, strike in blows:
             time.sleep(HURT_PAUSE_S)
             strike()
+        struck.set()
         for each in asking:
             each.result()
+    _wait_until_up(service)
     with Client(service.url) as client:
         first = {job: _outcome(client, job) for job in jobs}
         second = {job: _outcome(client, job) for job in jobs}
     records = [record for record in first.values() if record is not None]
     return Chaos(
-        asked=count,
+        asked=asked,
         accepted=len(jobs),
         answered=sum(record.answer is not None for record in records),
         failed=sum(record.answer is None for record in records),
@@ -257,9 +276,15 @@ def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
     )
 
 
-def _next(left: Iterator[int], lock: threading.Lock) -> int | None:
-    with lock:
-        return next(left, None)
+def _wait_until_up(service: Service) -> None:
+    """Waits for the last process that was killed: a client that was never answered does not try for long."""
+    deadline = time.monotonic() + ANSWER_S
+    with httpx.Client(base_url=service.url, timeout=5) as http:
+        while time.monotonic() < deadline:
+            with contextlib.suppress(httpx.HTTPError):
+                if http.get("/readyz").is_success:
+                    return
+            time.sleep(0.2)
 
 
 def _outcome(client: Client, job: str) -> AnswerRecord | None:

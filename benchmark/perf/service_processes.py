@@ -28,8 +28,10 @@ class ServiceTrouble(Exception):
 class Service:
     """A running `querycad serve`."""
 
-    def __init__(self, process: subprocess.Popen[bytes], url: str) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], url: str, home: Path) -> None:
         self._process = process
+        self.home = home
+        self.main_pid = process.pid
         self.url = url
 
     def pid(self, module: str, queue: str = "") -> int:
@@ -57,6 +59,18 @@ class Service:
         """Kills a child as a crash would."""
         os.kill(self.pid(module, queue), signal.SIGKILL)
 
+    def pause(self, module: str, queue: str = "", seconds: float = 3.0) -> None:
+        """Stops a child and all that it has started for a while, as a machine that swaps would."""
+        child = psutil.Process(self.pid(module, queue))
+        stopped = [child, *child.children(recursive=True)]
+        for process in stopped:
+            with contextlib.suppress(psutil.Error):
+                process.suspend()
+        time.sleep(seconds)
+        for process in stopped:
+            with contextlib.suppress(psutil.Error):
+                process.resume()
+
     def restart_store(self) -> None:
         """Ends the store as an operator would; the supervisor starts it again."""
         os.kill(self.pid("valkey-server"), signal.SIGTERM)
@@ -77,7 +91,7 @@ def running(home: Path, workers: int = 1) -> Iterator[Service]:
             preexec_fn=end_with_parent,  # noqa: PLW1509 - no other thread runs when a service is started
         )
     try:
-        yield Service(process, _ready(process, said))
+        yield Service(process, _ready(process, said), home)
     finally:
         process.terminate()
         try:

@@ -13,10 +13,10 @@ import landlockpy
 import pytest
 import seccompy
 
-from querycad_contracts import SegCad, WallsMissing
+from querycad_contracts import SegCad, Walls, WallsMissing
 from querycad_sandbox.app import make_app
 from querycad_sandbox.sandbox import Sandbox
-from querycad_sandbox.settings import SandboxSettings, Walls
+from querycad_sandbox.settings import SandboxSettings
 from querycad_sandbox.walls import confinement
 from querycad_sandbox.walls.confinement import Confinement
 
@@ -77,7 +77,7 @@ def test_where_it_is_said_a_program_runs_without_a_wall_and_tells_so(no_seccomp:
 def test_a_service_without_a_wall_is_ready_only_where_that_is_said(
     walls: Walls, no_seccomp: None, serving: Any, redis_url: str
 ) -> None:
-    settings = SandboxSettings(redis_url=redis_url, sandbox_processes=1, sandbox_runs=1, sandbox_walls=walls)
+    settings = SandboxSettings(redis_url=redis_url, sandbox_processes=1, sandbox_runs=1, walls=walls)
     with serving(make_app(settings)) as client:
         ready, ran = client.get("/readyz"), run(client)
     assert ready.json()["missing"] == ["seccomp"]
@@ -109,5 +109,5 @@ def test_a_command_without_a_wall_says_so_in_one_line(tmp_path: Path) -> None:
     last = done.stderr.strip().splitlines()[-1]
     assert (done.returncode, done.stdout) == (1, "")
     assert last.startswith("querycad: no program is run: these walls")
-    assert "QUERYCAD_SANDBOX_WALLS" in last
+    assert "QUERYCAD_WALLS" in last
     assert "Traceback" not in done.stderr

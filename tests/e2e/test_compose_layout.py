@@ -29,7 +29,7 @@ from querycad_contracts import ModelStatus, Status
 ROOT = Path(__file__).parents[2]
 SERVICES: dict[str, dict[str, Any]] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())["services"]
 SCALED = {"segworker": 2}
-PASSWORD = re.compile(r"\$\{(REDIS_\w*PASSWORD):\?[^}]*\}")
+PASSWORD = re.compile(r"\$\{(REDIS_\w*PASSWORD|SANDBOX_TOKEN):\?[^}]*\}")
 READY_S = 180.0
 LOG_S = 10.0
 """An answer is told before the line about it is written."""

@@ -195,11 +195,13 @@ def test_addresses_name_a_service_that_is_there_and_its_port() -> None:
 
 def test_no_password_has_a_default_and_the_example_names_each() -> None:
     text = (ROOT / "docker-compose.yml").read_text(encoding="utf-8")
-    uses = re.findall(r"(?<!\$)\$\{?REDIS_\w*PASSWORD[^}]*\}?", text)
+    uses = re.findall(r"(?<!\$)\$\{?(?:REDIS_\w*PASSWORD|SANDBOX_TOKEN)[^}]*\}?", text)
     assert len(uses) >= 2 * 5 - 1  # each of a service by the store and by the service
-    assert all(re.match(r"\$\{REDIS_\w*PASSWORD:\?", use) for use in uses)
+    assert all(re.match(r"\$\{(?:REDIS_\w*PASSWORD|SANDBOX_TOKEN):\?", use) for use in uses)
     example = (ROOT / ".env.example").read_text(encoding="utf-8")
-    assert sorted({use[2:].partition(":")[0] for use in uses}) == sorted(re.findall(r"^(REDIS_\w+)=$", example, re.M))
+    assert sorted({use[2:].partition(":")[0] for use in uses}) == sorted(
+        re.findall(r"^((?:REDIS|SANDBOX)_\w+)=$", example, re.M)
+    )
     optional = set(re.findall(r"^#(\w+)=", example, re.M))
     beside = (ROOT / "docker-compose.llm.yml").read_text(encoding="utf-8")
     assert {f"${{{name}" in text + beside or f"{name}:" in beside for name in optional} == {True}
@@ -209,8 +211,8 @@ def test_the_example_of_settings_makes_passwords_as_it_says() -> None:
     text = (ROOT / ".env.example").read_text(encoding="utf-8")
     (command,) = re.findall(r"^#   (sed .*) > \.env$", text, re.M)
     made = subprocess.run(["sh", "-c", command], cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    passwords = re.findall(r"^REDIS_\w+=([0-9a-f]{48})$", made, re.M)
-    assert len(set(passwords)) == 5
+    passwords = re.findall(r"^(?:REDIS|SANDBOX)_\w+=([0-9a-f]{48})$", made, re.M)
+    assert len(set(passwords)) == 6
 
 
 def test_every_service_is_a_user_of_the_store_with_a_password_of_its_own() -> None:

@@ -11,6 +11,12 @@ import pytest
 import yaml
 from redis import Redis
 from redis.exceptions import NoPermissionError
+from tests.api.fakes import MODEL, STEP
+
+from querycad_api.accounts.keys import KeyRing
+from querycad_api.accounts.schemas import Scope
+from querycad_api.app import make_app
+from querycad_api.settings import ApiSettings
 
 ROOT = Path(__file__).parents[2]
 COMMAND = yaml.safe_load((ROOT / "docker-compose.yml").read_text(encoding="utf-8"))["services"]["redis"]["command"][-1]
@@ -70,8 +76,22 @@ FORBIDDEN: dict[str, list[Callable[[Redis], Any]]] = {
         lambda redis: redis.flushall(),
         lambda redis: redis.config_get("*"),
     ],
-    "questions": [lambda redis: redis.flushall(), lambda redis: redis.config_get("*"), lambda redis: redis.keys("*")],
-    "api": [lambda redis: redis.flushall(), lambda redis: redis.config_get("*"), lambda redis: redis.shutdown()],
+    "questions": [
+        lambda redis: redis.flushall(),
+        lambda redis: redis.config_get("*"),
+        lambda redis: redis.keys("*"),
+        lambda redis: redis.lrange("segcad", 0, -1),
+        lambda redis: redis.lpush("ingest", "task"),
+        lambda redis: redis.get("anything"),
+        lambda redis: redis.publish("anything", "said"),
+    ],
+    "api": [
+        lambda redis: redis.flushall(),
+        lambda redis: redis.config_get("*"),
+        lambda redis: redis.shutdown(),
+        lambda redis: redis.set("anything", 1),
+        lambda redis: redis.publish("anything", "said"),
+    ],
 }
 
 
@@ -79,6 +99,28 @@ FORBIDDEN: dict[str, list[Callable[[Redis], Any]]] = {
 def test_a_user_may_do_no_more(store: Callable[[str], Redis], user: str, number: int) -> None:
     with pytest.raises(NoPermissionError):
         FORBIDDEN[user][number](store(user))
+
+
+def test_the_api_does_its_work_as_its_user(
+    store: Callable[[str], Redis], redis_url: str, tmp_path: Path, serving: Any
+) -> None:
+    api = store("api")
+    api.publish("/0.celery.pidbox", "stop what nobody wants any more")
+    api.smembers("_kombu.binding.celery.pidbox")
+    place = redis_url.removeprefix("redis://").rpartition("@")[2]
+    as_api = f"redis://api:secret@{place}"
+    settings = ApiSettings(redis_url=as_api, home=tmp_path, auth=True, sandbox_url="http://127.0.0.1:1")
+    key, metrics = (KeyRing(settings.keys).create("acme", scope=scope) for scope in (Scope.ASK, Scope.METRICS))
+    with serving(make_app(settings)) as client:
+        client.headers["Authorization"] = f"Bearer {key}"
+        added = client.post("/v1/models", files={"file": ("a.step", STEP)})
+        assert added.status_code == 202, added.text
+        asked = client.post(f"/v1/models/{MODEL}/questions", json={"question": "How many?"})
+        assert asked.status_code in (202, 409), asked.text
+        assert client.get("/v1/models").json()["total"] == 1
+        assert client.get("/metrics", headers={"Authorization": f"Bearer {metrics}"}).status_code == 200
+        assert client.get("/readyz").json()["checks"]["store"]
+        assert client.delete(f"/v1/models/{MODEL}").status_code == 204
 
 
 def test_every_user_is_tried() -> None:

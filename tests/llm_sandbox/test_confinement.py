@@ -6,7 +6,6 @@ import json
 import re
 import subprocess
 import sys
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +13,10 @@ import landlockpy
 import pytest
 import seccompy
 
+from querycad_contracts import walls
 from querycad_sandbox.walls.confinement import LIMITS, Confinement, landlock_ruleset, seccomp_program
 
-LAUNCHER = files("querycad_sandbox.walls").joinpath("launcher.py").read_text(encoding="utf-8")
+LAUNCHER = Path(walls.__file__).read_text(encoding="utf-8")
 TRIES = """
 import errno, json, os, signal, socket, sys
 def attempt(name, call):

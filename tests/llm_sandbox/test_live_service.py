@@ -156,6 +156,8 @@ def test_an_interpreter_that_dies_costs_only_its_own_run(service: Service) -> No
         runner = threading.Thread(target=keep_running)
         runner.start()
         os.kill(busy, signal.SIGKILL)
+        assert isinstance(next(told), Printed)  # it is run once more
+        os.kill(the_busy_one(service), signal.SIGKILL)
         (last,) = told
         stop.set()
         runner.join()

@@ -72,7 +72,7 @@ from .parameters import (
     Pose,
     ReferenceFrame,
 )
-from .processes import end_with_parent
+from .processes import end_with_parent, keep_private
 from .queries import FaceQuery, Grounded, Line, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 from .run_events import GuestAnswer, GuestCall, Printed, RunEnded, RunEvent, RunFailed, RunStarted
 from .runs import (
@@ -142,6 +142,8 @@ from .settings import (
     BrokerSettings,
     Settings,
     StorageSettings,
+    Walls,
+    WallSettings,
     WorkerSettings,
     compressed_name,
     models_name,
@@ -298,6 +300,8 @@ __all__ = [
     "Vector",
     "ViewName",
     "ViewTask",
+    "WallSettings",
+    "Walls",
     "WallsMissing",
     "Weighed",
     "WorkerSettings",
@@ -309,6 +313,7 @@ __all__ = [
     "end_with_parent",
     "file_kind",
     "file_store",
+    "keep_private",
     "models_name",
     "needs_eyes",
     "picture_name",

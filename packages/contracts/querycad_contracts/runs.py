@@ -11,6 +11,7 @@ from pydantic import Field
 from .answers import MissingAttribute
 from .geometry import Face, Frozen, Part, Shape, Side, Vector
 from .queries import FaceQuery, Grounded, PartQuery
+from .settings import Walls, WallSettings
 
 RunId = Annotated[str, Field(pattern=r"^[0-9a-f]{32}$", description="Id of one run; whoever starts it may choose it.")]
 
@@ -111,7 +112,15 @@ class RunStatus(StrEnum):
 
 
 class WallsMissing(RuntimeError):
-    """No program is run: walls around the interpreter are not up, and nobody said that it may do without."""
+    """Nothing is done: walls around what would do it are not up, and nobody said that it may do without."""
+
+    def __init__(self, undone: str, around: str, missing: Sequence[str]) -> None:
+        """`undone`: what is not done, as a sentence's start, such as 'no program is run'."""
+        variable = WallSettings.variable("walls")
+        super().__init__(
+            f"{undone}: these walls around {around} are not up: {', '.join(missing)}; "
+            f"{variable}={Walls.AVAILABLE} does without them"
+        )
 
 
 class RunLimits(Frozen):

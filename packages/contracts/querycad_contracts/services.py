@@ -119,6 +119,9 @@ class IngestTask(ModelTask):
     """Read an uploaded file."""
 
     file_name: str
+    anew: bool = Field(
+        False, description="Read it though it is known: who uploads what another has cannot tell by the time it takes."
+    )
 
 
 class GroundTask(ModelTask):
@@ -498,3 +501,6 @@ class Health(Frozen):
 
     ready: bool
     checks: dict[str, bool] = Field(default_factory=dict)
+    walls_missing: dict[str, tuple[str, ...]] = Field(
+        default_factory=dict, description="Walls that it does without, as a setting says, by where they are not up."
+    )

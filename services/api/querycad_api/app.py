@@ -20,7 +20,7 @@ from pydantic.json_schema import models_json_schema
 from redis.asyncio import Redis
 from starlette.middleware.cors import CORSMiddleware
 
-from querycad_contracts import JobEvent, Problem, file_store, start_logging, start_tracing
+from querycad_contracts import JobEvent, Problem, file_store, keep_private, start_logging, start_tracing
 
 from .accounts.gate import Gate
 from .accounts.service import Access
@@ -30,6 +30,7 @@ from .jobs import endpoints as jobs
 from .models import endpoints as models
 from .models import geometry, parameters, programs
 from .models.body_limit import BodyLimit
+from .models.expiry import expire
 from .ops import health, metrics, reference
 from .ops.delivery import Compressed, Head, Tagged
 from .ops.observability import REQUEST_ID, HttpMetrics, Observe
@@ -48,7 +49,6 @@ from .problems import (
 from .questions import endpoints as questions
 from .settings import ApiSettings
 from .store.broker import Broker
-from .store.file_expiry import expire_files
 from .store.redelivery import redeliver
 from .store.state import READ_S, State
 from .web.endpoints import pages
@@ -82,11 +82,13 @@ def make_app(settings: ApiSettings) -> FastAPI:
             socket_timeout=READ_S + SILENCE_S,
         )
         broker = Broker(settings.redis_url, redis)
-        state = State(redis, settings.answers_days)
+        state = State(redis, settings.answers_days, settings.tenant_answers, settings.tenant_mib * 2**20)
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
         app.state.streams = Counter()
-        beside = [asyncio.create_task(each) for each in (redeliver(app.state.application), expire_files(settings))]
+        beside = [
+            asyncio.create_task(each) for each in (redeliver(app.state.application), expire(app.state.application))
+        ]
         async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
             yield
         for task in beside:
@@ -177,6 +179,7 @@ def _document_problems(operation: dict[str, Any]) -> None:
 def main() -> None:
     """Serves until told to stop."""
     settings = ApiSettings.read()
+    keep_private()
     start_logging("api", settings.log_format)
     if not settings.on_loopback and not settings.asks_for_keys:
         log.error("QUERYCAD_AUTH is off, and QUERYCAD_API_HOST is not loopback: everybody could read everything")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Mapping, Sequence
+from errno import EDQUOT, ENOSPC
 from http import HTTPStatus
 from typing import Any, ClassVar
 
@@ -134,6 +135,14 @@ class ModelUnreadable(ApiProblem, status=HTTPStatus.UNPROCESSABLE_ENTITY, title=
     """The file was accepted but cannot be read."""
 
 
+class QuotaReached(ApiProblem, status=HTTPStatus.INSUFFICIENT_STORAGE, title="Storage quota reached"):
+    """The tenant has as many bytes of files as it may have."""
+
+
+class DiskFull(ApiProblem, status=HTTPStatus.INSUFFICIENT_STORAGE, title="Disk full", retryable=True):
+    """The disk of the service is full; the request may succeed once there is space."""
+
+
 class ServiceUnavailable(
     ApiProblem, status=HTTPStatus.SERVICE_UNAVAILABLE, title="Service unavailable", retryable=True
 ):
@@ -206,6 +215,10 @@ def add_handlers(app: FastAPI) -> None:
     @app.exception_handler(OSError)
     async def of_files(_: Request, error: OSError) -> Response:
         log.error("files: %s", error, exc_info=error)
+        if error.errno in (ENOSPC, EDQUOT):
+            return problem_response(
+                DiskFull("the disk of the service is full; try again when there is space").problem()
+            )
         return problem_response(ServiceUnavailable("files cannot be kept or read; try again in a moment").problem())
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ipaddress
 from pathlib import Path
 
-from pydantic import Field
+from pydantic import Field, SecretStr
 
 from querycad_answering.llm import LlmSettings
 from querycad_contracts import StorageSettings, WorkerSettings
@@ -20,6 +20,9 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
     api_address_connections: int = Field(256, ge=1, description="Of these, from one address; a proxy needs more.")
     upload_mib: int = Field(512, ge=1, description="Largest file accepted.")
     wait_s: int = Field(60, ge=0, le=600, description="Longest wait that a client's `Prefer: wait` is granted.")
+    tenant_mib: int = Field(20480, ge=1, description="Uploaded files that a tenant may have, together.")
+    tenant_answers: int = Field(20000, ge=1, description="Answers kept for a tenant; the oldest go first.")
+    failed_days: int = Field(7, ge=1, description="How long a file that could not be read is kept.")
     answers_days: int = Field(30, ge=1, description="How long jobs and their answers are kept.")
     auth: bool | None = Field(
         None, description="Whether API keys are asked for. Unset: unless the api listens on loopback alone."
@@ -33,6 +36,7 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
         "", description="Origins whose pages may call the api from a browser, with commas between them."
     )
     sandbox_url: str = Field("http://127.0.0.1:8101", description="Where the sandbox is.")
+    sandbox_token: SecretStr = Field(SecretStr(""), description="What the sandbox asks for.")
     question_processes: int = Field(2, ge=1, le=64, description="Questions that a question worker answers at once.")
     question_s: int = Field(240, ge=10, description="Seconds after which a question is given up.")
 

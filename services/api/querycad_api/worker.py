@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from celery import Celery
 
-from querycad_contracts import Queue
+from querycad_contracts import Queue, keep_private
 from querycad_contracts.workers import worker_app
 
 from .models import tasks as models
@@ -45,6 +45,7 @@ def make_app(settings: ApiSettings) -> Celery:
 
 def main() -> None:
     """Works until it is told to stop; SIGTERM lets running questions end."""
+    keep_private()
     settings = ApiSettings.read()
     make_app(settings).worker_main(
         ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", "--hostname=questions@%h"]

@@ -17,6 +17,7 @@ from collections.abc import AsyncIterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 from contextvars import copy_context
+from hmac import compare_digest
 
 from pydantic import ValidationError
 from redis.asyncio import Redis
@@ -37,6 +38,7 @@ from querycad_contracts import (
     RunRequest,
     RunStarted,
     TaskFailureKind,
+    Walls,
     WallsMissing,
     carry_trace,
     working_for,
@@ -45,13 +47,14 @@ from querycad_contracts import (
 from .control import RunControl
 from .remote import Caller, QueueCaller, RemoteSegCad, SegCadFailed, SegCadUnavailable
 from .sandbox import Sandbox
-from .settings import SandboxSettings, Walls
+from .settings import LOOPBACK, SandboxSettings
 
 BODY_BYTES = 2 * 2**20
 """Over the longest program that any limit lets run, as JSON."""
 QUEUED = 8
 """Runs that may wait for their turn, for each that may be under way; more are asked to come again."""
 REDIS_S = 2.0
+JSON = "application/json"
 SIGN_OF_LIFE_S = 15.0
 """Between two lines of a stream, so that nothing between here and the client takes it for dead."""
 
@@ -93,7 +96,7 @@ class _Runs:
     def __init__(self, settings: SandboxSettings, call: Caller | None, service_layers: dict[str, bool]) -> None:
         self._settings = settings
         self._call = call or QueueCaller(settings.redis_url)
-        self._sandbox = Sandbox(settings.sandbox_processes, settings.sandbox_walls)
+        self._sandbox = Sandbox(settings.sandbox_processes, settings.walls)
         self._threads = ThreadPoolExecutor(settings.sandbox_runs, thread_name_prefix="run")
         self._redis = Redis.from_url(settings.redis_url, socket_timeout=REDIS_S, socket_connect_timeout=REDIS_S)
         self._service_layers = service_layers
@@ -122,9 +125,10 @@ class _Runs:
 
     async def post(self, request: Request) -> Response:
         """`POST /runs`: what comes of the program?"""
-        body = await _body(request)
+        body = None if (refused := self._refused(request)) else await _body(request)
         if body is None:
-            return _problem(Problem(title="Request too large", status=413, detail=f"at most {BODY_BYTES:,} bytes"))
+            too_large = Problem(title="Request too large", status=413, detail=f"at most {BODY_BYTES:,} bytes")
+            return refused or _problem(too_large)
         try:
             asked = RunRequest.model_validate_json(body)
         except ValidationError as error:
@@ -149,8 +153,25 @@ class _Runs:
             return _problem(error.problem)
         return Response(outcome.model_dump_json(), media_type="application/json", headers={"Run-Id": asked.run})
 
+    def _refused(self, request: Request) -> Response | None:
+        """Why may this request run nothing? A page of a browser, another site's name, no token, no JSON."""
+        token = self._settings.sandbox_token.get_secret_value()
+        given = request.headers.get("authorization", "").removeprefix("Bearer ")
+        if token and not compare_digest(given.encode(), token.encode()):
+            return _problem(Problem(title="No valid token", status=401, detail="send the sandbox's token"))
+        if "origin" in request.headers:
+            return _problem(Problem(title="Not allowed", status=403, detail="no page of a browser runs programs"))
+        if not token and request.url.hostname not in LOOPBACK:
+            return _problem(Problem(title="Not allowed", status=403, detail="without a token, for this machine alone"))
+        sent = request.headers.get("content-type", JSON).partition(";")[0].strip().lower()
+        if request.method == "POST" and sent != JSON:
+            return _problem(Problem(title="Unsupported media type", status=415, detail=f"the body must be {JSON}"))
+        return None
+
     async def delete(self, request: Request) -> Response:
         """`DELETE /runs/{run}`: 204; 404 when no such run is under way."""
+        if refused := self._refused(request):
+            return refused
         control = self._under_way.get(request.path_params["run"])
         if control is None:
             return _problem(Problem(title="No such run", status=404, detail="it has ended, or never began"))
@@ -235,7 +256,7 @@ class _Runs:
 
     def _walled(self) -> bool:
         """May programs be run?"""
-        return self._settings.sandbox_walls is Walls.AVAILABLE or not self._missing()
+        return self._settings.walls is Walls.AVAILABLE or not self._missing()
 
     async def ready(self, _: Request) -> Response:
         """`GET /readyz`: can programs be run now, and behind which walls?"""
@@ -248,7 +269,7 @@ class _Runs:
             ready=all(checks.values()),
             checks=checks,
             layers=self._layers(),
-            walls=self._settings.sandbox_walls,
+            walls=self._settings.walls,
             missing=self._missing(),
         )
         return Response(health.model_dump_json(), 200 if health.ready else 503, media_type="application/json")

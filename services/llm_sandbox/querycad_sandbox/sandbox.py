@@ -13,7 +13,7 @@ from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
 
-from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, WallsMissing
+from querycad_contracts import AnswerType, RunLimits, RunOutcome, RunStatus, SegCad, Walls, WallSettings, WallsMissing
 
 from .check import TypeChecker
 from .control import CANCELLED, RunControl, RunEndedError
@@ -22,7 +22,6 @@ from .interpreters import Interpreters
 from .outcomes import Ending, ending_of
 from .rewriting import ATTRIBUTES
 from .run import Run
-from .settings import Walls, WallSettings
 from .walls.confinement import Confinement
 
 DEFAULT_LIMITS: Final = RunLimits()
@@ -40,9 +39,9 @@ class Sandbox:
     """
 
     def __init__(self, workers: int = 2, walls: Walls | None = None) -> None:
-        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_SANDBOX_WALLS says."""
+        """`walls`: what holds where some cannot be raised; None: as QUERYCAD_WALLS says."""
         self._workers = workers
-        self._walls = walls or WallSettings.read().sandbox_walls
+        self._walls = walls or WallSettings.read().walls
         self._prelude, self._relations = (
             files(__package__).joinpath("inside", name).read_text(encoding="utf-8")
             for name in ("prelude.py", "relations.py")
@@ -101,13 +100,28 @@ class Sandbox:
 
         Raises WallsMissing, and runs nothing, where walls are required that are not up. The program's own failures are
         outcomes. A failure of `segcad` is raised as it is: it is not the program's.
+        A program whose interpreter crashed is run once more.
         `expects` is only named in the message when there is no fit result; whether the value is of that type is for
         the caller to say. `control` hears what the program does, and can end it. Without `check`, what does not
         exist is missed when the program gets there; no wall depends on it.
         """
-        started = perf_counter()
         control = control or RunControl()
         control.begin(limits)
+        outcome = self._once(code, segcad, limits, expects, control, check)
+        if outcome.status is RunStatus.CRASHED and not control.cancelled:  # it may be another program's doing
+            outcome = self._once(code, segcad, limits, expects, control, check)
+        return outcome
+
+    def _once(
+        self,
+        code: str,
+        segcad: SegCad,
+        limits: RunLimits,
+        expects: AnswerType | None,
+        control: RunControl,
+        check: bool,
+    ) -> RunOutcome:
+        started = perf_counter()
         interpreters, checker = self._start()
         memory_bytes = HOST_SHARE * limits.memory_bytes
         run = Run(Guest(segcad, control, memory_bytes, "AttributeError" in code), limits, control)
@@ -143,11 +157,7 @@ class Sandbox:
                 for name in self._confinement.missing:
                     log.warning("wall %s is not up; walls: %s", name, self._walls)
             if self._confinement.missing and self._walls is Walls.REQUIRED:
-                without = f"{WallSettings.variable('sandbox_walls')}={Walls.AVAILABLE}"
-                raise WallsMissing(
-                    "no program is run: these walls around the interpreter are not up: "
-                    f"{', '.join(self._confinement.missing)}; {without} runs programs without them"
-                )
+                raise WallsMissing("no program is run", "the interpreter", self._confinement.missing)
             if self._interpreters is None or self._checker is None:
                 self._interpreters = Interpreters(self._workers, self._confinement.binary)
                 self._interpreters.start()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import socket
+import sys
 
 from querycad_contracts import start_logging
 
-from .settings import SandboxSettings
+from .settings import LOOPBACK, SandboxSettings
 from .walls.enclosure import clean_environment, enclose
 
 
@@ -15,6 +16,8 @@ def main() -> None:
     settings = SandboxSettings.read()
     clean_environment(settings)
     start_logging("sandbox", settings.log_format)
+    if settings.sandbox_host not in LOOPBACK and not settings.sandbox_token.get_secret_value():
+        sys.exit("querycad_sandbox: QUERYCAD_SANDBOX_TOKEN is needed where others than this machine can ask for runs")
 
     import uvicorn  # what takes long to load comes after what starts this process anew
 

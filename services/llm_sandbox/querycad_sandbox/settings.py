@@ -2,28 +2,14 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
+from typing import Final
 
-from pydantic import Field
+from pydantic import Field, SecretStr
 
-from querycad_contracts import BrokerSettings, Settings
+from querycad_contracts import BrokerSettings, WallSettings
 
-
-class Walls(StrEnum):
-    """What holds where a wall around the interpreter cannot be raised."""
-
-    REQUIRED = "required"
-    """No program is run."""
-    AVAILABLE = "available"
-    """Programs run behind those that there are; health, log and answers name the others."""
-
-
-class WallSettings(Settings):
-    """Of everything that runs programs."""
-
-    sandbox_walls: Walls = Field(
-        Walls.REQUIRED, description="`required`: no program runs unless all walls are up; `available`: degraded."
-    )
+LOOPBACK: Final = ("localhost", "127.0.0.1", "::1")
+"""What a sandbox is called by who is on its machine; a page that rebinds a name of its own calls it by that."""
 
 
 class SandboxSettings(BrokerSettings, WallSettings):
@@ -31,6 +17,9 @@ class SandboxSettings(BrokerSettings, WallSettings):
 
     sandbox_host: str = Field("127.0.0.1", description="Address that the sandbox listens on.")
     sandbox_port: int = Field(8101, ge=1, le=65535, description="Port that the sandbox listens on.")
+    sandbox_token: SecretStr = Field(
+        SecretStr(""), description="What who asks for runs must know; needed where others than this machine can ask."
+    )
     sandbox_runs: int = Field(
         32, ge=1, le=256, description="Programs under way at the same time, those that wait for SegCAD included."
     )

@@ -15,7 +15,7 @@ from pathlib import Path
 
 from . import errors
 from .errors import DiskFull, FileProblem, KernelDied, KernelKilled, NotStep
-from .kernel_process import KernelProcess, start_host
+from .kernel_process import MEMORY_BYTES, KernelProcess, host_missing, start_host
 from .model import Artefacts, ModelStore, file_sha256
 from .sniff import MAX_FILE_BYTES, check_file, kind_of, missing_entities
 from .unpack import unpack
@@ -38,8 +38,7 @@ class IngestLimits:
 
     duration_s: float = 180.0
     """The largest of 201 ugly files needs some 10 s; a kernel that takes longer is hanging."""
-    memory_bytes: int = 4 * 2**30
-    """Address space of the child: the kernel's libraries alone map about 1 GiB."""
+    memory_bytes: int = MEMORY_BYTES
 
 
 def ingest(
@@ -48,16 +47,18 @@ def ingest(
     limits: IngestLimits | None = None,
     progress: Progress | None = None,
     file_name: str | None = None,
+    anew: bool = False,
 ) -> Artefacts:
-    """What does the file hold? Known content is not read again. Raises FileProblem, with a sentence for the user.
+    """What does the file hold? Known content is not read again, unless `anew`: then what is kept stays as it is.
 
-    `file_name` is the name that the user knows the file by, where `path` has another.
+    Raises FileProblem, with a sentence for the user, and WallsMissing where nothing may be read. `file_name` is the
+    name that the user knows the file by, where `path` has another.
     """
     try:
         sha256 = file_sha256(path) if path.is_file() and os.access(path, os.R_OK) else ""
     except OSError as error:
         raise NotStep(f"{path} cannot be read: {error.strerror}") from error
-    known = store.find(sha256) if sha256 else None
+    known = store.find(sha256) if sha256 and not anew else None
     if known is not None:
         return known
     scratch: Path | None = None
@@ -94,7 +95,7 @@ def _run_child(
     if progress is not None:
         progress("read")
     with tempfile.TemporaryFile() as log:
-        arguments = (str(source), file_name, sha256, str(scratch), limits.memory_bytes)
+        arguments = (str(source), file_name, sha256, str(scratch), limits.memory_bytes, " ".join(host_missing()))
         with KernelProcess("ingest", *arguments, errors=log.fileno()) as child:
             timer = threading.Timer(limits.duration_s, child.kill)
             timer.start()
@@ -120,6 +121,9 @@ def _run_child(
         raise KernelDied(_death(code, timed_out, said, source, limits))
     outcome.unlink()
     if "problem" in result:
+        if said.strip():
+            _log.info("of %s: %s", file_name, said.strip().splitlines()[-1])
+            _log.debug("it said: %s", said)
         kind = getattr(errors, result["problem"], FileProblem)
         raise kind(result["message"])
 

@@ -8,6 +8,7 @@ import mmap
 import resource
 import sys
 import time
+import traceback
 from dataclasses import replace
 from pathlib import Path
 
@@ -33,26 +34,37 @@ from .visibility.sides import with_sides
 
 LARGEST_SI = 1e12
 """Metres, square or cubic metres: a cube of ten kilometres."""
+DAMAGED = "the file is damaged, or not understood: its geometry contradicts itself, and nothing of it can be measured"
 LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""
 
 
-def work(source: str, file_name: str, sha256: str, folder: str, memory_bytes: int) -> None:
+def work(source: str, file_name: str, sha256: str, folder: str, memory_bytes: int, missing: str) -> None:
     """As `main`, with arguments as data: what `kernel_host` calls."""
-    main(Path(source), file_name, sha256, Path(folder), memory_bytes)
+    main(Path(source), file_name, sha256, Path(folder), memory_bytes, missing)
 
 
-def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: int) -> None:
-    """Writes the artefacts and `outcome.json` into `folder`. Dies by signal where the kernel does."""
+def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: int, missing: str = "") -> None:
+    """Writes the artefacts and `outcome.json` into `folder`. Dies by signal where the kernel does.
+
+    `missing` are the walls that are not up, which the model then tells.
+    """
     gc.disable()  # what is made here lives as long as the process: looking through it for garbage finds none
     try:
         _limit_memory(memory_bytes)
-        _ingest(source, file_name, sha256, Artefacts(folder))
+        _ingest(source, file_name, sha256, Artefacts(folder), missing)
         outcome: dict[str, str] = {}
     except FileProblem as problem:
         outcome = {"problem": type(problem).__name__, "message": str(problem)}
     except MemoryError:
         outcome = {"problem": "KernelDied", "message": "the file needs more memory than is allowed for reading"}
+    except OSError:
+        raise  # of the disk's: the parent says so
+    except Exception:
+        # What a file's text passes for may be no geometry: a face without an area, a body without an edge. The log says
+        # where it was noticed; it is the file's fault, as no sound one does this.
+        traceback.print_exc()
+        outcome = {"problem": "UnreadableFile", "message": DAMAGED}
     (folder / "outcome.json").write_text(json.dumps(outcome), encoding="utf-8")
 
 
@@ -66,7 +78,7 @@ def _limit_memory(memory_bytes: int) -> None:
         raise MemoryError from error
 
 
-def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> None:
+def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts, missing: str) -> None:
     clock = _Clock()
     clock.begin("read")
     kind = kind_of(source)
@@ -100,7 +112,7 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts) -> 
         shape=found.shape,
         parts=tuple(parts),
         units=content.units,
-        warnings=brep.warnings,
+        warnings=(*brep.warnings, *([f"the file was read without these walls: {missing}"] if missing else [])),
         timings_ms=clock.timings_ms,
     )
     artefacts.save(model, faces, found.refused)

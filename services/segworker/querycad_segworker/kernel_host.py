@@ -2,9 +2,10 @@
 
 The kernel and what goes with it take 1.5 to 2 s of processor time to import, more than most files take to read. The
 host imports them once and starts no thread, so that its forks are whole; each does one piece of work and ends. Who
-asks sends one byte with four descriptors over the socket DESCRIPTOR: a line, standard input, output and error. The
-first line of standard input is JSON, the name of the work and its arguments. Over the line the host tells the exit
-code, negative for a signal; who closes it has the process killed. When the socket closes, the host ends, and its forks.
+asks is told first which walls are missing, as a JSON list. It sends one byte with four descriptors over the socket
+DESCRIPTOR: a line, standard input, output and error. The first line of standard input is JSON, the name of the work and
+its arguments; the fork shuts itself in before it looks at a file. Over the line the host tells the exit code, negative
+for a signal; who closes it has the process killed. When the socket closes, the host ends, and its forks.
 """
 
 from __future__ import annotations
@@ -25,9 +26,16 @@ from querycad_contracts import end_with_parent
 
 from . import ingest_child
 from .brep import measure
+from .kernel_process import Reach, missing_walls, shut_in
 
-READY: Final = b"r"
-WORK: Final[dict[str, Callable[..., None]]] = {"ingest": ingest_child.work, "measure": measure.work}
+WORK: Final[dict[str, tuple[Callable[..., None], Callable[..., Reach]]]] = {
+    "ingest": (
+        ingest_child.work,
+        lambda source, _name, _sha256, folder, memory_bytes, _missing: Reach((source,), (folder,), memory_bytes),
+    ),
+    "measure": (measure.work, lambda kernel_faces: Reach((kernel_faces,))),
+}
+"""By name: what is done, and what it may reach with these arguments."""
 
 
 class _Host:
@@ -36,6 +44,7 @@ class _Host:
         self._lines: dict[int, socket.socket] = {}  # by process
         self._selector = selectors.DefaultSelector()
         self._ended, self._signalled = socket.socketpair()
+        self._missing = missing_walls()
 
     def serve(self) -> None:
         """Forks until the other end of the socket is closed."""
@@ -48,7 +57,7 @@ class _Host:
         self._selector.register(self._ended, selectors.EVENT_READ)
         gc.collect()
         gc.freeze()  # forks share these pages as long as nobody counts in them
-        self._control.sendall(READY)
+        self._control.sendall(json.dumps(self._missing).encode())
         while True:
             for key, _ in self._selector.select():
                 if key.fileobj is self._control:
@@ -96,7 +105,9 @@ class _Host:
                 os.close(descriptor)
             os.close(line)
             name, *arguments = json.loads(sys.stdin.readline())
-            WORK[name](*arguments)
+            work, reach = WORK[name]
+            shut_in(reach(*arguments), self._missing)
+            work(*arguments)
             code = 0
         except BaseException:
             traceback.print_exc()

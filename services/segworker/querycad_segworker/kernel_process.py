@@ -1,6 +1,7 @@
 """Processes that work with the CAD kernel: their crash is an exit code. They are forked by `kernel_host`.
 
-One host serves this process; it is started when the first is needed, and ends with this process.
+One host serves this process; it is started when the first is needed, and ends with this process. A file that takes the
+kernel over is behind the walls of `querycad_contracts.walls`, as a program that takes its interpreter over is.
 """
 
 from __future__ import annotations
@@ -8,14 +9,24 @@ from __future__ import annotations
 import atexit
 import contextlib
 import json
+import logging
 import os
 import signal
+import site
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 from types import TracebackType
-from typing import Self
+from typing import Final, Self
+
+import querycad_contracts
+from querycad_contracts import Walls, WallSettings, WallsMissing, walls
 
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 """NumPy's linear algebra starts threads when it is imported. They do not come along in a fork; and waiting for one
@@ -24,6 +35,84 @@ another over arrays as small as ours, two of them use 1.4 times the processor ti
 KEPT = frozenset(("PATH", "HOME", "LANG", "TZ", "VIRTUAL_ENV", "TMPDIR", "USER", "LOGNAME", "XDG_CACHE_HOME"))
 KEPT_STARTS = ("PYTHON", "LC_", "LD_", "CSF_", "COVERAGE_")
 """Variables of Python, of the system and of the kernel (CSF_: Open CASCADE's resources)."""
+
+LINE_BYTES: Final = 1024
+MEMORY_BYTES: Final = 4 * 2**30
+"""Address space of a process: the kernel's libraries alone map about 1 GiB."""
+LIMITS: Final = {"RLIMIT_CORE": 0, "RLIMIT_FSIZE": 2**30, "RLIMIT_NOFILE": 128}
+"""The largest of what is kept of 201 ugly files has 60 MB."""
+CALLS: Final = (
+    *walls.COMPUTING, "pwrite64", "ftruncate", "fsync", "getdents64", "mkdir", "mkdirat", "rename",
+    "renameat", "renameat2",
+    "unlink", "unlinkat", "umask", "sysinfo", "uname", "getrusage", "getuid", "geteuid", "getgid", "getegid",
+    "sched_setaffinity", "sched_getparam", "sched_getscheduler", "membarrier", "fadvise64", "readlinkat", "select",
+    "pselect6", "times", "getcpu",
+)  # fmt: skip
+"""What computes and keeps files; no socket, no process, no other user, no signal."""
+DEVICES: Final = ("/dev/null", "/dev/full", "/dev/zero")
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """What a piece of the kernel's work needs beside its own code."""
+
+    reads: Sequence[str] = ()
+    """Files."""
+    writes: Sequence[str] = ()
+    """Folders."""
+    memory_bytes: int = MEMORY_BYTES
+
+
+def shut_in(reach: Reach, missing: Sequence[str] = ()) -> None:
+    """Raises the walls around this process, for good, but for those that are `missing`. Raises OSError, ImportError."""
+    landlock = None if "landlock" in missing else _ruleset(reach)
+    seccomp = None if "seccomp" in missing else _seccomp()
+    walls.shut_in(LIMITS | {"RLIMIT_AS": reach.memory_bytes}, None, landlock, seccomp)
+
+
+def missing_walls() -> tuple[str, ...]:
+    """Which walls can not be raised here? Tried in a fork; call it where there is one thread."""
+    if sys.platform != "linux":
+        return ("landlock", "seccomp", "no_new_privileges")
+    for missing in ((), ("landlock",), ("seccomp",), ("landlock", "seccomp")):
+        child = os.fork()
+        if not child:
+            code = 1
+            with contextlib.suppress(OSError, ImportError, ValueError):
+                shut_in(Reach(writes=(tempfile.gettempdir(),)), missing)
+                code = 0
+            os._exit(code)
+        if os.waitpid(child, 0)[1] == 0:
+            return missing
+    return ("landlock", "seccomp", "resource_limits", "no_new_privileges")
+
+
+def must_be_up(missing: Sequence[str]) -> None:
+    """Raises WallsMissing where walls are missing that are required; says in the log which, where they are not."""
+    if missing and WallSettings.read().walls is Walls.REQUIRED:
+        raise WallsMissing("no file is read", "the CAD kernel", missing)
+    for name in missing:
+        log.warning("wall %s is not up around the CAD kernel", name)
+
+
+def _ruleset(reach: Reach) -> int:
+    reads = [path for path in reach.reads if Path(path).exists()]  # the work says of one that is missing
+    return walls.landlock_ruleset(reads, _installation(), [*reach.writes], [*DEVICES])
+
+
+@cache
+def _seccomp() -> bytes:
+    return walls.seccomp_program(CALLS)
+
+
+@cache
+def _installation() -> list[str]:
+    """What Python, the kernel and this package are read from."""
+    own = (sys.prefix, sys.base_prefix, str(Path(__file__).parent), str(Path(querycad_contracts.__file__).parent))
+    found = {str(Path(path).resolve()) for path in (*own, *site.getsitepackages(), *walls.SYSTEM_FOLDERS)}
+    return sorted(path for path in found if Path(path).exists())
 
 
 class KernelProcess:
@@ -98,6 +187,8 @@ class _Host:
         self._lock = threading.Lock()
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
+        self.missing: tuple[str, ...] = ()
+        """Walls that are not up around what it forks."""
 
     def fork(self, descriptors: list[int]) -> None:
         """Has a process forked that gets these descriptors: a line, standard input, output and error."""
@@ -109,7 +200,7 @@ class _Host:
                 socket.send_fds(self._running(), [b"f"], descriptors)
 
     def start(self) -> None:
-        """Starts the host if it does not run, and waits until it is ready."""
+        """Starts the host if it does not run, and waits until it is ready. Raises WallsMissing."""
         with self._lock:
             self._running()
 
@@ -137,9 +228,16 @@ class _Host:
                     stdout=subprocess.DEVNULL,
                     pass_fds=[theirs.fileno()],
                 )
-            if not self._control.recv(1):
+            told = self._control.recv(LINE_BYTES)
+            if not told:
                 self._stop()
                 raise OSError("the CAD kernel cannot be loaded; standard error says why")
+            self.missing = tuple(json.loads(told))
+            try:
+                must_be_up(self.missing)
+            except WallsMissing:
+                self._stop()
+                raise
         return self._control
 
     def _stop(self) -> None:
@@ -152,5 +250,12 @@ class _Host:
 
 _host = _Host()
 start_host = _host.start
+
+
+def host_missing() -> tuple[str, ...]:
+    """Which walls are not up around the processes of the host that runs?"""
+    return _host.missing
+
+
 os.register_at_fork(after_in_child=_host.forget)
 atexit.register(_host.stop)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from querycad_contracts import StorageSettings, WorkerSettings
+from querycad_contracts import StorageSettings, WallSettings, WorkerSettings
 
 
-class SegworkerSettings(WorkerSettings, StorageSettings):
+class SegworkerSettings(WorkerSettings, StorageSettings, WallSettings):
     """Of one segworker process and its children."""
 
     segworker_queues: str = Field(

@@ -11,6 +11,7 @@ import tempfile
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
@@ -48,6 +49,7 @@ from querycad_contracts import (
     TaskName,
     TaskOutcome,
     ViewTask,
+    WallsMissing,
     compressed_name,
     file_store,
     models_name,
@@ -65,6 +67,8 @@ from .summary import summary
 
 log = logging.getLogger(__name__)
 P = TypeVar("P", bound=ModelTask)
+DRAWN = 100
+"""Views of one model that are kept, in whatever sizes; one that is gone is drawn again."""
 
 
 class UnknownModelError(FileProblem):
@@ -94,18 +98,20 @@ class ModelCache:
             raise UnknownModelError("no such model: upload its file first")
         raise NotRead("the file has to be read first")
 
-    def read(self, model: str, file_name: str, progress: Progress | None = None) -> Artefacts:
-        """What is kept of an uploaded model; its file is read now if need be. Raises FileProblem."""
-        try:
-            return self.artefacts(model)
-        except NotRead:
-            folder = self.name_of(self._store.folder(model))
+    def read(self, model: str, file_name: str, progress: Progress | None = None, anew: bool = False) -> Artefacts:
+        """What is kept of an uploaded model; its file is read now if need be, or `anew`. Raises FileProblem."""
+        known = None
+        with suppress(NotRead):
+            known = self.artefacts(model)
+        if known is not None and not anew:
+            return known
+        folder = self.name_of(self._store.folder(model))
         upload = self.files.fetch(upload_name(model))
         if upload is None:
             raise UnknownModelError("no such model: upload its file first")
         limits = IngestLimits(float(self._settings.ingest_s), self._settings.ingest_memory_mib * 2**20)
         try:
-            made = ingest(upload, self._store, limits, progress, file_name)
+            made = ingest(upload, self._store, limits, progress, file_name, anew)
         except FileProblem:
             self.drop_if_deleted(model)  # then it is no fault of the file's
             raise
@@ -117,6 +123,7 @@ class ModelCache:
         artefacts = self.artefacts(model)
         name = self.name_of(artefacts.folder / "drawn" / file_name)
         made = self.made(name, lambda path: make(artefacts, path))
+        _keep_newest(artefacts.folder / "drawn")
         self.drop_if_deleted(model)
         return made
 
@@ -183,7 +190,7 @@ class Tasks:
         def progress(stage: str) -> None:
             self.told(task.model, ReadingStage(stage))
 
-        found = summary(self.cache.read(task.model, task.file_name, progress).load_model())
+        found = summary(self.cache.read(task.model, task.file_name, progress, task.anew).load_model())
         self.cache.drop_if_deleted(task.model)
         return found
 
@@ -316,6 +323,13 @@ class Tasks:
         }
 
 
+def _keep_newest(folder: Path) -> None:
+    """Removes what is more than `DRAWN` files of a folder, the oldest first: every size of every view is one."""
+    paths = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime) if folder.is_dir() else []
+    for path in paths[:-DRAWN]:
+        path.unlink(missing_ok=True)
+
+
 def _bare(part: Part) -> Part:
     """The part without its lists of faces and children, which a large model has thousands of."""
     return part.model_copy(update={"faces": (), "children": ()})
@@ -357,6 +371,8 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
         if error.errno not in DiskFull.CODES:
             raise
         failure = TaskFailure(kind=TaskFailureKind.FILE, message=str(DiskFull()), retryable=True)
+    except WallsMissing as error:
+        failure = TaskFailure(kind=TaskFailureKind.INTERNAL, message=str(error), retryable=True)
     except KeyError as error:
         failure = TaskFailure(
             kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"

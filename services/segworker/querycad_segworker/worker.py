@@ -11,8 +11,9 @@ from __future__ import annotations
 import json
 import logging
 import os
+import sys
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, cast
 
 from celery import Celery, Task
@@ -30,12 +31,14 @@ from querycad_contracts import (
     TaskFailureKind,
     TaskName,
     TaskOutcome,
+    WallsMissing,
+    keep_private,
     reply_key,
     stage_key,
 )
 from querycad_contracts.workers import STORE_PAUSE_S, worker_app
 
-from .kernel_process import ONE_THREAD, start_host
+from .kernel_process import ONE_THREAD, missing_walls, must_be_up, start_host
 from .settings import SegworkerSettings
 from .tasks import Tasks, make_tasks
 
@@ -60,8 +63,8 @@ log = logging.getLogger("querycad_segworker.worker")  # it is run as __main__
 Work = Callable[[dict[str, Any]], str]
 
 
-def make_app(settings: SegworkerSettings) -> Celery:
-    """The Celery application with every task of a segworker."""
+def make_app(settings: SegworkerSettings, missing: Sequence[str] = ()) -> Celery:
+    """The Celery application with every task of a segworker; `missing` are walls that it does without."""
     redis = Redis.from_url(settings.redis_url)  # these connect when they are used, in each process anew
     patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
     replies = Redis.from_url(settings.redis_url, retry=patience)
@@ -75,6 +78,7 @@ def make_app(settings: SegworkerSettings) -> Celery:
         memory_mib=settings.segworker_memory_mib,
         longest_s=ingest_limit_s,
         store_tries=STORE_TRIES,
+        missing_walls=missing,
     )
     process = _Process(settings, lambda model, stage: _tell_stage(redis, model, stage))
     for name in SERVED:
@@ -171,12 +175,18 @@ def _load_kernel(**_: object) -> None:
 
 
 def main() -> None:
-    """Works until it is told to stop; SIGTERM lets running tasks end."""
+    """Works until it is told to stop; SIGTERM lets running tasks end. It ends at once where walls are missing."""
+    keep_private()
     settings = SegworkerSettings.read()
     for variable, one in ONE_THREAD.items():
         os.environ.setdefault(variable, one)
     name = "+".join(sorted(settings.segworker_queues.replace(" ", "").split(",")))
-    make_app(settings).worker_main(
+    missing = missing_walls()
+    try:
+        must_be_up(missing)
+    except WallsMissing as error:
+        sys.exit(f"querycad_segworker: {error}")
+    make_app(settings, missing).worker_main(
         ["worker", "--loglevel=INFO", "--without-gossip", "--without-mingle", f"--hostname={name}@%h"]
     )
 

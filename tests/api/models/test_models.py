@@ -373,11 +373,12 @@ def test_a_store_that_says_nothing_is_away(
 
 
 def test_it_is_ready_when_every_queue_has_a_worker(client: httpx.Client, redis: Redis) -> None:
-    redis.set(alive_key(Queue.SEGCAD), 1)
+    redis.set(alive_key(Queue.SEGCAD), "seccomp landlock")
     response = client.get("/readyz")
     assert response.status_code == 503
     wanted = {"store": True, "ingest": False, "segcad": True, "pictures": False, "questions": False, "sandbox": False}
     assert response.json()["checks"] == wanted
+    assert response.json()["walls_missing"] == {"segcad": ["seccomp", "landlock"]}
 
 
 def test_a_model_that_is_deleted_while_it_is_read_stops_the_reading(

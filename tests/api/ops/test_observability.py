@@ -95,8 +95,9 @@ def test_a_full_disk_is_no_fault_of_the_request(settings: ApiSettings, serving: 
 
     with serving(app) as client:
         response = client.get("/full")
-    assert response.status_code == 503
+    assert (response.status_code, response.json()["title"]) == (507, "Disk full")
     assert response.json()["retryable"] is True
+    assert int(response.headers["retry-after"]) > 0
 
 
 def test_what_is_done_for_a_request_has_its_id() -> None:

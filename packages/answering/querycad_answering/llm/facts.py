@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 
 from querycad_contracts import ModelSummary, PartGroup, PartKind, Side, Vector
 
-BUDGET_CHARS = 1000
-"""Of all lines: some 300 tokens, so that a prompt stays below 3,000."""
+BUDGET_CHARS = 800
+"""Of all lines: some 240 tokens, so that a prompt stays below 3,000 with the names beside them."""
 LEFT_CHARS, KINDS_TOLD = 90, 5
 """Of the line on what there is no room for."""
 BODIES_TOLD = 5
@@ -28,7 +29,7 @@ def facts(summary: ModelSummary) -> str:
     x, y, z = (f"{extent:.4g}" for extent in shape.extents)
     stands = f", {shape.up.value} is likely up" if shape.up is not None else ""
     thick = f", sheet or plate {_mm(shape.thickness)} mm thick" if shape.thickness is not None else ""
-    lines = [f"{_clean(shape.name) or 'unnamed'}, {x} x {y} x {z} m along x, y, z{stands}{thick}."]
+    lines = [f"{x} x {y} x {z} m along x, y, z{stands}{thick}."]
     if summary.body_count > 1:
         lines.append(f"{summary.body_count} bodies: {_bodies(summary)}.")
     groups = [group for group in summary.groups if group.kind is not PartKind.BODY]
@@ -41,6 +42,16 @@ def facts(summary: ModelSummary) -> str:
         kinds = [f"{count} x {kind}" for kind, count in left.most_common(KINDS_TOLD)]
         lines.append(f"Not listed: {', '.join(kinds)}{' …' if len(left) > KINDS_TOLD else ''}.")
     return "\n".join(lines)
+
+
+def names(summary: ModelSummary) -> str:
+    """What are model and bodies called in the file? A line of JSON, its bodies in the order in which `facts` has them.
+
+    Whoever made the file chose these words: they go where the question is, as data, not among the rules.
+    """
+    bodies = [_clean(name) for name, _ in _body_groups(summary)[:BODIES_TOLD]] if summary.body_count > 1 else []
+    told = {"model": _clean(summary.shape.name)} | ({"bodies": bodies} if any(bodies) else {})
+    return json.dumps(told, ensure_ascii=False) if any(told.values()) else ""
 
 
 def _told(groups: list[PartGroup], room: int) -> tuple[list[str], Counter[str]]:
@@ -67,23 +78,27 @@ def _line(group: PartGroup) -> str:
 
 
 def _bodies(summary: ModelSummary) -> str:
-    """Names, colours and sizes of bodies, alike ones together."""
+    """Colours and sizes of bodies, alike ones together."""
+    groups = _body_groups(summary)
+    total = len(groups)
+    told = ", ".join(line for _, line in groups[:BODIES_TOLD])
+    return told + (f" and {total - BODIES_TOLD} smaller kinds" if total > BODIES_TOLD else "")
+
+
+def _body_groups(summary: ModelSummary) -> list[tuple[str, str]]:
+    """Name of each group of bodies that are alike, and what is told of it beside; the largest first."""
     groups = [group for group in summary.groups if group.kind is PartKind.BODY]
     if not groups:
-        names = Counter(_clean(body.name) or "unnamed" for body in summary.shape.bodies)
-        groups_told = [f"{count} x {name}" for name, count in names.most_common(BODIES_TOLD)]
-        total = len(names)
-    else:
-        groups.sort(key=lambda group: -_bulk(group.extents))
-        groups_told = [_body(group) for group in groups[:BODIES_TOLD]]
-        total = len(groups)
-    return ", ".join(groups_told) + (f" and {total - BODIES_TOLD} smaller kinds" if total > BODIES_TOLD else "")
+        counted = Counter(body.name for body in summary.shape.bodies)
+        return [(name, f"{count} alike") for name, count in counted.most_common()]
+    groups.sort(key=lambda group: -_bulk(group.extents))
+    return [(group.name, _body(group)) for group in groups]
 
 
 def _body(group: PartGroup) -> str:
     size = " x ".join(_mm(extent) for extent in group.extents)
-    color = f" {_clean(group.color)}" if group.color else ""
-    return f"{group.count} x {_clean(group.name) or 'unnamed'}{color} ({size} mm)"
+    color = f"{_clean(group.color)} " if group.color else ""
+    return f"{group.count} x {color}({size} mm)"
 
 
 def _bulk(extents: Vector) -> float:

@@ -9,10 +9,12 @@ from fastapi import APIRouter, File, Request, Response, UploadFile
 from querycad_api.dependencies import LimitDep, OffsetDep, ServicesDep, WaitDep
 from querycad_api.links import link_next
 from querycad_api.problems import (
+    DiskFull,
     FileTooLarge,
     Malformed,
     ModelNotFound,
     NotStepFile,
+    QuotaReached,
     ServiceUnavailable,
     TooSlow,
     WrongMediaType,
@@ -33,7 +35,8 @@ FORM: Any = {"max_files": 2, "max_fields": 2, "max_part_size": 1024}
     response_model=ModelResource,
     form_limits=FORM,
     responses={
-        **responses(Malformed, ModelNotFound, TooSlow, FileTooLarge, NotStepFile, WrongMediaType, ServiceUnavailable),
+        **responses(Malformed, ModelNotFound, TooSlow, FileTooLarge, NotStepFile, WrongMediaType),
+        **responses(QuotaReached, DiskFull, ServiceUnavailable),
         200: {"description": "The file was there already; it has been read.", "model": ModelResource},
         201: {"description": "The file has been read within the wait that was preferred.", "model": ModelResource},
         202: {"description": "The file was accepted and is being read.", "model": ModelResource},

@@ -12,10 +12,13 @@ from uuid import uuid4
 from pydantic import TypeAdapter
 
 from querycad_api.dependencies import Services
-from querycad_api.problems import ModelNotReady, ServiceUnavailable
+from querycad_api.problems import ModelNotReady, QuotaReached, ServiceUnavailable
+from querycad_api.store.broker import Broker
 from querycad_api.store.keyspace import ModelStale
+from querycad_api.store.state import State, TooMuchStored
 from querycad_contracts import (
     AnswerRecord,
+    FileStore,
     ModelResource,
     ModelStatus,
     ModelTask,
@@ -34,7 +37,7 @@ T = TypeVar("T")
 async def add(services: Services, file: BinaryIO, file_name: str | None) -> tuple[str, bool]:
     """The id of the file's model, and whether it is new; what is new is put on the queue to be read.
 
-    Raises FileTooLarge, NotStepFile, ModelNotFound and ServiceUnavailable.
+    Raises FileTooLarge, NotStepFile, QuotaReached, ModelNotFound and ServiceUnavailable.
     """
     tenant = services.caller.tenant
     async with _on_disk(file, services) as upload:
@@ -47,7 +50,15 @@ async def add(services: Services, file: BinaryIO, file_name: str | None) -> tupl
         )
         async with services.state.files_of(upload.sha256):
             await asyncio.to_thread(services.files.keep, upload_name(upload.sha256), upload.path)
-            new = await services.state.add_model(tenant, resource)
+            try:
+                new = await services.state.add_model(tenant, resource)
+            except TooMuchStored:
+                if not await services.state.owned(upload.sha256):
+                    await asyncio.to_thread(services.files.remove, upload_name(upload.sha256))
+                most = services.settings.tenant_mib
+                raise QuotaReached(
+                    f"with this file, yours would be more than {most} MiB: delete models first"
+                ) from None
     known = resource if new else await services.model(resource.id)
     if new or known.status is ModelStatus.FAILED:  # what failed may have been the machine
         await _read(services, known, new)
@@ -59,7 +70,11 @@ async def delete(services: Services, model: str) -> None:
 
     Questions that are under way end as cancelled; where the file is being read, that is stopped.
     """
-    state, tenant = services.state, services.caller.tenant
+    await drop(services.state, services.broker, services.files, services.caller.tenant, model)
+
+
+async def drop(state: State, broker: Broker, files: FileStore, tenant: str, model: str) -> None:
+    """As `delete`, whoever's it is."""
     tasks = await state.tasks_about(tenant, model)
     stopped = [reader] if (reader := await state.ingest_of(tenant, model)) is not None else []
     stopped += [task.job for task in tasks if await state.end_job(task, AnswerRecord.cancelled(task.question))]
@@ -68,8 +83,8 @@ async def delete(services: Services, model: str) -> None:
         await state.forget_jobs(tasks)
         names = [upload_name(model), models_name(model)] if nobodys else []  # see the segworker's drop_if_deleted
         names += [picture_name(task.job) for task in tasks]
-        await asyncio.to_thread(_remove, services, names)
-    await services.broker.stop(stopped)
+        await asyncio.to_thread(_remove, files, names)
+    await broker.stop(stopped)
 
 
 async def called(
@@ -111,12 +126,12 @@ async def _read(services: Services, resource: ModelResource, new: bool) -> None:
     task = uuid4().hex
     await services.state.reading(tenant, resource.id, task)
     try:
-        await services.broker.ingest(resource, tenant, task)
+        await services.broker.ingest(resource, tenant, task, anew=new)
     except ServiceUnavailable:
         await services.state.forget_model(tenant, resource.id)
         raise
 
 
-def _remove(services: Services, names: list[str]) -> None:
+def _remove(files: FileStore, names: list[str]) -> None:
     for name in names:
-        services.files.remove(name)
+        files.remove(name)

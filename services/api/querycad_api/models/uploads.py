@@ -58,7 +58,6 @@ def received(upload: BinaryIO, home: Path, max_bytes: int) -> Iterator[Received]
                 chunk = upload.read(CHUNK_BYTES)
             target.flush()
             os.fsync(target.fileno())  # once a model is accepted, its file is not lost
-        unfinished.chmod(0o644)  # mkstemp's 0600 would shut out a segworker of another user
         yield Received(unfinished, digest.hexdigest(), size)
     finally:
         unfinished.unlink(missing_ok=True)

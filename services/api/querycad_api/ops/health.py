@@ -33,24 +33,26 @@ async def readyz(request: Request, response: Response) -> Health:
     """Can questions be answered now? Store, sandbox, and a worker on each queue."""
     application: Application = request.app.state.application
     store, sandbox = await asyncio.gather(_store(application), _sandbox(request.app.state.sandbox))
-    checks = store | {"sandbox": sandbox}
-    health = Health(ready=all(checks.values()), checks=checks)
+    checks = {name: said is not None for name, said in (store | sandbox).items()}
+    missing = {name: tuple(said.split()) for name, said in (store | sandbox).items() if said}
+    health = Health(ready=all(checks.values()), checks=checks, walls_missing=missing)
     response.status_code = 200 if health.ready else 503
     return health
 
 
-async def _store(application: Application) -> dict[str, bool]:
-    """Is the store there, and a worker on each queue?"""
+async def _store(application: Application) -> dict[str, str | None]:
+    """Is the store there, and a worker on each queue? None where not, else which walls it does without."""
     try:
         async with asyncio.timeout(STORE_S):
             alive = await application.state.alive(*(alive_key(queue) for queue in Queue))
     except (RedisError, OSError):
-        return {"store": False} | {queue.value: False for queue in Queue}
-    return {"store": True} | {queue.value: there for queue, there in zip(Queue, alive, strict=True)}
+        return dict.fromkeys(("store", *(queue.value for queue in Queue)))
+    return {"store": ""} | {queue.value: there for queue, there in zip(Queue, alive, strict=True)}
 
 
-async def _sandbox(client: httpx.AsyncClient) -> bool:
+async def _sandbox(client: httpx.AsyncClient) -> dict[str, str | None]:
     try:
-        return (await client.get("/readyz", timeout=SANDBOX_S)).is_success
-    except httpx.HTTPError:
-        return False
+        told = await client.get("/readyz", timeout=SANDBOX_S)
+        return {"sandbox": " ".join(told.json().get("missing", ())) if told.is_success else None}
+    except (httpx.HTTPError, ValueError, AttributeError):
+        return {"sandbox": None}

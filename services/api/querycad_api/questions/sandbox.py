@@ -37,12 +37,13 @@ class SandboxClient:
     The standard library's client: one request a question is all there is, and a general one costs that a millisecond.
     """
 
-    def __init__(self, url: str, timeout_s: float) -> None:
+    def __init__(self, url: str, timeout_s: float, token: str = "") -> None:
         address = urlsplit(url)
         kind = HTTPSConnection if address.scheme == "https" else HTTPConnection
         self._http = kind(address.hostname or "", address.port, timeout=CONNECT_S)
         self._path = address.path.rstrip("/") + "/runs"
         self._timeout_s = timeout_s
+        self._headers = {"Content-Type": "application/json"} | ({"Authorization": f"Bearer {token}"} if token else {})
 
     def run(self, program: Program, model: str, grounding: GroundedBy = GroundedBy.GEOMETRY) -> RunOutcome:
         """What comes of the program, run against the model? Raises SandboxUnavailable, RunRefused and ModelStale.
@@ -77,7 +78,7 @@ class SandboxClient:
                 self._http.close()
             if self._http.sock is None:
                 self._connect()
-            self._http.request("POST", self._path, body, {"Content-Type": "application/json", **carried_trace()})
+            self._http.request("POST", self._path, body, self._headers | carried_trace())
             response = self._http.getresponse()
             return response.status, response.read()
         except BaseException:

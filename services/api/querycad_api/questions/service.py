@@ -33,11 +33,10 @@ async def accept(services: Services, model: str, asked: Sequence[QuestionRequest
         if known:
             return known
     if caller.key and not await services.state.reserve(tasks, services.settings.key_questions):
-        await _forget(services, tasks, key)
         raise TooManyRequests(f"at most {services.settings.key_questions} open questions for one API key")
     jobs = await services.state.add_jobs(tasks)
     if not jobs:
-        await _forget(services, tasks, key)
+        await services.state.forget_jobs(tasks)
         raise no_model()
     return jobs
 
@@ -53,7 +52,11 @@ async def done(services: Services, job: Job, wait_s: float) -> bool:
 async def _claimed(
     services: Services, tasks: list[QuestionTask], key: str
 ) -> tuple[list[QuestionTask], tuple[Job, ...]]:
-    """The tasks with the ids that they have under this idempotency key, and their jobs where all are there already."""
+    """The tasks with the ids that they have under this idempotency key, and their jobs where all are there already.
+
+    A key stays with the request that it came with first, though that was refused: another of the same may be accepted
+    at this moment, under the same ids.
+    """
     tenant = services.caller.tenant
     wanted = Once(_fingerprint(tasks), tuple(task.job for task in tasks))
     claim = await services.state.once(tenant, key, wanted)
@@ -69,12 +72,6 @@ async def _claimed(
     lost = {job.id for job in jobs if job.status is JobStatus.QUEUED and (now() - job.created).total_seconds() > LOST_S}
     await services.broker.questions([task for task in tasks if task.job in lost])
     return tasks, jobs
-
-
-async def _forget(services: Services, tasks: Sequence[QuestionTask], key: str | None) -> None:
-    await services.state.forget_jobs(tasks)
-    if key is not None:
-        await services.state.forget_once(services.caller.tenant, key)
 
 
 def _fingerprint(tasks: Sequence[QuestionTask]) -> str:

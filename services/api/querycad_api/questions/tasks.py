@@ -134,7 +134,11 @@ class Questions:
     def sandbox(self) -> SandboxClient:
         """Where programs run."""
         if self._sandbox is None:
-            self._sandbox = SandboxClient(self._settings.sandbox_url, self._settings.question_s)
+            self._sandbox = SandboxClient(
+                self._settings.sandbox_url,
+                self._settings.question_s,
+                self._settings.sandbox_token.get_secret_value(),
+            )
         return self._sandbox
 
     def answer(self, task: QuestionTask, retries: int = 0) -> float | None:

@@ -49,9 +49,9 @@ class Broker:
             task_publish_retry_policy={"max_retries": 1, "interval_start": 0.1},
         )
 
-    async def ingest(self, resource: ModelResource, tenant: str, task_id: str) -> None:
+    async def ingest(self, resource: ModelResource, tenant: str, task_id: str, anew: bool = False) -> None:
         """Has an uploaded file read; the question workers are told what came of it. `stop` takes the task's id."""
-        task = IngestTask(model=resource.id, file_name=resource.file_name)
+        task = IngestTask(model=resource.id, file_name=resource.file_name, anew=anew)
         follow = {"model": resource.id, "tenant": tenant, "uploaded": uploaded(resource)}
         try:
             await asyncio.to_thread(

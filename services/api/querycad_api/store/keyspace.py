@@ -3,6 +3,8 @@
 querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), ingest (id of the task that reads its
                                file), outcome (TaskOutcome[ModelSummary])
 querycad:models:<tenant>       sorted set: ids of the tenant's models by the time of their upload
+querycad:sizes:<tenant>        hash: bytes of each uploaded file of the tenant, by model
+querycad:answers:<tenant>      sorted set: ids of the tenant's jobs by the time of the question
 querycad:owners:<id>           set: tenants that have a model with this content; its files go with the last one
 querycad:job:<id>              hash: task (QuestionTask), created, attempts, started, waits, record, finished
 querycad:asked:<tenant>:<id>   sorted set: ids of the jobs about a model by the time of the question
@@ -40,6 +42,9 @@ DAY_S = 24 * 3600
 TOTALS = "querycad:totals"
 PENDING = "querycad:pending"
 READING = "querycad:reading"
+RECORD_BYTES = 2**20
+"""An answer about 24 parts takes 30,000, their faces included."""
+LONGEST_QUESTION = 2000
 TOLD_S = 3600
 """How long it is told that a job is done; nobody waits for longer, and who comes later reads it from the job."""
 
@@ -56,6 +61,16 @@ def model_key(tenant: str, model: str) -> str:
 def models_key(tenant: str) -> str:
     """Where are the ids of the tenant's models?"""
     return f"querycad:models:{tenant}"
+
+
+def sizes_key(tenant: str) -> str:
+    """Where are the sizes of the tenant's files?"""
+    return f"querycad:sizes:{tenant}"
+
+
+def answers_key(tenant: str) -> str:
+    """Where are the ids of all jobs of the tenant?"""
+    return f"querycad:answers:{tenant}"
 
 
 def owners_key(model: str) -> str:
@@ -157,10 +172,26 @@ def finished(
     """
     keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING, job_done_key(task.job)]
     told = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
-    kept: list[str | float] = [record.model_dump_json(), now().isoformat(), kept_s, told, task.job, TOLD_S]
+    kept: list[str | float] = [bounded(record), now().isoformat(), kept_s, told, task.job, TOLD_S]
     category = record.failure.category if record.failure else ""
     totals = {f"questions:{record.status.value}:{category}": 1.0, **(times or {})}
     return keys, [*kept, *(each for pair in totals.items() for each in pair)]
+
+
+def bounded(record: AnswerRecord) -> str:
+    """The record as JSON of at most `RECORD_BYTES`: without what is large and no answer, at last without an answer."""
+    text = record.model_dump_json()
+    if len(text) <= RECORD_BYTES:
+        return text
+    warnings = (*record.warnings, "the record was too large: parts are without faces, other programs were left out")
+    bare = tuple(part.model_copy(update={"faces": (), "children": ()}) for part in record.parts)
+    fewer = record.model_copy(update={"parts": bare, "attempts": (), "alternatives": (), "warnings": warnings})
+    for each in (fewer, fewer.model_copy(update={"parts": ()})):
+        text = each.model_dump_json()
+        if len(text) <= RECORD_BYTES:
+            return text
+    failure = Failure(category="internal", message=f"the answer has more than the {RECORD_BYTES:,} bytes that are kept")
+    return AnswerRecord.failed(record.question[:LONGEST_QUESTION], failure).model_dump_json()
 
 
 def entry(event: JobEvent) -> dict[str, str]:

@@ -6,24 +6,56 @@ ADD_JOBS = """
 if redis.call('HEXISTS', KEYS[1], 'resource') == 0 then
   return 0
 end
-for i = 1, (#KEYS - 4) / 2 do
-  local job, events = KEYS[2 * i + 3], KEYS[2 * i + 4]
-  local id, task, message = ARGV[3 * i + 4], ARGV[3 * i + 5], ARGV[3 * i + 6]
+for i = 1, (#KEYS - 5) / 2 do
+  local job, events = KEYS[2 * i + 4], KEYS[2 * i + 5]
+  local id, task, message = ARGV[3 * i + 5], ARGV[3 * i + 6], ARGV[3 * i + 7]
   redis.call('HSET', job, 'task', task, 'created', ARGV[1])
   redis.call('EXPIRE', job, ARGV[4])
   redis.call('XADD', events, '*', 'kind', 'queued', 'event', ARGV[6])
   redis.call('EXPIRE', events, ARGV[4])
   redis.call('ZADD', KEYS[2], ARGV[2], id)
   redis.call('ZADD', KEYS[3], ARGV[3], id)
+  redis.call('ZADD', KEYS[5], ARGV[2], id)
   redis.call('LPUSH', KEYS[4], message)
 end
+local answers = KEYS[5]
+local more = math.max(0, redis.call('ZCARD', answers) - ARGV[7])
+for _, id in ipairs(redis.call('ZRANGEBYSCORE', answers, '-inf', '+inf', 'LIMIT', 0, more)) do
+  local job = 'querycad:job:' .. id
+  if redis.call('HEXISTS', job, 'record') == 1 or redis.call('EXISTS', job) == 0 then
+    redis.call('DEL', job, 'querycad:events:' .. id, 'querycad:done:' .. id)
+    redis.call('ZREM', answers, id)
+  end
+end
+redis.call('ZREMRANGEBYSCORE', answers, 0, ARGV[5])
+redis.call('EXPIRE', answers, ARGV[4])
 redis.call('ZREMRANGEBYSCORE', KEYS[2], 0, ARGV[5])
 redis.call('EXPIRE', KEYS[2], ARGV[4])
 return 1
 """
-"""Keys: model, what was asked about it, pending, queue, then of each job: itself, its events. Arguments: time as text
-and as a number, when jobs are looked at again, seconds kept, before when jobs are forgotten, event, then of each job:
-id, task, message for the queue. 0, and nothing is done, when there is no such model."""
+"""Keys: model, what was asked about it, pending, queue, the tenant's jobs, then of each job: itself, its events.
+Arguments: time as text and as a number, when jobs are looked at again, seconds kept, before when jobs are forgotten,
+event, how many answers of the tenant are kept, then of each job: id, task, message for the queue. 0, and nothing is
+done, when there is no such model. What is too much goes, the oldest first; what is not answered yet stays."""
+ADD_MODEL = """
+if redis.call('HEXISTS', KEYS[1], 'resource') == 1 then
+  return 0
+end
+local stored = tonumber(ARGV[4])
+for _, size in ipairs(redis.call('HVALS', KEYS[4])) do
+  stored = stored + tonumber(size)
+end
+if stored > tonumber(ARGV[6]) then
+  return -1
+end
+redis.call('HSET', KEYS[1], 'resource', ARGV[1])
+redis.call('ZADD', KEYS[2], 'NX', ARGV[3], ARGV[2])
+redis.call('SADD', KEYS[3], ARGV[5])
+redis.call('HSET', KEYS[4], ARGV[2], ARGV[4])
+return 1
+"""
+"""Keys: model, the tenant's models, the content's owners, sizes of the tenant's files. Arguments: resource, id, time,
+bytes, tenant, bytes that the tenant may have. 0: it is there already; -1, and nothing is done: it is too much."""
 FINISH_JOB = """
 if redis.call('HEXISTS', KEYS[1], 'task') == 0 or redis.call('HSETNX', KEYS[1], 'record', ARGV[1]) == 0 then
   return 0
@@ -83,3 +115,21 @@ return 1
 """
 """Keys: model, its events, models that are read. Arguments: outcome, member of the last, time of the upload. What came
 of a file that was deleted while it was read is none of the same file's that was uploaded anew."""
+RESERVE = """
+redis.call('ZREMRANGEBYSCORE', KEYS[1], 0, ARGV[2])
+local more = 0
+for i = 4, #ARGV do
+  if not redis.call('ZSCORE', KEYS[1], ARGV[i]) then
+    more = more + 1
+  end
+end
+if redis.call('ZCARD', KEYS[1]) + more > tonumber(ARGV[3]) then
+  return 0
+end
+for i = 4, #ARGV do
+  redis.call('ZADD', KEYS[1], ARGV[1], ARGV[i])
+end
+return 1
+"""
+"""Keys: open jobs of an API key. Arguments: time, before when they are forgotten, how many there may be, jobs. 0, and
+none is counted, when that is too many: two requests for the same jobs do not take them from each other."""

@@ -38,6 +38,7 @@ from .keyspace import (
     PENDING,
     READING,
     TOTALS,
+    answers_key,
     asked_key,
     entry,
     finished,
@@ -53,9 +54,10 @@ from .keyspace import (
     once_key,
     open_key,
     owners_key,
+    sizes_key,
     task_of,
 )
-from .scripts import ADD_JOBS, FINISH_JOB
+from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB, RESERVE
 
 READ_S = 5.0
 """A wait on a stream is cut into pieces, so that it ends soon after its client has gone."""
@@ -83,18 +85,26 @@ class Once:
     jobs: tuple[str, ...]
 
 
+class TooMuchStored(Exception):
+    """The tenant's files would be more than it may have."""
+
+
 class State:
     """Raises RedisError when Redis does not answer."""
 
-    def __init__(self, redis: Redis, answers_days: int) -> None:
+    def __init__(self, redis: Redis, answers_days: int, answers: int = 20_000, stored_bytes: int = 20 * 2**30) -> None:
+        """`answers` and `stored_bytes`: what is kept for a tenant at most, jobs and bytes of uploaded files."""
         self._redis = redis
         self._kept_s = answers_days * DAY_S
+        self._answers, self._stored_bytes = answers, stored_bytes
+        self._reserve = redis.register_script(RESERVE)
+        self._add_model = redis.register_script(ADD_MODEL)
         self._add = redis.register_script(ADD_JOBS)
         self._finish = redis.register_script(FINISH_JOB)
 
-    async def alive(self, *keys: str) -> list[bool]:
-        """Which of the keys are there?"""
-        return [value is not None for value in await self._redis.mget(keys)]
+    async def alive(self, *keys: str) -> list[str | None]:
+        """What do those say that are there? None where one is not."""
+        return [None if value is None else str(value) for value in await self._redis.mget(keys)]
 
     async def totals(self, *queues: str) -> tuple[dict[str, float], dict[str, int]]:
         """The workers' counters, and how many tasks wait in each queue."""
@@ -112,12 +122,31 @@ class State:
     # Models
 
     async def add_model(self, tenant: str, resource: ModelResource) -> bool:
-        """Keeps a new model; False when it was there already."""
-        async with self._redis.pipeline() as pipe:
-            pipe.hsetnx(model_key(tenant, resource.id), "resource", resource.model_dump_json())
-            pipe.zadd(models_key(tenant), {resource.id: resource.created.timestamp()}, nx=True)
-            pipe.sadd(owners_key(resource.id), tenant)
-            return bool((await pipe.execute())[0])
+        """Keeps a new model; False when it was there already. Raises TooMuchStored."""
+        keys = [model_key(tenant, resource.id), models_key(tenant), owners_key(resource.id), sizes_key(tenant)]
+        time, size = resource.created.timestamp(), resource.size_bytes
+        added = await self._add_model(
+            keys, [resource.model_dump_json(), resource.id, time, size, tenant, self._stored_bytes]
+        )
+        if added < 0:
+            raise TooMuchStored
+        return bool(added)
+
+    async def owned(self, model: str) -> bool:
+        """Has any tenant a model with this content?"""
+        return bool(await self._redis.exists(owners_key(model)))
+
+    async def failed_models(self, before: datetime) -> list[tuple[str, str]]:
+        """Which models, and whose, were uploaded before then and could not be read? Tenant and id."""
+        found = []
+        async for key in self._redis.scan_iter(f"{models_key('')}*", count=1000):
+            tenant = str(key).removeprefix(models_key(""))
+            ids = cast("list[str]", await self._redis.zrangebyscore(key, 0, before.timestamp()))
+            for model in ids:
+                outcome = await cast("Awaitable[str | None]", self._redis.hget(model_key(tenant, model), "outcome"))
+                if outcome and json.loads(outcome).get("failure"):
+                    found.append((tenant, model))
+        return found
 
     async def forget_outcome(self, tenant: str, model: str) -> None:
         """Makes a model unread again, before its file is read anew."""
@@ -129,6 +158,7 @@ class State:
         async with self._redis.pipeline() as pipe:
             pipe.delete(model_key(tenant, model), model_events_key(tenant, model), asked_key(tenant, model))
             pipe.zrem(models_key(tenant), model)
+            pipe.hdel(sizes_key(tenant), model)
             pipe.zrem(READING, f"{tenant}:{model}")
             pipe.srem(owners_key(model), tenant)
             pipe.scard(owners_key(model))
@@ -171,15 +201,10 @@ class State:
 
     async def reserve(self, tasks: Sequence[QuestionTask], at_most: int) -> bool:
         """Counts the tasks as open questions of their API key; False, and nothing counted, when that is too many."""
-        key, time = open_key(tasks[0].key), now().timestamp()
-        async with self._redis.pipeline() as pipe:
-            pipe.zremrangebyscore(key, 0, time - OPEN_S)
-            pipe.zadd(key, {task.job: time for task in tasks})
-            pipe.zcard(key)
-            fits = bool((await pipe.execute())[-1] <= at_most)
-        if not fits:
-            await self._redis.zrem(key, *(task.job for task in tasks))
-        return fits
+        time = now().timestamp()
+        return bool(
+            await self._reserve([open_key(tasks[0].key)], [time, time - OPEN_S, at_most, *(task.job for task in tasks)])
+        )
 
     async def add_jobs(self, tasks: Sequence[QuestionTask]) -> tuple[Job, ...]:
         """Keeps new jobs about one model and puts them on the queue: all of them, or none if there is no such model."""
@@ -188,8 +213,9 @@ class State:
         queued = entry(JobEvent(kind=JobEventKind.QUEUED, at=time))["event"]
         texts = [task.model_dump_json() for task in tasks]
         keys = [model_key(tenant, model), asked_key(tenant, model), PENDING, TaskName.QUESTION.queue.value]
+        keys.append(answers_key(tenant))
         times = (time.isoformat(), number, number + LOST_S, self._kept_s, number - self._kept_s)
-        arguments: list[str | float] = [*times, queued]
+        arguments: list[str | float] = [*times, queued, self._answers]
         for task, text in zip(tasks, texts, strict=True):
             keys += job_key(task.job), job_events_key(task.job)
             arguments += task.job, text, task_message(TaskName.QUESTION, task, task.job)
@@ -203,6 +229,7 @@ class State:
             for task in tasks:
                 pipe.delete(job_key(task.job), job_events_key(task.job), job_done_key(task.job))
                 pipe.zrem(asked_key(task.tenant, task.model), task.job)
+                pipe.zrem(answers_key(task.tenant), task.job)
                 pipe.zrem(open_key(task.key), task.job)
                 pipe.zrem(PENDING, task.job)
             await pipe.execute()
@@ -220,7 +247,8 @@ class State:
     async def jobs(self, tenant: str, model: str, offset: int, limit: int) -> JobsPage:
         """What was asked about the model? The newest first."""
         ids, total = await self._page(asked_key(tenant, model), offset, limit)
-        found = [job_of(fields) for fields in await self._hashes([job_key(each) for each in ids])]
+        hashes = await self._hashes([job_key(each) for each in ids])
+        found = await asyncio.to_thread(lambda: [job_of(fields) for fields in hashes])  # a page may have 100 MB
         return JobsPage(items=tuple(each for each in found if each is not None), total=total)
 
     async def tasks_about(self, tenant: str, model: str) -> tuple[QuestionTask, ...]:
@@ -277,10 +305,6 @@ class State:
             return wanted
         fingerprint, jobs = json.loads(kept)
         return Once(fingerprint, tuple(jobs))
-
-    async def forget_once(self, tenant: str, key: str) -> None:
-        """Makes an idempotency key unused again: nothing was done for it."""
-        await self._redis.delete(once_key(tenant, key))
 
     # What was lost
 

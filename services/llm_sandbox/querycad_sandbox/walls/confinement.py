@@ -1,9 +1,9 @@
 """The walls around the interpreter's processes: what is left to a program that finds a flaw in the interpreter.
 
-A process of the interpreter needs memory, its standard input and output, and nothing else. Before it starts, in
-`launcher.py`: another user (where this one is root), resource limits, no new privileges, Landlock (it may open the
-files that it consists of, and no other; no TCP; no signals to others), seccomp (it may make the calls of `CALLS`), and
-an empty environment. Which of these the kernel has is found out by trying, and told by `layers`.
+A process of the interpreter needs memory, its standard input and output, and nothing else. Before it starts, by
+`querycad_contracts.walls`: another user (where this one is root), resource limits, no new privileges, Landlock (it may
+open the files that it consists of, and no other; no TCP; no signals to others), seccomp (it may make the calls of
+`CALLS`), and an empty environment. Which of these the kernel has is found out by trying, and told by `layers`.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ import subprocess
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
-from errno import ENOSYS, EPERM
-from importlib.resources import files
 from pathlib import Path
 from typing import Final, Self
 
 from pydantic_monty._binary import find_monty_binary
+
+from querycad_contracts import walls
 
 PROBE_S: Final = 10.0
 NOBODY: Final = 65534
@@ -27,26 +27,10 @@ MEMORY_BYTES: Final = 1536 * 2**20
 """Address space of a process: three times the largest heap that a run may have, for what the heap does not count."""
 LIMITS: Final = {"RLIMIT_AS": MEMORY_BYTES, "RLIMIT_CORE": 0, "RLIMIT_FSIZE": 0, "RLIMIT_NOFILE": 64}
 """No limit on CPU time: a process does many runs, each of which is timed, and is killed by the pool."""
-CALLS: Final = (
-    # memory
-    "brk", "mmap", "munmap", "mprotect", "mremap", "madvise",
-    # its pipes, and its own libraries, which Landlock limits
-    "read", "write", "readv", "writev", "close", "poll", "ppoll", "dup", "dup2", "fcntl", "lseek", "fstat",
-    "newfstatat", "statx", "openat", "pread64", "access", "faccessat2", "readlink", "getcwd", "ioctl",
-    # threads and their waiting
-    "futex", "set_robust_list", "set_tid_address", "rseq", "gettid", "getpid", "sched_yield", "sched_getaffinity",
-    "clock_nanosleep", "nanosleep", "restart_syscall", "sigaltstack", "rt_sigaction", "rt_sigprocmask", "rt_sigreturn",
-    "tgkill", "arch_prctl", "prlimit64", "prctl", "exit", "exit_group",
-    # time and chance
-    "clock_gettime", "clock_getres", "gettimeofday", "getrandom",
-    # its own start: what a process becomes stays as shut in as it is
-    "execve", "execveat",
-)  # fmt: skip
-"""What the interpreter was seen to call, and what the C library does in their stead on other machines. There is no
-list to take over: those of container engines keep general programs running, sockets and processes included."""
-OF_OTHER_MACHINES: Final = frozenset({"arch_prctl", "access", "dup2", "poll", "readlink"})
-"""Calls that not every processor's Linux has."""
-CLONE_THREAD: Final = 0x10000
+CALLS: Final = (*walls.COMPUTING, "execve", "execveat")
+"""What the interpreter was seen to call, what the C library does in their stead on other machines, and its own start:
+what a process becomes stays as shut in as it is. There is no list to take over: those of container engines keep general
+programs running, sockets and processes included."""
 MFD_EXEC: Final = 0x10
 
 log = logging.getLogger(__name__)
@@ -88,16 +72,16 @@ class Confinement:
             ruleset = landlock_ruleset(monty) if landlock else None
             program = seccomp_program() if seccomp else None
             call = f"launch({monty!r}, {LIMITS!r}, {user!r}, {ruleset!r}, {program!r})"
-            source = files(__package__).joinpath("launcher.py").read_text(encoding="utf-8")
+            source = Path(walls.__file__).read_text(encoding="utf-8")
             # the kernel takes no path with a space, and none over some 250 letters, from a script's first line
             script = _executable(f"#!/proc/{os.getpid()}/fd/{python} -IS\n{source}\n{call}\n")
         except BaseException:
             _close(ruleset)
             _close(python)
             raise
-        walls = {"landlock": landlock, "seccomp": seccomp, "unprivileged_user": user is not None or os.getuid() != 0}
+        raised = {"landlock": landlock, "seccomp": seccomp, "unprivileged_user": user is not None or os.getuid() != 0}
         opened = tuple(each for each in (script, ruleset, python) if each is not None)
-        return cls(_layers(resource_limits=True, **walls), f"/proc/{os.getpid()}/fd/{script}", opened)
+        return cls(_layers(resource_limits=True, **raised), f"/proc/{os.getpid()}/fd/{script}", opened)
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -148,14 +132,7 @@ def _layers(
 
 def landlock_ruleset(monty: str) -> int:
     """A Landlock ruleset, as a file descriptor that processes inherit. Raises OSError where there is none."""
-    from landlockpy import AccessFS, Ruleset, Scope
-
-    ruleset = Ruleset(scoped=Scope.ABSTRACT_UNIX_SOCKET | Scope.SIGNAL)
-    with ruleset:
-        ruleset.allow_path(monty, AccessFS.READ_FILE | AccessFS.EXECUTE)
-        for library in _libraries(monty):
-            ruleset.allow_path(library, AccessFS.READ_FILE | AccessFS.EXECUTE)
-        inherited = os.dup(ruleset.fileno())
+    inherited = walls.landlock_ruleset([], [monty, *_libraries(monty)], [])
     os.set_inheritable(inherited, True)
     return inherited
 
@@ -181,21 +158,7 @@ def _libraries(monty: str) -> Iterable[str]:
 
 def seccomp_program() -> bytes:
     """A seccomp program that lets through `CALLS`. Raises OSError where there is no seccomp."""
-    from seccompy import Action, ArgCmp, CmpOp, Filter, supported
-
-    if not supported():
-        raise OSError("the kernel has no seccomp")
-    calls = Filter(default=int(Action.ERRNO) | EPERM)
-    for name in CALLS:
-        try:
-            calls.allow(name)
-        except (KeyError, ValueError):
-            if name not in OF_OTHER_MACHINES:
-                raise
-    # A thread is let through and a process is not; clone3 hides which, so the C library is told to use clone.
-    calls.allow("clone", args=[ArgCmp(0, CmpOp.MASKED_EQ, CLONE_THREAD, CLONE_THREAD)])
-    calls.errno("clone3", ENOSYS)
-    return calls.program
+    return walls.seccomp_program(CALLS)
 
 
 def _executable(text: str) -> int:

@@ -18,6 +18,7 @@ from typing import Final
 from urllib.parse import urlsplit
 
 import querycad_contracts
+from querycad_contracts.walls import SYSTEM_FOLDERS
 from querycad_sandbox.settings import SandboxSettings
 
 from .confinement import NOBODY, interpreter
@@ -30,7 +31,6 @@ KEPT_STARTS: Final = ("PYTHON",)
 TRACING_START: Final = "OTEL_"
 """Of traces' own settings, which are kept where traces are wanted; their address may be any host's."""
 TRACING_PORTS: Final = (4317, 4318)
-SYSTEM_FOLDERS: Final = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/usr/local/lib", "/usr/share/zoneinfo", "/proc")
 SYSTEM_FILES: Final = ("hosts", "resolv.conf", "nsswitch.conf", "host.conf", "gai.conf", "localtime", "ld.so.cache")
 CONTRACTS: Final = Path(querycad_contracts.__file__).parent
 DEVICES: Final = ("/dev/null", "/dev/urandom")
@@ -124,7 +124,9 @@ def _readable() -> Iterable[Path]:
     """The installation, and what the system's libraries read."""
     own: tuple[str | Path, ...] = (sys.prefix, sys.base_prefix, Path(__file__).parents[1], CONTRACTS, interpreter())
     listed = (path for path in sys.path if Path(path).name in ("site-packages", "dist-packages"))
-    found = (Path(path) for path in (*own, *listed, *SYSTEM_FOLDERS, *(f"/etc/{name}" for name in SYSTEM_FILES)))
+    found = (
+        Path(path) for path in (*own, *listed, *SYSTEM_FOLDERS, "/proc", *(f"/etc/{name}" for name in SYSTEM_FILES))
+    )
     return [path for path in found if path.exists()]
 
 

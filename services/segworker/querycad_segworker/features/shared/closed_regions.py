@@ -144,7 +144,7 @@ class _Graph:
     def _region(self, group: frozenset[int], border: Collection[int], *, sinks: bool) -> Region:
         area = self._moments.area_m2[sorted(group)].sum(axis=0)
         length = float(np.linalg.norm(area))
-        around = length < AROUND * sum(self._brep.faces[face].area for face in group)
+        around = length <= AROUND * sum(self._brep.faces[face].area for face in group)
         x, y, z = (float(c) for c in area)
         opening = None if around else (x / length, y / length, z / length)
         return Region(group, tuple(sorted(border)), opening, sinks)
