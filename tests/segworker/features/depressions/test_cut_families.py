@@ -399,3 +399,41 @@ def test_a_slot_with_flanks_of_45_degrees_is_no_step() -> None:
     found = find(cut(plate(60, 40, 20), trapezoid))
     assert only(found.of("slot")).depth == pytest.approx(10 * MM)
     assert not found.of("step")
+
+
+def test_an_obround_slot_from_the_side_with_a_bevelled_foot_is_blind_and_has_a_round_end() -> None:
+    outline = fuse(box((8, 10, 12), (-30, -5, -12)), cylinder(5, 8, (-30, 0, -12), (1, 0, 0)))
+    inner = fuse(box((2, 6, 12), (-22, -3, -12)), cylinder(3, 2, (-22, 0, -12), (1, 0, 0)))
+    bevel = fuse(
+        prism(((-22, -5, -12), (-20, -3, -12), (-20, 3, -12), (-22, 5, -12)), (0, 0, 12)),
+        cone(5, 3, 2, (-22, 0, -12), (1, 0, 0)),
+    )
+    found = find(cut(plate(60, 40, 20), outline, fuse(inner, bevel)))
+    slot = only(found.of("slot"))
+    assert sizes(slot) == near(17, 10, 10)
+    assert {"obround", "blind"} <= set(slot.tags)
+
+
+def ring_in_a_face() -> TopoDS_Shape:
+    return cut(cylinder(14, 6, (0, 0, -6)), cylinder(9, 6, (0, 0, -6)))
+
+
+def wedge() -> TopoDS_Shape:
+    """A triangle that crosses a ring of radii 9 and 14 and leaves some of its outer wall beyond its own long side."""
+    return prism(((-13, 11, -15), (13, 11, -15), (0, -1, -15)), (0, 0, 15))
+
+
+def test_a_ring_groove_that_a_pocket_interrupts_keeps_the_arc_beyond_the_pocket() -> None:
+    found = find(cut(plate(60, 60, 20), ring_in_a_face(), wedge()))
+    groove = only(found.of("groove"))
+    walls = [found.brep.faces[f] for f in groove.faces if found.brep.faces[f].radius]
+    assert {round(face.radius / MM) for face in walls} == {9, 14}
+    assert min(face.box[0][1] for face in walls if face.outward < 0 and face.box[0][1] > 0) == pytest.approx(11 * MM)
+    assert not found.of("step")
+
+
+def test_an_arc_in_another_plane_than_the_grooves_is_none_of_it() -> None:
+    lower = cut(cylinder(14, 3, (0, 0, -18)), box((60, 41, 3), (-30, -30, -18)))
+    found = find(cut(plate(60, 60, 20), ring_in_a_face(), wedge(), lower))
+    groove = only(found.of("groove"))
+    assert max(-found.brep.faces[f].box[0][2] for f in groove.faces) == pytest.approx(6 * MM)

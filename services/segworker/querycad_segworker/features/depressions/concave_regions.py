@@ -54,7 +54,7 @@ def group_depression(
     if pair is not None and _is_bevel(brep, floor, pair):
         floor = max(pair, key=lambda face: (dot(face.axis, (0.1, -0.2, 1.0)), face.area))
         walls, pair = [brep.faces[i] for i in sorted(group) if i != floor.id], None
-    if pair is None and (beveled := _between_bevels(brep, planes, links)) is not None:
+    if pair is None and (beveled := _between_bevels(graph, group, planes, links)) is not None:
         floor, above, pair = beveled
         walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
@@ -79,15 +79,21 @@ def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
 
 
 def _between_bevels(
-    brep: Brep, planes: Sequence[FaceRecord], links: dict[int, set[int]]
+    graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
 ) -> tuple[FaceRecord, set[int], Pair] | None:
-    """A floor with bevels along both sides, the walls that stand on those, and the two that face each other."""
+    """A floor with bevels along both sides, the walls that stand on those, and the two that face each other.
+
+    A round end stands on a conical bevel.
+    """
+    brep = graph.brep
     for floor in sorted(planes, key=lambda face: -face.area):
         bevels = [i for i in links[floor.id] & links.keys() if BEVEL < dot(brep.faces[i].axis, floor.axis) < 1 - BEVEL]
         above = {wall for i in bevels for wall in links[i] & links.keys()} - {floor.id, *bevels}
         pair = facing_pair([brep.faces[i] for i in sorted(above)], floor.axis) if len(bevels) > 1 else None
         if pair is not None:
-            return floor, above, pair
+            cones = [i for i in graph.concave[floor.id] & group if brep.faces[i].kind is SurfaceKind.CONE]
+            ends = {i for cone in cones for i in graph.concave[cone] & group if brep.faces[i].outward < 0}
+            return floor, above | {i for i in ends if brep.faces[i].kind is SurfaceKind.CYLINDER}, pair
     return None
 
 

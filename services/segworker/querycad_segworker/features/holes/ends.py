@@ -222,8 +222,11 @@ def flats_of(brep: Brep, stack: Stack) -> tuple[int, ...]:
     return tuple(found)
 
 
-def core_radius(brep: Brep, floor: Sequence[int], axis: Axis, end: float, depth: float) -> float | None:
-    """Which radius has the coaxial boss that rises from the floor? None when there is none."""
+def core_of(
+    brep: Brep, floor: Sequence[int], axis: Axis, end: float, depth: float
+) -> tuple[float, frozenset[int]] | None:
+    """Which radius and walls has the coaxial boss that rises from the floor? None when there is none."""
+    walls: dict[int, float] = {}
     for face_id in floor:
         for edge, other in brep.neighbours(face_id):
             face = brep.faces[other]
@@ -233,5 +236,5 @@ def core_radius(brep: Brep, floor: Sequence[int], axis: Axis, end: float, depth:
                 continue
             reach = [abs(axis.position(brep.edges[e].mid) - end) for e in brep.face_edges[other]]
             if max(reach) >= CORE_RATIO * depth:
-                return face.radius
-    return None
+                walls[other] = face.radius
+    return (max(walls.values()), frozenset(walls)) if walls else None

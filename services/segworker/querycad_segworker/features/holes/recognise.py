@@ -21,7 +21,7 @@ from .ends import (
     bottom_of,
     closed_by_balls,
     closing_faces,
-    core_radius,
+    core_of,
     drill_point,
     flats_of,
     is_floor,
@@ -134,6 +134,8 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         floor = inwards[-1].faces
     bottom = bottom_of(brep, floor, point) if not open_both else Bottom.BORE if crosses else Bottom.THROUGH
     oblique = oblique_mouth(brep, stack, high) is not None
+    core = None if open_both else core_of(brep, floor, axis, end, abs(top - end))
+    faces.update(core[1] if core is not None else ())
     return Hole(
         opening=axis.at(top),
         far_opening=axis.at(end) if open_both else None,
@@ -155,7 +157,7 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         body=stack.walls[0].body,
         sections=sections,
         pitch=pitch,
-        core_radius=None if open_both else core_radius(brep, floor, axis, end, abs(top - end)),
+        core_radius=core[0] if core is not None else None,
     )
 
 

@@ -26,6 +26,8 @@ FLATTENED = math.radians(120.0)
 """A bore with two flats (double D) keeps a third of its wall at least; a slot with bowed ends has less."""
 BETWEEN = 5
 """So many faces at most lie between two pieces of a bore's wall: a keyway has three, with rounded corners five."""
+FULL_RAD = math.radians(361.0)
+"""Pieces that cover more together lie above each other, not beside."""
 OVERLAP = 0.5
 """Pieces of one cylinder lie beside each other: they share this part of the shorter one's length."""
 
@@ -35,10 +37,11 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
 
     Of an outer one they do when they cover more than half of the circle, or what is left of a rim that notches
     interrupt; of a bore when keyways, splines or two flats lead from each piece to the next, all the way around.
+    What another cut left beyond a wall that encloses the cylinder alone is of that wall, too.
     """
     buckets: dict[tuple[int, int, str], list[int]] = defaultdict(list)
     for i, wall in enumerate(walls):
-        if wall.kind is SurfaceKind.CYLINDER and not wall.encloses:
+        if wall.kind is SurfaceKind.CYLINDER and wall.sweep < 2 * math.pi:
             buckets[(wall.outward, wall.body, binned(wall.radius))].append(i)
     merged: dict[int, Wall] = {}
     gone: set[int] = set()
@@ -48,7 +51,11 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
             if not 1 < len(pieces) <= MAX_PIECES:
                 continue
             covered = sum(piece.sweep for piece in pieces)
-            if outward < 0:
+            if any(piece.encloses for piece in pieces):
+                if covered <= FULL_RAD:
+                    merged[min(group)] = _one(pieces, covered)
+                    gone.update(group)
+            elif outward < 0:
                 if _is_bore(brep, pieces, covered):
                     merged[min(group)] = _one(pieces, 2 * math.pi)
                     gone.update(group)
