@@ -146,7 +146,7 @@ class _Graph:
         length = float(np.linalg.norm(area))
         around = length <= AROUND * sum(self._brep.faces[face].area for face in group)
         x, y, z = (float(c) for c in area)
-        opening = None if around else (x / length, y / length, z / length)
+        opening = None if around or not length else (x / length, y / length, z / length)
         return Region(group, tuple(sorted(border)), opening, sinks)
 
     def _facing_in(self, region: Region) -> float:
