@@ -2,7 +2,7 @@
 
 import type { LengthUnit } from "./api/types";
 
-const METRES: Record<LengthUnit, number> = { mm: 1e-3, m: 1, in: 0.0254 };
+const METRES: Record<LengthUnit, number> = { mm: 1e-3, cm: 1e-2, m: 1, in: 0.0254 };
 const RAISED = ["", "", "²", "³"];
 const DIGITS = 5;
 

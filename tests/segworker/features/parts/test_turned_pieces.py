@@ -122,3 +122,22 @@ def test_the_rounded_corner_of_a_box_is_no_bend() -> None:
     outer, inner = box((60, 40, 30)), box((54, 34, 30), (3, 3, 3))
     shell = cut(filleted(outer, 8, *upright(outer)), filleted(inner, 5, *upright(inner)))
     assert not find(shell).of("bend")
+
+
+def test_the_outer_two_of_four_steps_are_its_ends_and_the_others_lie_between() -> None:
+    steps = ((0, 10, 20), (20, 14, 30), (50, 18, 12), (62, 9, 25))
+    shaft = fuse(*(cylinder(d / 2, height, (0, 0, at)) for at, d, height in steps))
+    found = find(turned(shaft, (1, 2, 3), 40))
+    ends, middles = tagged(found, "end_step"), tagged(found, "middle_step")
+    assert sorted(part.diameter or 0 for part in ends) == pytest.approx([9 * MM, 10 * MM])
+    assert sorted(part.diameter or 0 for part in middles) == pytest.approx([14 * MM, 18 * MM])
+
+
+def test_two_steps_are_both_ends_and_a_plain_pin_or_pins_beside_each_other_have_none() -> None:
+    two = find(fuse(cylinder(5, 30), cylinder(8, 20, (0, 0, 30))))
+    assert len(tagged(two, "end_step")) == 2
+    assert not tagged(two, "middle_step")
+    pins = fuse(plate(60, 40, 10), *(cylinder(4, 15, (x, 8, 0)) for x in (-20, 0, 20)))
+    for none in (cylinder(5, 30), pins):
+        assert not tagged(find(none), "end_step")
+        assert not tagged(find(none), "middle_step")
