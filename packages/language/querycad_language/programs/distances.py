@@ -112,7 +112,10 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
 
 def overlapping(draft: Draft, form: Distance) -> str:
     """The pairs of bodies that take the same room, as an expression."""
-    names = [draft.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    ends = [query for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    if any(part.kind != "body" for query in ends for part in draft.of(query)):
+        raise Unwritable
+    names = [draft.parts(query) for query in ends]
     return f"overlaps({', '.join(names)})"
 
 

@@ -10,8 +10,6 @@ from querycad_language.lexicon import Noun, Sense, lexicon
 from .inventory import Inventory
 from .ways import Request, Way
 
-NEAR_SENSE = 0.2
-"""A sense that is stretched more is not what the word means in the first place."""
 SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
 KIN = (
@@ -39,8 +37,7 @@ def bases(request: Request) -> Iterator[Way]:
         if all(not way.parts or "kin_instead" in way.features for way in found):
             yield from _others(inventory, words)  # 'counterbore cutter'
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
-        near = [sense for sense in noun.senses if sense.stretch <= NEAR_SENSE]
-        solid = any(not SOLID.isdisjoint(sense.kind) for sense in near) and not noun.product
+        solid = not SOLID.isdisjoint(noun.senses[0].kind) and not noun.product
         if query.definite and not others and solid and inventory.alone and inventory.model is not None:
             yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
     elif not query.noun:
