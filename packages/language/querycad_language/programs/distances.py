@@ -112,10 +112,7 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
 
 def overlapping(draft: Draft, form: Distance) -> str:
     """The pairs of bodies that take the same room, as an expression."""
-    ends = [query for query in (form.first, form.second) if isinstance(query, PartQuery)]
-    if any(part.kind != "body" for query in ends for part in draft.of(query)):
-        raise Unwritable
-    names = [draft.parts(query) for query in ends]
+    names = [draft.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
     return f"overlaps({', '.join(names)})"
 
 

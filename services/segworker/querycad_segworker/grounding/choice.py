@@ -100,8 +100,10 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     groups = by_size(way.parts)
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
-        if request.query.count or request.query.ranks or not 1 < len(groups) <= MOST_GROUPS:
-            return
+        query = request.query
+        told = len(query.words) > 1 or query.unknown or query.places or query.adjectives or query.sides
+        if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
+            return  # 'the holes' are all of them, 'the grip studs' may be those of one size
         groups = [group for group in groups if len(group) > 1]
     elif len(way.parts) == 1:
         yield way.to(way.parts, "one_for_one")

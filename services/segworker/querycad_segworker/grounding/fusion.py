@@ -9,16 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import Evidence, Face, Grounding, Part, Side
-from querycad_segworker.segcad.merge import Find
-from querycad_segworker.segcad.pipeline import Seen
 from querycad_segworker.visibility.sides import faces_seen
 
 from .region import region
+
+if TYPE_CHECKING:  # the pipeline brings OpenCV, and eyes fuse without it
+    from querycad_segworker.segcad.merge import Find
+    from querycad_segworker.segcad.pipeline import Seen
 
 MOSTLY = 0.5
 """A find covers a part mostly when it holds more than this share of the part's visible surface, and the part more than

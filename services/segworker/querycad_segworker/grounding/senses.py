@@ -37,7 +37,7 @@ def bases(request: Request) -> Iterator[Way]:
         if all(not way.parts or "kin_instead" in way.features for way in found):
             yield from _others(inventory, words)  # 'counterbore cutter'
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
-        solid = not SOLID.isdisjoint(noun.senses[0].kind) and not noun.product
+        solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         if query.definite and not others and solid and inventory.alone and inventory.model is not None:
             yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
     elif not query.noun:
