@@ -41,9 +41,10 @@ def test_a_kind_that_people_take_for_the_noun_is_a_way_too_and_said() -> None:
     assert not any("sense_kin" in way.features for way in ribs)  # what is cut in is never taken for what stands out
 
 
-def test_several_need_not_be_all_but_those_of_one_size() -> None:
-    groups = [way for way in ground(PLATE, HOLES) if "group_for_plural" in way.features]
+def test_several_that_more_is_said_of_need_not_be_all() -> None:
+    groups = [way for way in ground(PLATE, asked(unknown=("grip",))) if "group_for_plural" in way.features]
     assert [ids(way) for way in groups] == [{"hole-1", "hole-3"}]
+    assert not any("group_for_plural" in way.features for way in ground(PLATE, HOLES))
     assert not any("group_for_plural" in way.features for way in ground(PLATE, asked(count=3)))
 
 
