@@ -60,6 +60,9 @@ class FakeSegcad:
     def parts(self, model: str) -> tuple[Part, ...]:
         return (whole(),)
 
+    def place(self, model: str, *_: object) -> None:
+        """Nobody looks at pictures here."""
+
 
 class FakeSegworker(threading.Thread):
     """Takes what is sent to the segworkers, and knows a plate without a hole."""
