@@ -75,8 +75,9 @@ class Expectation(Frozen):
     frame: Frame | None = Field(None, description="Of points, directions and sizes: the file's axes or the part's own.")
 
 
-LEAST_CONFIDENCE = 0.5
-"""Below it another reading than the best one is likelier to be meant: then both are shown."""
+LEAST_CONFIDENCE = 0.4
+"""Below it another reading than the best one may well be meant: then both are shown. Confidence leans to the low side
+(`benchmark/understanding/fit.py`), so that an even chance is about 0.45."""
 
 
 class Codegen(StrEnum):

@@ -101,7 +101,7 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         query = request.query
-        told = len(query.words) > 1 or query.unknown or query.places or query.adjectives or query.sides
+        told = way.unchecked or query.unknown or any(not place.relation for place in query.places)
         if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
             return  # 'the holes' are all of them, 'the grip studs' may be those of one size
         groups = [group for group in groups if len(group) > 1]
