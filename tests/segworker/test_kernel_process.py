@@ -29,7 +29,7 @@ def kernel_faces(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 def measured(process: KernelProcess) -> float:
     process.say(json.dumps({"what": "distance", "first": list(range(6)), "second": list(range(6, 12))}))
-    return float(json.loads(process.stdout.readline())["metres"])
+    return float(json.loads(process.stdout.readline())["value"])
 
 
 def host() -> psutil.Process:
@@ -109,7 +109,7 @@ def test_nothing_outlives_a_caller_that_is_killed(kernel_faces: str) -> None:
     caller = subprocess.Popen([sys.executable, "-c", CALLER, kernel_faces], stdout=subprocess.PIPE)
     with caller:
         assert caller.stdout is not None
-        assert b"metres" in caller.stdout.readline()
+        assert b"value" in caller.stdout.readline()
         pids = [child.pid for child in psutil.Process(caller.pid).children(recursive=True)]
         caller.kill()
     assert len(pids) == 2

@@ -42,10 +42,10 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
 
-PASSED_OVER = 0.4
+PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
-OTHER_CLASS = 0.4
+OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no."""
 _YES_OR_NO = re.compile(
     r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"

@@ -234,9 +234,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             ]
         case Measure.MASS:
             return [("{0}.volume", "own")]
-        case Measure.AREA:  # of a window the opening, before its walls
-            opening: list[tuple[str, Grade]] = [("{0}.opening_area", "own")] if kind in CUT else []
-            return [*opening, ("{0}.area", "own")]
+        case Measure.AREA:  # of a window the opening may be meant, of a hole its wall
+            return [("{0}.area", "own"), ("{0}.opening_area", "derived")]
         case Measure.INERTIA:
             return [("[{0}.inertia[i][i] for i in range(3)]", "own")]
         case _ if measure in _ENDS:

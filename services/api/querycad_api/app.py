@@ -89,7 +89,9 @@ def make_app(settings: ApiSettings) -> FastAPI:
         beside = [
             asyncio.create_task(each) for each in (redeliver(app.state.application), expire(app.state.application))
         ]
-        async with httpx.AsyncClient(base_url=settings.sandbox_url) as app.state.sandbox:
+        token = settings.sandbox_token.get_secret_value()
+        headers = {"Authorization": f"Bearer {token}"} if token else {}
+        async with httpx.AsyncClient(base_url=settings.sandbox_url, headers=headers) as app.state.sandbox:
             yield
         for task in beside:
             task.cancel()
