@@ -22,13 +22,13 @@ Parts = Callable[[], Sequence[Part]]
 Before = Callable[[str], Sequence[str] | None]
 """Ids of the parts that a question, which stands alone, is answered by; None where it is about the whole model."""
 
-_UNITS = {LengthUnit.MM: "mm", LengthUnit.M: "metres", LengthUnit.IN: "inches"}
+_UNITS = {LengthUnit.MM: "mm", LengthUnit.CM: "cm", LengthUnit.M: "metres", LengthUnit.IN: "inches"}
 _LEAD = r"(?:(?:and|but|so|ok|okay|now|then|also|what about|how about|what of)[\s,]+)*"
 _FOLLOWS = re.compile(r"(?:and|but|so|also|what about|how about|what of)\b", re.IGNORECASE)
 _SAME = frozenset((
     "and", "but", "the", "same", "thing", "question", "answer", "value", "it", "that", "this", "what", "is", "be",
     "would", "about", "again", "please", "now", "convert", "converted", "to", "show", "give", "me", "in", "mm", "inch",
-    "inches", "millimetre", "millimetres", "millimeter", "millimeters", "metre", "metres", "meter", "meters", "m",
+    "inches", "cm", "millimetre", "millimetres", "millimeter", "millimeters", "metre", "metres", "meter", "meters", "m",
     "how", "much", "as", "ok", "can", "could", "you", "i", "have", "repeat", "express", "expressed",
 ))  # fmt: skip
 _ONLY = re.compile(

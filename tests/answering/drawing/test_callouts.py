@@ -9,6 +9,7 @@ import pytest
 from tests.made import MM, hole, part
 
 from querycad_answering.drawing.callouts import callout, callouts, carried_sections, ids_text
+from querycad_answering.drawing.numbers import length
 from querycad_answering.drawing.threads import suits, thread_name
 from querycad_contracts import LengthUnit, Part, PartKind
 
@@ -145,3 +146,8 @@ def test_a_plain_hole_suits_threads_by_its_diameter_alone(diameter_mm: float, fo
 def test_every_kind_of_part_has_a_callout_without_measures() -> None:
     texts = {kind: callout(part(f"{kind.value}-1")) for kind in PartKind}
     assert all(text and "None" not in text for text in texts.values()), texts
+
+
+@pytest.mark.parametrize("unit", list(LengthUnit))
+def test_every_unit_of_lengths_can_be_written(unit: LengthUnit) -> None:
+    assert float(length(0.0127, unit)) == pytest.approx(0.0127 / unit.metres, abs=1e-3)

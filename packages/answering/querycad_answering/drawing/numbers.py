@@ -6,7 +6,7 @@ import math
 
 from querycad_contracts import LengthUnit, Vector
 
-_DECIMALS = {LengthUnit.MM: 3, LengthUnit.IN: 4, LengthUnit.M: 6}
+_DECIMALS = {LengthUnit.MM: 3, LengthUnit.CM: 4, LengthUnit.IN: 4, LengthUnit.M: 6}
 """A micrometre, or a ten-thousandth of an inch: finer than parts are made, and than files are exact."""
 ALIGNED = 1.0 - 1e-6
 """A direction is along an axis of the file where its component there is at least this."""
