@@ -75,7 +75,7 @@ class Expectation(Frozen):
     frame: Frame | None = Field(None, description="Of points, directions and sizes: the file's axes or the part's own.")
 
 
-LEAST_CONFIDENCE = 0.4
+LEAST_CONFIDENCE = 0.45
 """Below it another reading than the best one may well be meant: then both are shown. Confidence leans to the low side
 (`benchmark/understanding/fit.py`), so that an even chance is about 0.45."""
 

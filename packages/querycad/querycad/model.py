@@ -284,7 +284,7 @@ class Model:
         """What is the answer to a question in English?
 
         `unit`: of lengths in the text. `expect`: the type of the value; another one is a failure. `least_confidence`:
-        an answer less probable than this is unsure (0.4). `context`: questions asked before, the oldest first.
+        an answer less probable than this is unsure (0.45). `context`: questions asked before, the oldest first.
         `select`: parts, their ids, or numbers of faces: what 'it' and 'this' are. `grounding`: what finds parts.
         `options`: the rest, such as who writes the program; what is given beside it goes first.
 
