@@ -111,7 +111,7 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
     ask.add_argument("--show-code", action="store_true", help="print the program that computed the answer")
     _add_server(ask)
     ask.add_argument(
-        "--least-confidence", type=float, metavar="P", help="an answer less probable than this is unsure (default: 0.45)"
+        "--least-confidence", type=float, metavar="P", help="a less probable answer is unsure (default: 0.45)"
     )
     add_codegen(ask)
     add_expect(ask)
