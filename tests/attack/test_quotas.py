@@ -14,6 +14,7 @@ import pytest
 from redis import Redis
 from redis.asyncio import Redis as AsyncRedis
 from tests.api.fakes import MODEL, STEP, SUMMARY
+from tests.made import hole
 
 from querycad_api.app import make_app
 from querycad_api.dependencies import Application
@@ -129,7 +130,7 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
 
 def test_a_record_is_bounded_in_size() -> None:
     small = AnswerRecord.cancelled("How many?")
-    assert bounded(small) == small.model_dump_json()
+    assert AnswerRecord.model_validate_json(bounded(small)) == small
     for large in (
         small.model_copy(update={"warnings": ("w" * 2 * RECORD_BYTES,)}),
         AnswerRecord.failed("q" * 2 * RECORD_BYTES, Failure(category="internal", message="m")),
@@ -137,6 +138,12 @@ def test_a_record_is_bounded_in_size() -> None:
         text = bounded(large)
         assert len(text) <= RECORD_BYTES
         assert "bytes that are kept" in text
+
+
+def test_a_record_about_a_thousand_parts_keeps_their_faces() -> None:
+    holes = [hole(n, x=n * 9.7, faces=tuple(range(10 * n, 10 * n + 10))) for n in range(1500)]
+    record = AnswerRecord.cancelled("How many holes?").model_copy(update={"parts": tuple(holes)})
+    assert AnswerRecord.model_validate_json(bounded(record)) == record
 
 
 def test_files_that_could_not_be_read_go_after_some_days(

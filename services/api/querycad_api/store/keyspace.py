@@ -42,8 +42,8 @@ DAY_S = 24 * 3600
 TOTALS = "querycad:totals"
 PENDING = "querycad:pending"
 READING = "querycad:reading"
-RECORD_BYTES = 2**20
-"""An answer about 24 parts takes 30,000, their faces included."""
+RECORD_BYTES = 2**21
+"""An answer about 24 parts takes 20,000, their faces included; one about 1,360 holes 950,000."""
 LONGEST_QUESTION = 2000
 TOLD_S = 3600
 """How long it is told that a job is done; nobody waits for longer, and who comes later reads it from the job."""
@@ -180,18 +180,18 @@ def finished(
 
 def bounded(record: AnswerRecord) -> str:
     """The record as JSON of at most `RECORD_BYTES`: without what is large and no answer, at last without an answer."""
-    text = record.model_dump_json()
+    text = record.model_dump_json(exclude_defaults=True)
     if len(text) <= RECORD_BYTES:
         return text
     warnings = (*record.warnings, "the record was too large: parts are without faces, other programs were left out")
     bare = tuple(part.model_copy(update={"faces": (), "children": ()}) for part in record.parts)
     fewer = record.model_copy(update={"parts": bare, "attempts": (), "alternatives": (), "warnings": warnings})
     for each in (fewer, fewer.model_copy(update={"parts": ()})):
-        text = each.model_dump_json()
+        text = each.model_dump_json(exclude_defaults=True)
         if len(text) <= RECORD_BYTES:
             return text
     failure = Failure(category="internal", message=f"the answer has more than the {RECORD_BYTES:,} bytes that are kept")
-    return AnswerRecord.failed(record.question[:LONGEST_QUESTION], failure).model_dump_json()
+    return AnswerRecord.failed(record.question[:LONGEST_QUESTION], failure).model_dump_json(exclude_defaults=True)
 
 
 def entry(event: JobEvent) -> dict[str, str]:
