@@ -59,7 +59,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bc['’]sink", re.I), "countersink"),
     (re.compile(r"\ba/f\b", re.I), "across flats"),
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
-    (re.compile(r"\b(?:screw|plug|clip|bolt|push|snap|slip|weld|drop|press)-(?:in|on|fit)\b", re.I), ""),
+    (re.compile(r"\b[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
     (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
     (
         re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|d|t|thk)\b)+", re.I),

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
+from querycad_language.lexicon import lexicon
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
@@ -44,8 +45,8 @@ def parts(question: Question) -> Iterator[Draft]:
 
 
 def _named_by(query: PartQuery) -> Measure:
-    """What is asked of a part where no measure is: 'fork gap?' asks how wide it is."""
-    return Measure.WIDTH if query.noun == "gap" else Measure.MAGNITUDE
+    noun = lexicon().nouns.get(query.noun)
+    return Measure(noun.measure) if noun is not None else Measure.MAGNITUDE
 
 
 def _asks_for_side(text: Text, at: int) -> bool:
