@@ -108,7 +108,8 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     if any(token.power == DENSITY for token in text.tokens):
         return None
     first = next(iter(asked.reader.readings), None)
-    if isinstance(form := first and first.form, Get) and form.density is None and _WEIGHED & set(form.measures):
+    form = first.form if first is not None else None
+    if isinstance(form, Get) and form.density is None and _WEIGHED & set(form.measures):
         return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]

@@ -111,6 +111,7 @@ class Questions:
         self._sandbox = sandbox
         self._segcad = segcad
         self._llm = LlmWriter(settings)
+        self._files = file_store(settings)
 
     @property
     def ledger(self) -> Ledger:
@@ -236,7 +237,7 @@ class Questions:
 
         try:
             view = self._view(task, summary, task.grounding)
-            place = self.segcad.place(task.model, file_store(self._settings))
+            place = self.segcad.place(task.model, self._files)
             record = answer_question(
                 task.question, run, view, task.unit, task, summary=summary, llm=self._llm, place=place
             )

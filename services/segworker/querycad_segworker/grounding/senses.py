@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from querycad_contracts import PartKind, PartQuery
 from querycad_language.lexicon import Noun, Sense, lexicon
+from querycad_language.measures import WHOLE
 
 from .inventory import Inventory
 from .ways import Request, Way
@@ -19,7 +20,6 @@ KIN = (
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
 
-WHOLE = frozenset(("model", "body"))
 NAMELESS = frozenset(("depression", "elevation"))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
