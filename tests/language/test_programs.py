@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from tests.made import hole, whole
+from tests.made import body, hole, part, whole
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation, Side
 from querycad_language.forms import (
@@ -30,7 +30,9 @@ from querycad_sandbox.check import TypeChecker
 
 HOLES = PartQuery(noun="hole", plural=True)
 OTHERS = PartQuery(noun="hole", adjectives=("blind",), sides=(Side.TOP,))
+PINS, LEVERS = PartQuery(noun="pin", plural=True), PartQuery(noun="lever")
 TWO = (hole(1, -20), hole(2, 20))
+BODIES = (body(1, "pin"), body(2, "lever"))
 DEPTH = Get((Measure.DEPTH,), HOLES)
 CASES: list[tuple[Form, AnswerType]] = [
     (DEPTH, AnswerType.LENGTH),
@@ -44,8 +46,8 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Get((Measure.INERTIA,), None, density=7850.0), AnswerType.NUMBERS),
     (Get((Measure.APPROACH,), HOLES), AnswerType.DIRECTION),
     (Count(HOLES, Measure.MIRROR_PLANES), AnswerType.COUNT),
-    (Distance(HOLES, OTHERS, "overlap"), AnswerType.VOLUME),
-    (Check(Distance(HOLES, "each other", "overlap"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
+    (Distance(PINS, LEVERS, "overlap"), AnswerType.VOLUME),
+    (Check(Distance(PINS, "each other", "overlap"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
     (Count(HOLES), AnswerType.COUNT),
     (Count(HOLES, Measure.DIAMETER), AnswerType.COUNT),
     (Exists(HOLES), AnswerType.BOOLEAN),
@@ -77,7 +79,7 @@ def checker() -> Iterator[TypeChecker]:
 def test_a_form_becomes_a_program_that_passes_the_type_check(
     form: Form, kind: AnswerType, checker: TypeChecker
 ) -> None:
-    grounds: dict[PartQuery, tuple[tuple[Part, ...], int]] = dict.fromkeys(queries(form), (TWO, 0))
+    grounds = {query: (BODIES if query in (PINS, LEVERS) else TWO, 0) for query in queries(form)}
     written = write(form, grounds, whole())
     assert written.expects is kind
     assert "solution = " in written.code
@@ -87,6 +89,34 @@ def test_a_form_becomes_a_program_that_passes_the_type_check(
 def test_a_measure_of_no_part_is_not_written() -> None:
     with pytest.raises(Unwritable):
         write(DEPTH, {HOLES: ((), 0)}, whole())
+
+
+def test_only_bodies_overlap() -> None:
+    with pytest.raises(Unwritable):
+        write(Distance(PINS, LEVERS, "overlap"), {PINS: (BODIES, 0), LEVERS: (TWO, 0)}, whole())
+
+
+def test_length_and_width_asked_together_are_the_longer_side_and_the_other_one() -> None:
+    """Alone, a width runs along x, whichever side is longer."""
+    pocket = part("pocket-1", length=0.034, width=0.034, depth=0.006, local_size=(0.034, 0.024, 0.006))
+    both = write(Get((Measure.LENGTH, Measure.WIDTH, Measure.DEPTH), DEPTH.target), {HOLES: ((pocket,), 0)}, whole())
+    assert "max(p.local_size[:2])" in both.code
+    assert "min(p.local_size[:2])" in both.code
+    assert "p.width" in write(Get((Measure.WIDTH,), HOLES), {HOLES: ((pocket,), 0)}, whole()).code
+
+
+def test_the_size_of_a_window_may_be_its_two_sides() -> None:
+    window = part("cutout-1", extents=(0.2, 0.0015, 0.14), local_size=(0.2, 0.14, 0.0015))
+    written = [write(Get((Measure.SIZE,), HOLES), {HOLES: ((window,), 0)}, whole(), option) for option in (0, 1)]
+    assert [one.expects for one in written] == [AnswerType.SIZE, AnswerType.LENGTHS]
+    with pytest.raises(Unwritable):
+        write(Get((Measure.SIZE,), HOLES), {HOLES: ((window, window), 0)}, whole(), 1)
+
+
+def test_an_axis_and_a_plane_enclose_what_is_left_to_a_right_angle_of_axis_and_normal() -> None:
+    neck, face = hole(1), part("face-1", normal=(0.0, 0.0, 1.0))
+    written = write(Angle(HOLES, OTHERS), {HOLES: ((neck,), 0), OTHERS: ((face,), 0)}, whole())
+    assert "1.5707963267948966 - a.angle_to(b)" in written.code
 
 
 def test_the_grounding_that_is_meant_is_named_by_its_sense() -> None:

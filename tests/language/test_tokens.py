@@ -124,6 +124,10 @@ def test_an_english_word_is_no_slip_of_another(word: str) -> None:
     assert [token.corrected for token in tokenize(word)] == [0]
 
 
+def test_a_closed_compound_is_parted_into_nouns_of_parts_and_no_word_ends_in_a_thing() -> None:
+    assert [token.word for token in tokenize("earthing screwhole")] == ["earthing", "screw", "hole"]
+
+
 @pytest.mark.parametrize(
     ("text", "density"),
     [

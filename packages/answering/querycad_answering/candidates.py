@@ -171,14 +171,17 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
     if value is None or value == []:
         features["value_none"] = 1.0
     one = isinstance(form, Get | Distance) and form.reduce is Reduce.ONE
+    asked = max(len(form.measures), 1 + ("[*" in candidate.written.code)) if isinstance(form, Get) else 1
     if (
         one
-        and distinct > 1
+        and distinct > asked
         and candidate.written.expects not in (AnswerType.SIZE, AnswerType.POINT, AnswerType.DIRECTION)
     ):
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
+    if candidate.written.expects is AnswerType.ANGLE and any(v == 0 for v in flat):
+        features["value_zero"] = 1.0  # nobody asks what parallel axes enclose
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):
         sizes = [v for v in listed if isinstance(v, float | int) and not isinstance(v, bool)]
         diagonal = math.dist((0.0, 0.0, 0.0), tuple(extents))

@@ -41,7 +41,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "long": ("words",),
     "strange": ("strange_words",),
     "whole_model": ("whole_sense",),
-    "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between", "from_plane"),
+    "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between"),
 }  # fmt: skip
 """What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
 

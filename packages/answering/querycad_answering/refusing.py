@@ -23,13 +23,15 @@ BEHIND_ASKING = 4
 """So far before what is asked for may the word that asks stand: 'how much does it cost'."""
 TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
 """Features of a noun that the model has no part for, and that may stand for the whole of it."""
-STANDS_IN = (*TAKEN_FOR_WHOLE, "kin_instead")
+STANDS_IN = (*TAKEN_FOR_WHOLE, "kin_instead", "guessed")
 """Features of a noun that the model has no part for, and that the whole or parts of another kind may stand in for."""
 CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
 """Features of a noun that names the model: its file or its body is called so."""
 PART_AS_WHOLE = 0.6
 """So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model or for parts
 of another kind."""
+GUESSED = 0.15
+"""So probable must it be that parts which nothing but a guess takes for an unknown noun are meant."""
 _AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
@@ -86,8 +88,10 @@ class Refused:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
         return self.not_grounded(grounded.reason or f"the model has no '{said}'")
 
-    def instead_of(self, query: PartQuery, least: float) -> float:
+    def instead_of(self, query: PartQuery, taken: Grounded, least: float) -> float:
         """How probable must it be that something else is meant by a part that the model lacks?"""
+        if "guessed" in taken.features:
+            return GUESSED
         noun = lexicon().nouns.get(query.noun) if query.known else None
         return max(least, PART_AS_WHOLE) if noun is not None and not noun.product else least
 
@@ -143,7 +147,9 @@ def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:
         return None if asked.reader.readings else unread(asked)
     if "named_only" not in best.features:
         return None
-    unknown = any({"unknown_whole", "unknown_noun"} & set(grounded.features) for grounded in best.grounds.values())
+    unknown = any(
+        {"unknown_whole", "unknown_noun", "guessed"} & set(grounded.features) for grounded in best.grounds.values()
+    )
     return unread(asked) if unknown else None
 
 

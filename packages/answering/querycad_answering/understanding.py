@@ -216,7 +216,9 @@ class Understanding:
                 return self._asked.absent(query, taken)  # no propeller is on a flange
             if any(taken.features.get(name) for name in STANDS_IN):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
-                if empty is not None and ((counts and whole) or best.confidence < self._asked.instead_of(query, least)):
+                if empty is not None and (
+                    (counts and whole) or best.confidence < self._asked.instead_of(query, taken, least)
+                ):
                     return self._asked.absent(query, empty)
         return None
 

@@ -151,6 +151,11 @@ class Lexicon:
         """Every single word that occurs in some phrase."""
         return frozenset(word for phrase in self.phrases for word in phrase.split())
 
+    @cached_property
+    def wholes(self) -> frozenset[str]:
+        """Adjectives that say that all of something is meant: 'complete'."""
+        return frozenset(name for name, adjective in self.adjectives.items() if adjective.whole)
+
     def words(self, category: str) -> Iterator[str]:
         """All phrases of a category."""
         return (phrase for phrase, meanings in self.phrases.items() if any(c == category for c, _ in meanings))

@@ -141,8 +141,11 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 return [("2 * max({0}.radii)", "own")]
             if kind == "chamfer":
                 return _chamfer()
+            local = part.local_size is not None and part.width != min(part.local_size[:2])
+            own_frame: list[tuple[str, Grade]] = [("min({0}.local_size[:2])", "derived")] if local else []
             return [
                 ("{0}.width", "own"),
+                *own_frame,
                 ("{0}.diameter", "derived"),
                 ("{0}.height", "derived"),
                 ("{0}.extents[0]", "foreign"),
@@ -174,8 +177,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             return _magnitude(part, round_part)
         case Measure.SIZE:
             if kind == "hole":
-                return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
-            return _magnitude(part, round_part) if kind in BLENDS else [("{0}.extents", "own")]
+                return [("{0}.diameter", "own"), ("{0}.extents", "derived"), ("[*{0}.local_size[:2]]", "derived")]
+            return _magnitude(part, round_part) if kind in BLENDS | CUT else [("{0}.extents", "own")]
         case Measure.SHORT_SIDE:
             return [
                 ("min({0}.local_size[:2])", "own"),
@@ -231,6 +234,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 ("{0}.draft", "derived"),
                 ("2 * {0}.draft", "derived"),
                 ("1.5707963267948966 - {0}.angle", "derived"),
+                ("{0}.inclination", "derived"),
+                ("1.5707963267948966 - {0}.inclination", "derived"),
             ]
         case Measure.MASS:
             return [("{0}.volume", "own")]
@@ -308,7 +313,8 @@ def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
         return _chamfer()
     if part.diameter is not None and (round_part or part.kind in CUT):
         return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
-    return [("{0}.extents", "own"), ("max({0}.extents)", "derived")]
+    flat: list[tuple[str, Grade]] = [("[*{0}.local_size[:2]]", "own")] if part.kind in CUT else []  # of a window
+    return [("{0}.extents", "own"), *flat, ("max({0}.extents)", "derived")]
 
 
 def _end(side: Side) -> str:

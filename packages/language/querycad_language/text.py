@@ -93,6 +93,8 @@ class Text:
         token = self.tokens[at]
         if token.kind is not Kind.WORD:
             return False
+        if not self.spans[at] and token.word.endswith(("ly", "wise", "wards")):
+            return False  # an adverb
         return not any(span.category in CLOSED for span in self.spans[at] if span.end == at + 1)
 
     @cached_property

@@ -238,9 +238,9 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
 
 @cache
 def _pieces() -> frozenset[str]:
-    """Nouns of parts and adjectives of one word."""
+    """Nouns of parts and adjectives of one word; no 'thing', which any word may end in."""
     lex = lexicon()
-    return frozenset(phrase for phrase in (*lex.nouns, *lex.adjectives) if " " not in phrase)
+    return frozenset(phrase for phrase in (*lex.nouns, *lex.adjectives) if " " not in phrase) - {*lex.words("whole")}
 
 
 @lru_cache(maxsize=4096)
@@ -277,14 +277,19 @@ def _correct(word: str) -> tuple[str, int]:
                 substituted = len(word) == len(known) and sorted(word) != sorted(known)
                 if not (substituted and len(word) < 6):
                     best = min(best, (int(distance), known))
-    if best[0] > allowed or word in _english():  # 'closer' is no slip of 'closed'
+    if best[0] > allowed or is_english(word):  # 'closer' is no slip of 'closed'
         return word, 0
     return best[1], best[0]
 
 
+@lru_cache(maxsize=4096)
+def is_english(word: str) -> bool:
+    """Does a dictionary of English have the word?"""
+    return word in _english()
+
+
 @cache
 def _english() -> SpellChecker:
-    """A dictionary of English."""
     return SpellChecker(language="en", distance=1)
 
 

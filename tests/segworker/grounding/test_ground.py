@@ -62,6 +62,14 @@ def test_an_unknown_noun_is_told_and_finds_nothing() -> None:
     assert none.unchecked == ("'gronk'",)
 
 
+def test_an_unknown_english_word_may_be_any_parts_of_one_kind_and_size_and_is_said_to_be_a_guess() -> None:
+    ways = ground(PLATE, PartQuery(noun="vestibule", known=False, words=("vestibule",)))
+    guesses = [way for way in ways if "guessed" in way.features]
+    assert {frozenset(ids(way)) for way in guesses} >= {frozenset({"slot-1"})}
+    assert all(way.unchecked and "taken for a" in way.unchecked[0] for way in guesses)
+    assert find(PLATE, "vestibule").parts == ()  # a program that looks for it gets none
+
+
 def test_an_adjective_that_agrees_narrows_and_one_that_none_has_is_not_dropped_in_silence() -> None:
     agrees = best(asked(adjectives=("blind",)))
     assert ids(agrees) == {"hole-3"}

@@ -95,7 +95,7 @@ def _is_over(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
         return False
     if (draft.nouns or draft.unknown) and ends_do_question(text, at):
         return True  # 'does the axis of the bore run?'
-    return bool(draft.nouns) and text.is_word(at, "inside", "interior")  # 'the board inside'
+    return bool(draft.nouns or draft.unknown) and text.is_word(at, "inside", "interior")  # 'the board inside'
 
 
 def _is_measure(text: Text, draft: Draft, noun: Span | None, adjective: Span | None, measure: Span | None) -> bool:

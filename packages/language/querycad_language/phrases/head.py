@@ -37,10 +37,18 @@ def _pronoun(at: int) -> Mention:
 
 
 def _whole(text: Text, draft: Draft, start: int, whole: Span) -> tuple[Mention | None, int]:
-    """'the part' is the whole model; 'the parts', 'the red part' are bodies of it."""
+    """'the part' is the whole model; 'the parts', 'which part', 'the red part' are bodies of it."""
     last = whole.end - 1
     plural = text.tokens[last].plural
-    if plural or draft.count or draft.ranks or draft.colors or draft.adjectives or draft.ends:
+    if (
+        plural
+        or text.is_word(start - 1, "which")
+        or draft.count
+        or draft.ranks
+        or draft.colors
+        or draft.adjectives
+        or draft.ends
+    ):
         own = text.words[last] if not plural and text.words[last] in text.lexicon.nouns else "body"
         draft.nouns.append(Span(whole.start, whole.end, "noun", text.lexicon.nouns[own]))
         draft.used.update(range(start, whole.end))
@@ -58,6 +66,8 @@ def _without_noun(text: Text, draft: Draft, start: int, at: int) -> int | None:
         round_size = any(size.measure in (Measure.DIAMETER, Measure.RADIUS) for size in draft.sizes)
         if round_size or draft.threads or draft.article:
             return at
+    if text.find(at, "measure", "distance", "gap"):
+        return None  # 'the straight distance'
     return at if (draft.adjectives or draft.ranks) and draft.article and at > start + 1 else None
 
 

@@ -55,6 +55,8 @@ def directions(draft: Draft, first: PartQuery, second: Target, reduce: Reduce) -
     if any(part.axis is None and part.normal is None for part in parts):
         raise Unwritable
     meanings = {"between": "a.angle_to(b)"}
+    if len({part.axis is None for part in parts}) > 1:  # what an axis and a plane enclose
+        meanings = {"inclined": "1.5707963267948966 - a.angle_to(b)"} | meanings
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
         meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
     return pairwise(draft, first, second, draft.chosen(meanings, _kind(parts)), reduce)
@@ -112,7 +114,10 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
 
 def overlapping(draft: Draft, form: Distance) -> str:
     """The pairs of bodies that take the same room, as an expression."""
-    names = [draft.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    queries = [query for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    if any(part.kind != "body" for query in queries for part in draft.of(query)):
+        raise Unwritable
+    names = [draft.parts(query) for query in queries]
     return f"overlaps({', '.join(names)})"
 
 

@@ -73,7 +73,9 @@ class Draft:
             counts[part.kind] = counts.get(part.kind, 0) + 1
         usual = max(counts, key=lambda kind: counts[kind])
         sample = next(part for part in parts if part.kind == usual)
-        known = [one for one in options(measure, sample) if not (scalar and one[0].endswith(_VECTORS))]
+        known = [
+            one for one in options(measure, sample) if not (scalar and (one[0][0] == "[" or one[0].endswith(_VECTORS)))
+        ]
         if self.option >= len(known):
             raise Unwritable
         expression, grade = known[self.option]
@@ -81,10 +83,12 @@ class Draft:
         return expression
 
     def beside(self, measure: Measure, others: Sequence[Measure], parts: Sequence[Part]) -> str:
-        """The same where length and width are asked together: of a body they are its longest sides, longest first."""
-        both = Measure.LENGTH in others and Measure.WIDTH in others
-        if both and all(part.kind in WHOLE for part in parts) and measure in (Measure.LENGTH, Measure.WIDTH):
-            return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"
+        """The same where length and width are asked together: the longer side and the other one."""
+        if {Measure.LENGTH, Measure.WIDTH} <= set(others) and measure in (Measure.LENGTH, Measure.WIDTH):
+            if all(part.kind in WHOLE for part in parts):
+                return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"
+            if all(part.local_size is not None for part in parts):
+                return f"{'max' if measure is Measure.LENGTH else 'min'}({{0}}.local_size[:2])"
         return self.read(measure, parts)
 
     def chosen(self, modes: Mapping[str, str], kind: str) -> str:

@@ -114,14 +114,7 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
         raise Unwritable
     name = draft.parts(form.target)
     if len(form.measures) > 1:
-        listed = [draft.beside(measure, form.measures, parts).format("p") for measure in form.measures]
-        kinds = {answer_type(measure) for measure in form.measures}
-        if kinds <= _SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
-            listed = [f"round({value}, 9)" for value in listed]
-        values = ", ".join(listed)
-        kind = answer_type(form.measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
-        draft.lines.append(f"values = [({values}) for p in {name}]")
-        return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
+        return _rows(draft, form.measures, parts, name)
     measure = form.measures[0]
     if measure is Measure.COLOR:
         draft.lines.append(f"names = [p.name for p in {name}]")
@@ -141,10 +134,28 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
             if "extents" in expression and "[" not in expression and "(" not in expression
             else AnswerType.LENGTH
         )
+    if expression.startswith("[*"):
+        if len(parts) > 1:
+            raise Unwritable
+        return f"[{expression.format('p')} for p in {name}][0]", AnswerType.LENGTHS
     values = f"[{expression.format('p')} for p in {name}]"
     if form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST):
         values = _steps(measure, parts, expression, name) or values
     return _reduced(draft, values, form.reduce, kind)
+
+
+def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name: str) -> tuple[str, AnswerType]:
+    """Several measures of each part; of one, or where they are the same, once."""
+    listed = [draft.beside(measure, measures, parts).format("p") for measure in measures]
+    if any(value.startswith("[*") for value in listed):
+        raise Unwritable
+    kinds = {answer_type(measure) for measure in measures}
+    if kinds <= _SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
+        listed = [f"round({value}, 9)" for value in listed]
+    values = ", ".join(listed)
+    kind = answer_type(measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
+    draft.lines.append(f"values = [({values}) for p in {name}]")
+    return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
 
 
 def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:

@@ -17,7 +17,7 @@ from .question import Question
 UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
 """What a unit is of, by its power of lengths."""
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
-_BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER)
+_BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from querycad_contracts import Place
+from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import Target
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.tokens import Kind
@@ -51,6 +51,10 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
     yield from _compound_of(linked, asked)
+    for span in text.all("side") if asked.measures == (Measure.AREA,) else ():
+        if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
+            query = PartQuery(noun="face", sides=(span.value,), definite=True)  # 'the area of the underside'
+            yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
     features = {"link_whole": 1.0}
     if owned:
         features["owner_passed"] = 1.0

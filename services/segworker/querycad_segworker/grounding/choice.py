@@ -11,7 +11,7 @@ from querycad_segworker.vectors import dot, norm, sub
 from .inventory import by_size, extreme, measured
 from .ways import Request, Way
 
-MOST_GROUPS = 5
+MOST_GROUPS = 8
 """Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
 
 
@@ -101,7 +101,8 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         query = request.query
-        told = way.unchecked or query.unknown or any(not place.relation for place in query.places)
+        compound = " " in query.noun or any(not place.relation for place in query.places)
+        told = way.unchecked or query.unknown or compound
         if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
             return  # 'the holes' are all of them, 'the grip studs' may be those of one size
         groups = [group for group in groups if len(group) > 1]

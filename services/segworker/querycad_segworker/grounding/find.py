@@ -30,6 +30,8 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
     ways = ground(inventory, query)
     if unnumbered:
         ways.sort(key=_by_score, reverse=True)
+    if isinstance(asked, str):
+        ways = [way for way in ways if "guessed" not in way.features] or ways  # programs are not guessed for
     way = ways[min(query.sense, len(ways) - 1)]
     unknown = [name for name in UNDERSTOOD_NOT if name in way.features]
     message = way.reason

@@ -163,13 +163,6 @@ def _of_size(way: Way, size: SizeFilter) -> Iterator[Way]:
     if near:
         yield way.to(near, "size_near")
         return
-    other = (
-        [p for p in way.parts if any(compares(v, size) for m in Measure for v in values_of(p, m))]
-        if size.measure
-        else []
-    )
-    if other:
-        yield way.to(other, "size_of_other_measure")
     yield from kept(way, [], "size", said)
 
 

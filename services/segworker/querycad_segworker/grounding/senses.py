@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 from querycad_contracts import PartKind, PartQuery
 from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
+from querycad_language.tokens import is_english
 
-from .inventory import Inventory
+from .inventory import Inventory, by_size, measured
 from .ways import Request, Way
 
 SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
@@ -20,6 +21,8 @@ KIN = (
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
 
+GUESSES = 6
+"""So many groups of like parts may be what an unknown noun means."""
 NAMELESS = frozenset(("depression", "elevation"))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
@@ -28,14 +31,18 @@ def bases(request: Request) -> Iterator[Way]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
-    words = [word for word in query.words if word not in ("the",)] or query.noun.split()
+    words = [word for word in query.words if word not in ("the", *lexicon().wholes)] or query.noun.split()
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
+    if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
+        yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the complete dish'
     if noun is not None:
         found = list(_senses(inventory, noun, query.noun))
         yield from found
         if all(not way.parts or "kin_instead" in way.features for way in found):
             yield from _others(inventory, words)  # 'counterbore cutter'
+        if noun.product and not named:
+            yield from _guessed(inventory, query)  # 'the latch' of a lid
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         if query.definite and not others and solid and inventory.alone and inventory.model is not None:
@@ -76,7 +83,29 @@ def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> It
             yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
     if inventory.model is not None and not query.plural:
         yield Way((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
+    yield from _guessed(inventory, query)
     yield Way((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
+
+
+def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Way]:
+    """Parts of one kind and size, where nothing is known of the noun: 'a cell' may be any of the fifteen pockets."""
+    if not all(map(is_english, query.noun.split())):
+        return
+    features = [part for part in inventory.parts if part.kind.cuts_in or part.kind.stands_out]
+    groups = [group for group in by_size(features) if len(group) > 1 or not query.plural]
+    groups.sort(key=lambda group: (len(group), measured(group[0], "size")), reverse=True)
+    largest = max(features, key=lambda part: measured(part, "size"), default=None)
+    for rank, group in enumerate(groups[:GUESSES]):
+        said = f"'{query.noun}', taken for a {group[0].kind}"
+        yield Way(
+            tuple(group),
+            {
+                "guessed": 1.0,
+                "guessed_most": float(rank == 0 and len(group) > 1),
+                "guessed_largest": float(largest in group),
+            },
+            (said,),
+        )
 
 
 def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Way]:

@@ -29,6 +29,16 @@ def test_below_a_pocket_the_thinnest_place_counts() -> None:
     assert hollow.bottom_thickness == pytest.approx(5 * MM)
 
 
+def test_below_a_head_and_below_a_slot_is_what_is_left_too() -> None:
+    stepped = cut(plate(60, 40, 20), cylinder(4, 20, along=DOWN), cylinder(8, 6, along=DOWN))
+    (seat,) = find(stepped).of("counterbore")
+    assert seat.bottom_thickness == pytest.approx(14 * MM)
+    (slot,) = find(cut(plate(60, 40, 20), box((8, 40, 5), (-4, -20, -5)))).of("slot")
+    assert slot.bottom_thickness == pytest.approx(15 * MM)
+    (gap,) = find(cut(plate(60, 40, 20), box((8, 30, 20), (-4, -10, -20)))).of("slot")
+    assert gap.bottom_thickness is None
+
+
 def test_beside_a_hole_is_the_nearest_outer_face_and_no_other_hole() -> None:
     near, far = cylinder(3, 20, (-20, 5, -20)), cylinder(3, 20, (-12, 5, -20))
     found = find(cut(plate(60, 40, 20), near, far))

@@ -205,17 +205,13 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
 
 
 def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
-    yield _Pair(Plane(Side.TOP, base), part, used, {"level": 1.0, "level_top": 1.0})
     yield _Pair(Plane(Side.BOTTOM, base), part, used, {"level": 1.0, "level_bottom": 1.0})
     yield _Pair(part, Boundary(Side.BOTTOM), used, {"level": 1.0, "level_ground": 1.0})
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:
-    """From the outside of the model, or from the place in the phrase itself."""
+    """From the place in the phrase itself."""
     anchor = spot.anchor
-    if isinstance(anchor, Plane) and anchor.side is not None:
-        ground = Side.BOTTOM if anchor.side is Side.TOP else anchor.side.opposite
-        yield _Pair(anchor, Boundary(ground), spot.used, {"from_plane": 1.0})
     if not isinstance(anchor, PartQuery):
         return
     for place in anchor.places:

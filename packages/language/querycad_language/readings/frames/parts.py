@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -36,12 +36,25 @@ def parts(question: Question) -> Iterator[Draft]:
             yield Draft(Towards(target, offered or tuple(Side)), features, used)
         lead = range(start, mention.start + 1)
         if any(text.is_word(i, "which", "list", "show", "name", "mark", "highlight") for i in lead) and index == 0:
-            yield Draft(Parts(query), {"which": 1.0}, {i for i in lead if not text.is_content(i)} | mention.used)
+            used = {i for i in lead if not text.is_content(i)} | mention.used
+            yield Draft(Parts(query), {"which": 1.0}, used)
+            if (held := _held(question, mention)) is not None:
+                place = Place(relation="with", what=held.query)
+                query = replace_fields(query, places=(*query.places, place))
+                used = used | set(range(mention.end, held.end))
+                yield Draft(Parts(query), {"which": 1.0}, used)
+            yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
         elif any(text.is_word(i, "what") for i in lead) and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
+
+
+def _held(question: Question, mention: Mention) -> Mention | None:
+    """What the part has: 'which plate carries the tapped holes'."""
+    verb = question.text.find(mention.end, "have")
+    return next((m for m in question.mentions if verb and m.start == verb.end and m.query is not None), None)
 
 
 def _named_by(query: PartQuery) -> Measure:

@@ -29,14 +29,14 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
         for mention in question.mentions:
             if mention.query is not None:
                 cut = mention.query
-                holder = next((p.what for p in cut.places if p.what is not None and p.relation == "of"), None)
+                holder = next(
+                    (p.what for p in cut.places if p.what is not None and p.relation in ("of", "below")), None
+                )
                 if cut.noun in ("floor", "bottom", "ground", "base") and holder is not None:
                     cut = holder
-                yield Draft(
-                    Distance(cut, Behind(), "surfaces"),
-                    {**features, "material_under": 1.0},
-                    used | remaining | under | mention.used,
-                )
+                owned, features = used | remaining | under | mention.used, {**features, "material_under": 1.0}
+                yield Draft(Distance(cut, Behind(), "surfaces"), features, owned)
+                yield Draft(Get((Measure.BOTTOM_THICKNESS,), cut), features, owned)
 
 
 def less(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:

@@ -44,8 +44,6 @@ def values(question: Question) -> Iterator[Draft]:
             elif asked is not asked_for[0]:
                 draft.features["later_measure"] = 1.0
             yield from _with_axis(question, draft)
-            if asked.how == "where":
-                yield from _points(question, get, draft)
             yield from less(question, get, draft.features, draft.used)
             yield from material(question, get, draft.features, draft.used)
 
@@ -83,16 +81,6 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
             density = text.tokens[stated[0]].value if stated else named[0].value
             used |= {*stated, *(i for span in (*text.all("density"), *named) for i in span.tokens)}
     return Draft(Get(asked.measures, owner.target, reduce, density), features, used | overall)
-
-
-def _points(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
-    """'Where is the tip of …?'"""
-    text = question.text
-    for measure in (Measure.TIP, Measure.OPENING):
-        named = {i for i in range(len(text)) if (span := text.find(i, "measure")) and span.value is measure}
-        if named:
-            point = replace(get, measures=(measure,))
-            yield Draft(point, {**draft.features, "where_point": 1.0}, draft.used | named)
 
 
 def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:

@@ -1,4 +1,4 @@
-"""How much material is left: behind the bottom of what is blind, and beside a hole to the nearest outer face."""
+"""How much material is left: behind a bottom or a counterbore, and beside a hole to the nearest outer face."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from querycad_segworker.topology import Brep, FaceRecord
 Reals = NDArray[np.float64]
 Ids = NDArray[np.int64]
 BLIND = ("hole", "pocket")
+FLOORED = ("slot", "channel", "notch", "counterbore", "spotface")
+"""What has a floor though it is open: at a side, or to the bore that it widens."""
 MOST_STARTS = 24
 """Rays from one bottom, from the middles of its largest triangles."""
 AROUND = 16
@@ -24,6 +26,8 @@ LEVELS = (0.1, 0.9)
 """Shares of a hole's depth."""
 SQUARE = 1e-3
 """Sine of the angle by which a face may lean and still run alongside a hole."""
+LEVEL_M = 1e-6
+"""Points this near to a plane lie in it."""
 FACES_UP = 0.9
 """Cosine of the angle within which a face is a bottom."""
 
@@ -36,7 +40,7 @@ def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahe
     if mesh is None or ahead is None:
         return list(parts)
     faces = _Faces(brep, ahead)
-    below, beside = _below(parts, faces, mesh), _beside(parts, faces)
+    below, beside = _below(parts, brep, faces, mesh), _beside(parts, faces)
     result = []
     for i, part in enumerate(parts):
         found = {"bottom_thickness": below.get(i), "wall_distance": beside.get(i)}
@@ -89,10 +93,14 @@ def _least(owners: Ids, distances: Reals, counts: NDArray[np.bool_]) -> dict[int
     return dict(zip(first.tolist(), distances[order][index].tolist(), strict=True))
 
 
-def _below(parts: Sequence[Part], faces: _Faces, mesh: Mesh) -> dict[int, float]:
-    """By index of a blind part: from all over its bottom away from the opening; from the tip of a drill point, too."""
+def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict[int, float]:
+    """By index of what has a bottom: from all over it away from the opening; from the tip of a drill point, too."""
     blind = ("flat", "conical", "spherical")
-    wanted = [i for i, part in enumerate(parts) if part.kind in BLIND and part.bottom in blind and part.normal]
+    wanted = [
+        i
+        for i, part in enumerate(parts)
+        if part.normal and (part.kind in FLOORED or (part.kind in BLIND and part.bottom in blind))
+    ]
     if not wanted:
         return {}
     order = np.argsort(mesh.triangle_face, kind="stable")
@@ -100,7 +108,7 @@ def _below(parts: Sequence[Part], faces: _Faces, mesh: Mesh) -> dict[int, float]
     starts: list[Reals] = []
     owners: list[int] = []
     for i in wanted:
-        for face in (faces.records[f] for f in parts[i].faces):
+        for face in (faces.records[f] for f in _with_floor(parts[i], brep)):
             points = _bottom_points(parts[i], face, mesh, order[first[face.id] : first[face.id + 1]])
             starts.append(points)
             owners += [i] * len(points)
@@ -111,6 +119,16 @@ def _below(parts: Sequence[Part], faces: _Faces, mesh: Mesh) -> dict[int, float]
     distances, ids = faces.met(np.concatenate(starts), ways)
     own = np.array([face in parts[i].faces for i, face in zip(owners, ids.tolist(), strict=True)])
     return _least(which, distances, (ids >= 0) & ~own)
+
+
+def _with_floor(part: Part, brep: Brep) -> set[int]:
+    """The faces of a part; of a step of a hole with the ring that it ends at."""
+    own = set(part.faces)
+    if part.kind not in ("counterbore", "spotface") or part.normal is None or part.opening is None or not part.depth:
+        return own
+    low = np.dot(part.normal, part.opening) - part.depth
+    around = {i for f in own for _, i in brep.neighbours(f) if brep.faces[i].kind is SurfaceKind.PLANE}
+    return own | {i for i in around if abs(np.dot(part.normal, brep.faces[i].point) - low) < LEVEL_M}
 
 
 def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[np.integer]) -> Reals:
