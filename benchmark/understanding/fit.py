@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
+from scipy.sparse import csr_array
 from scipy.special import logsumexp
 
 from querycad_answering.ranking import confidence, doubts, key, odds
@@ -22,7 +23,7 @@ from .collect import Row
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
-CAUTION = 2.0
+CAUTION = 1.2
 """A wrong answer weighs that much more than a right one in calibration: wrong and sure is the worst outcome."""
 Table = dict[str, float]
 
@@ -38,26 +39,29 @@ class Answered:
     refused: bool
 
 
-def fit(rows: Sequence[Row], prior: Table, l2: float = L2) -> Table:
-    """The weights that make the right values most likely."""
+def fit(rows: Sequence[Row], prior: Table, begin: Table | None = None, l2: float = L2) -> Table:
+    """The weights that make the right values most likely. `begin`: near them, to be there sooner."""
     usable = [row for row in rows if any(one.right for one in row.tried) and not all(one.right for one in row.tried)]
     names = sorted({name for row in usable for one in row.tried for name in one.features})
     index = {name: i for i, name in enumerate(names)}
     start = np.array([prior.get(name, 0.0) for name in names])
-    matrix, groups, right = _matrix(usable, index)
-    begins = np.array([a for a, _ in groups])
-    owner = np.repeat(np.arange(len(groups)), [b - a for a, b in groups])
+    first = start if begin is None else np.array([begin.get(name, 0.0) for name in names])
+    matrix, right = _matrix(usable, index)
+    turned = matrix.T.tocsr()
+    counts = [len(row.tried) for row in usable]
+    begins = np.cumsum([0, *counts[:-1]])
+    owner = np.repeat(np.arange(len(usable)), counts)
 
     def loss(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
         scores = matrix @ w
         whole = _logsumexp(scores, begins, owner)
         good = _logsumexp(np.where(right, scores, -1e9), begins, owner)
         weight = np.exp(scores - whole[owner]) - np.where(right, np.exp(scores - good[owner]), 0.0)
-        return float((whole - good).sum()) + l2 * float(((w - start) ** 2).sum()), matrix.T @ weight + 2 * l2 * (
+        return float((whole - good).sum()) + l2 * float(((w - start) ** 2).sum()), turned @ weight + 2 * l2 * (
             w - start
         )
 
-    found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 300})
+    found = minimize(loss, first, jac=True, method="L-BFGS-B", options={"maxiter": 300})
     return {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
 
 
@@ -67,24 +71,14 @@ def _logsumexp(scores: NDArray[np.float64], begins: NDArray[np.int64], owner: ND
     return np.asarray(top + np.log(np.add.reduceat(np.exp(scores - top[owner]), begins)))
 
 
-def _matrix(
-    rows: Sequence[Row], index: dict[str, int]
-) -> tuple[NDArray[np.float64], list[tuple[int, int]], NDArray[np.bool_]]:
-    """(candidates, features), the stretch of each question, and which candidates are right."""
-    count = sum(len(row.tried) for row in rows)
-    matrix = np.zeros((count, len(index)))
-    right = np.zeros(count, dtype=np.bool_)
-    groups = []
-    at = 0
-    for row in rows:
-        begin = at
-        for one in row.tried:
-            for name, value in one.features.items():
-                matrix[at, index[name]] = value
-            right[at] = one.right
-            at += 1
-        groups.append((begin, at))
-    return matrix, groups, right
+def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[csr_array, NDArray[np.bool_]]:
+    """(candidates, features), and which candidates are right."""
+    tried = [one for row in rows for one in row.tried]
+    columns = [index[name] for one in tried for name in one.features]
+    values = [value for one in tried for value in one.features.values()]
+    ends = np.cumsum([0, *(len(one.features) for one in tried)])
+    matrix = csr_array((values, columns, ends), shape=(len(tried), len(index)))
+    return matrix, np.array([one.right for one in tried], dtype=np.bool_)
 
 
 def answered(row: Row, table: Table) -> Answered:
@@ -102,9 +96,12 @@ def answered(row: Row, table: Table) -> Answered:
     return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)
 
 
-def calibrate(rows: Sequence[Row], table: Table, l2: float = 5.0) -> Table:
-    """How probable is it that an answer is right? Logistic weights of its share and of its doubts."""
-    told = [one for one in (answered(row, table) for row in rows) if not one.refused]
+def calibrate(answers: Sequence[Answered], l2: float = 5.0) -> Table:
+    """How probable is it that an answer is right? Logistic weights of its share and of its doubts.
+
+    `answers`: by weights that had not seen their questions, or confidence is too high.
+    """
+    told = [one for one in answers if not one.refused]
     against = [doubts(one.features, one.score) for one in told]
     names = sorted({name for found in against for name in found})
     matrix = np.array(
