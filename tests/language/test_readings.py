@@ -69,7 +69,7 @@ def test_every_form_is_among_the_readings_of_its_question(question: str, kind: t
         ("What is the area of the underside?", (Measure.AREA,), "face"),
         ("How steep is the ramp?", (Measure.INCLINATION,), "ramp"),
         ("By how much does the bore lean?", (Measure.INCLINATION,), "bore"),
-        ("How deep is a cell inside?", (Measure.DEPTH,), "cell"),
+        ("How deep is the cell inside?", (Measure.DEPTH,), "cell"),
         ("What size hex key do the screws need?", (Measure.ACROSS_FLATS,), "screw"),
         ("How much material stays under the bolt head?", (Measure.BOTTOM_THICKNESS,), "bolt head"),
         ("Which piece carries the slot?", (Measure.NAME,), "piece"),
