@@ -22,10 +22,11 @@ from querycad_segworker.topology import (
 )
 from querycad_segworker.vectors import Box, box_union
 
+from .moments import gaps_of, gauss_places, of_area, of_volume, scaled
 from .regions import MOST_STEP_RAD, Regions
 from .shells import shells
 from .surfaces import Fitted, circle_through
-from .triangles import Array, Ints, Named, Triangles
+from .triangles import Array, Ints, Named, Triangles, grouped, vector_of
 
 SMOOTH_RAD = math.radians(2.0)
 """As `Tolerances.smooth`."""

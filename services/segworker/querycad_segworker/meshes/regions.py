@@ -338,7 +338,7 @@ class _Growth:
         return whole, final, side
 
     def _even(self, surface: Fitted, members: Ints) -> bool:
-        """Are a few facets about equally wide? The corners of an even trapezium lie on a circle: two bevels and a top."""
+        """Are a few facets about equally wide? An even trapezium's corners lie on a circle: two bevels and a top."""
         to = self.mesh.vertices[np.unique(self.mesh.corners[members])] - surface.origin
         first = to[0] - (to[0] @ surface.axis) * surface.axis
         angles = np.sort(np.arctan2(to @ np.cross(surface.axis, first), to @ first))
