@@ -24,7 +24,7 @@ from querycad_segworker.vectors import Box, box_union
 
 from .moments import gaps_of, gauss_places, of_area, of_volume, scaled
 from .regions import MOST_STEP_RAD, Regions
-from .shells import shells
+from .shells import Shells, shells
 from .surfaces import Fitted, circle_through
 from .triangles import Array, Ints, Named, Triangles, grouped, vector_of
 
@@ -48,7 +48,8 @@ def brep_of(
     mesh: Triangles, found: Regions, objects: Sequence[Named], source: Ints, warnings: Sequence[str], near: float
 ) -> Brep:
     """The B-rep. `source`: (T,) the object that each triangle is of; `near`: what counts as the same place."""
-    chains = _chains(mesh, found.owner)
+    parts = shells(mesh)
+    chains = _chains(mesh, found.owner, parts.of)
     builder = _Builder(mesh, found, chains, near)
     edges = [builder.edge(number, chain) for number, chain in enumerate(chains)]
     by_face: dict[int, list[int]] = defaultdict(list)
@@ -57,7 +58,7 @@ def brep_of(
             by_face[face].append(number)
     members = found.members
     faces = [builder.face(i, members[i], by_face[i], edges) for i in range(len(found.surfaces))]
-    bodies = _bodies(mesh, found, faces, objects, source)
+    bodies = _bodies(mesh, parts, found, faces, objects, source)
     body_of = {face: body.id for body in bodies for face in body.faces}
     faces = [replace(face, body=body_of[face.id]) for face in faces]
     said = list(warnings)
@@ -66,8 +67,8 @@ def brep_of(
     return Brep("", tuple(faces), tuple(edges), tuple(bodies), tuple(said))
 
 
-def _chains(mesh: Triangles, owner: Ints) -> list[_Chain]:
-    """Borders between faces, parted where a third face meets them."""
+def _chains(mesh: Triangles, owner: Ints, shell: Ints) -> list[_Chain]:
+    """Borders between faces, parted where a third face of the shell meets them: bodies may touch there."""
     across = mesh.across.ravel()
     sides = np.arange(len(across))
     own = owner[sides // 3]
@@ -75,13 +76,16 @@ def _chains(mesh: Triangles, owner: Ints) -> list[_Chain]:
     # Each border once: the side of the face with the lower number, or the only one.
     border = np.flatnonzero((own != other) & ((other < 0) | (own < other)))
     start, end = mesh.corners.ravel()[border], np.roll(mesh.corners, -1, axis=1).ravel()[border]
-    degree = np.bincount(np.r_[start, end], minlength=len(mesh.vertices))
+    corner = np.r_[start, end] * np.int64(int(shell.max(initial=0)) + 1) + np.tile(shell[border // 3], 2)
+    _, at_corner, uses = np.unique(corner, return_inverse=True, return_counts=True)
+    ends = (uses != 2)[at_corner.reshape(-1)]
+    begins, stops = ends[: len(border)], ends[len(border) :]
     pair = own[border] * (len(owner) + 1) + other[border]
     leaving: dict[tuple[int, int], list[int]] = defaultdict(list)
     for position, (vertex, key) in enumerate(zip(start.tolist(), pair.tolist(), strict=True)):
         leaving[vertex, key].append(position)
     taken = np.zeros(len(border), dtype=bool)
-    starts = np.flatnonzero(degree[start] != 2).tolist() + list(range(len(border)))
+    starts = np.flatnonzero(begins).tolist() + list(range(len(border)))
     chains = []
     for first in starts:
         if taken[first]:
@@ -90,10 +94,9 @@ def _chains(mesh: Triangles, owner: Ints) -> list[_Chain]:
         while True:
             taken[at] = True
             row.append(at)
-            vertex = int(end[at])
-            if degree[vertex] != 2:
+            if stops[at]:
                 break
-            following = [each for each in leaving[vertex, int(pair[at])] if not taken[each]]
+            following = [each for each in leaving[int(end[at]), int(pair[at])] if not taken[each]]
             if not following:
                 break
             at = following[0]
@@ -373,10 +376,9 @@ class _Builder:
 
 
 def _bodies(
-    mesh: Triangles, found: Regions, faces: Sequence[FaceRecord], objects: Sequence[Named], source: Ints
+    mesh: Triangles, parts: Shells, found: Regions, faces: Sequence[FaceRecord], objects: Sequence[Named], source: Ints
 ) -> list[BodyRecord]:
     """One a shell, with its voids. What is not closed has no volume."""
-    parts = shells(mesh)
     body_of = parts.body[parts.of]
     gaps = gaps_of(mesh, found)
     owners = np.zeros(len(faces), dtype=np.int64)

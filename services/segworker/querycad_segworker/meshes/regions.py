@@ -343,7 +343,7 @@ class _Growth:
         first = to[0] - (to[0] @ surface.axis) * surface.axis
         angles = np.sort(np.arctan2(to @ np.cross(surface.axis, first), to @ first))
         gaps = np.diff(angles)
-        gaps = gaps[gaps > FLAT_RAD / 4]
+        gaps = gaps[gaps > 10 * self.mesh.noise / surface.radius]
         return float(gaps.max()) <= UNLIKE * float(gaps.min())
 
     def regions(self) -> Regions:
@@ -353,10 +353,7 @@ class _Growth:
         a, b = one // 3, other // 3
         both = left[a] & left[b]
         a, b, one = a[both], b[both], one[both]
-        small = self._size <= 2
-        same = self.facets[a] == self.facets[b]
-        step = small[a] & small[b] & (mesh.angles.ravel()[one] <= MOST_STEP_RAD)
-        linked = same | step
+        linked = (self.facets[a] == self.facets[b]) | self._is_step(a, b, one)
         label = components(len(mesh.corners), a[linked], b[linked])
         owner = self.owner.copy()
         ids, owner_of_left = np.unique(label[left], return_inverse=True)
@@ -369,6 +366,22 @@ class _Growth:
             surfaces.append(self._plane(members))
             outward.append(0)
         return Regions(owner, tuple(surfaces), tuple(outward))
+
+    def _is_step(self, a: Ints, b: Ints, side: Ints) -> NDArray[np.bool_]:
+        """Are triangles that meet at a side parts of one freeform face: facets about as wide, which turn by a step?
+
+        A facet is as wide as its area over the length of what it shares with the other one.
+        """
+        mesh, facets = self.mesh, self.facets
+        step = (facets[a] != facets[b]) & (mesh.angles.ravel()[side] <= MOST_STEP_RAD)
+        low, high = np.minimum(facets[a], facets[b]), np.maximum(facets[a], facets[b])
+        area = np.bincount(facets, weights=mesh.areas)
+        _, meeting = np.unique(low * np.int64(len(area)) + high, return_inverse=True)
+        shared = np.bincount(meeting.reshape(-1), weights=mesh.lengths.ravel()[side])[meeting.reshape(-1)]
+        widths = area[low] / shared, area[high] / shared
+        like = np.maximum(*widths) <= UNLIKE**2 * np.minimum(*widths)
+        found: NDArray[np.bool_] = step & like
+        return found
 
     def _plane(self, members: Ints) -> Fitted | None:
         mesh = self.mesh
