@@ -71,7 +71,9 @@ def write_stl(step: Path, path: Path, chord_mm: float) -> None:
     """Writes the binary STL file of a model."""
     shape = read_step(step).shape
     BRepMesh_IncrementalMesh(shape, chord_mm, False, MOST_TURN_RAD, False)
-    if not StlAPI_Writer().Write(shape, str(path)):
+    writer = StlAPI_Writer()
+    writer.ASCIIMode = False
+    if not writer.Write(shape, str(path)):
         raise OSError(f"{path} could not be written")
 
 

@@ -27,7 +27,7 @@ def fitted(file: MeshFile, name: str) -> tuple[Brep, Mesh]:
         raise UnreadableFile("the file is damaged: a coordinate in it is beyond all bounds")
     source = np.repeat(np.arange(len(file.objects)), [each.count for each in file.objects])
     mesh, kept = merged(file.corners)
-    if mesh.is_open.any():  # text of few digits has one place in several spellings
+    if kept.any() and mesh.is_open.any():  # text of few digits has one place in several spellings
         wider, wider_kept = merged(file.corners, 2 * mesh.noise)
         if wider.is_open.sum() < mesh.is_open.sum():
             mesh, kept = wider, wider_kept

@@ -22,6 +22,8 @@ from .triangles import Array, Ints, Triangles, components, grouped
 MOST_STEP_RAD = math.radians(32.0)
 """Facets of one round face turn by no more: 12 around. Programs' coarse settings are 10 to 30 degrees (Open CASCADE
 0.5 rad); a nut has 60 degrees, an octagon 45, and both are prisms."""
+HALF_STEP, DOUBLE_STEP = 0.55, 0.8
+"""Of the largest step: so much a facet's normal may differ from its surface's; more where that bends both ways."""
 FLAT_RAD = 1e-3
 """Triangles that turn by less are in one plane: a circle of 6,000 facets is finer than any program makes it."""
 SLIVER_RAD = 0.1
@@ -290,7 +292,8 @@ class _Growth:
         corners = mesh.corners[members]
         on = (np.abs(surface.off(mesh.vertices[corners.ravel()])).reshape(-1, 3) <= self.near).all(axis=1)
         cosine = (surface.directions(mesh.centers[members]) * mesh.normals[members]).sum(axis=1) * side
-        turned: NDArray[np.bool_] = cosine >= math.cos(0.55 * MOST_STEP_RAD)
+        share = HALF_STEP if surface.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE) else DOUBLE_STEP
+        turned: NDArray[np.bool_] = cosine >= math.cos(share * MOST_STEP_RAD)
         return on & (turned | self.sliver[members])
 
     def _grow(self, kind: SurfaceKind, seed: Ints) -> tuple[Ints, Fitted, int] | None:

@@ -55,8 +55,8 @@ def read_3mf(path: Path) -> tuple[Array, tuple[Named, ...], str]:
         raise IncompleteFile("the 3MF file is damaged or cut short") from error
     except expat.ExpatError as error:
         raise UnreadableFile(f"the 3MF file is damaged: its XML breaks off or is none ({error})") from error
-    except (ValueError, OverflowError) as error:
-        raise UnreadableFile("the 3MF file is damaged: a number in it is none") from error
+    except (KeyError, ValueError, OverflowError) as error:
+        raise UnreadableFile("the 3MF file is damaged: a number in it is missing or none") from error
 
 
 def _root(reader: _Reader) -> str:
