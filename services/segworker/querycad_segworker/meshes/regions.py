@@ -34,7 +34,7 @@ FEW = 5
 """Facets of a face that must be about equally wide, lest they be something else."""
 UNLIKE = 2.0
 """Steps and radii of neighbouring facets of one round face differ by no more than this factor; a cut facet's do."""
-MOST_FAILED = 1000
+MOST_FAILED = 3000
 """Tries that come to nothing: freeform faces of scans would cost minutes. Some milliseconds each at most."""
 BENDS_ON = 0.25
 """A change of curvature by less is no end of a face: a spline's changes by little from facet to facet, while beside a
@@ -122,7 +122,7 @@ class _Growth:
             members = self._grown_from(a, b, float(self.mesh.angles.ravel()[first]))
             if not len(members):
                 continue
-            tried[members] += 1 if len(members) == 2 else 2
+            tried[members] += 1
             failed += 1
             if failed >= MOST_FAILED:
                 return
@@ -173,7 +173,8 @@ class _Growth:
             if best is not None and self._is_all(best[0]):
                 break
         if best is None:
-            return np.array([a, b])
+            around = self._patch(np.array([a, b]), step, 8, UNLIKE)
+            return around if len(around) else np.array([a, b])
         members, surface, outward = best
         if self._bends_on(members, surface):
             return members
