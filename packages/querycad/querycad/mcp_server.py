@@ -211,7 +211,9 @@ async def over_stdio(made: MCPServer) -> None:
 def _add_reading(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def open_model(
-        file: Annotated[str, Field(description="Path of a CAD file on this machine: STEP, IGES, BREP, STL, OBJ, 3MF, .stpz, .zip.")],
+        file: Annotated[
+            str, Field(description="Path of a file on this machine: STEP, IGES, BREP, STL, OBJ, 3MF, .zip.")
+        ],
         unit: UnitArg = LengthUnit.MM,
     ) -> Opened:
         """Read a CAD file, and say what it holds. The first time takes seconds, after that milliseconds."""
