@@ -108,4 +108,5 @@ def forms(folder: Path, corners: Corners) -> dict[str, Path]:
 
 def moved(corners: Corners, by: Sequence[float]) -> Corners:
     """The same, elsewhere."""
-    return corners + np.asarray(by)
+    there: Corners = corners + np.asarray(by)
+    return there

@@ -263,6 +263,10 @@ BAD = {
         lambda path: _put(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n"),
         UnreadableFile, "not made of numbers",
     ),
+    "obj with a concave polygon": (
+        lambda path: _put(path, "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nf 1 2 3 4\nf 3 2 1 4\n"),
+        UnreadableFile, "not convex; export it as triangles",
+    ),
     "obj has no face": (lambda path: _put(path, "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), IncompleteFile, "no triangle"),
     "3mf with entities": (lambda path: _3mf(path, model_xml(CUBE, head=BILLION)), UnreadableFile, "document type"),
     "3mf breaks off": (lambda path: _3mf(path, model_xml(CUBE)[:-20]), UnreadableFile, "XML breaks off"),

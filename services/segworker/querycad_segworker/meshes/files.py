@@ -10,6 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from querycad_contracts import FileKind
 from querycad_segworker.errors import FileTooLarge, IncompleteFile, UnreadableFile
@@ -127,8 +128,8 @@ def _numbers(found: list[tuple[bytes, ...]]) -> Array:
 
 
 def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
-    """Vertices and faces; what colours and smooths them is passed over. A polygon is cut into a fan."""
-    places, corners = array("d"), array("q")
+    """Vertices and faces; what colours and smooths them is passed over. A polygon is cut into a fan, which must fit."""
+    places, corners, fans = array("d"), array("q"), array("q")
     names: list[tuple[str, int]] = []
     with path.open("rb") as file:
         try:
@@ -143,6 +144,8 @@ def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
                     ids = [each - 1 if each > 0 else count + each for each in ids]
                     for second, third in pairwise(ids[1:]):
                         corners.extend((ids[0], second, third))
+                    if len(ids) > 2:
+                        fans.append(len(ids) - 2)
                 elif word == b"o":
                     names.append((rest.decode("utf-8", errors="replace").strip(), len(corners) // 3))
                 if len(corners) > 3 * MOST_TRIANGLES:
@@ -153,6 +156,7 @@ def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
     index = np.frombuffer(corners, dtype=np.int64).reshape(-1, 3) if corners else np.zeros((0, 3), dtype=np.int64)
     if index.size and not 0 <= index.min() <= index.max() < len(points):
         raise UnreadableFile("the file is damaged: a face in it names a vertex that it does not hold")
+    _must_be_convex(points[index], np.frombuffer(fans, dtype=np.int64) if fans else np.zeros(0, dtype=np.int64))
     if not names or names[0][1] > 0:
         names.insert(0, ("", 0))
     ends = [begin for _, begin in names[1:]] + [len(index)]
@@ -160,3 +164,12 @@ def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
         Named(name, None, end - begin) for (name, begin), end in zip(names, ends, strict=True) if end > begin
     )
     return points[index], objects
+
+
+def _must_be_convex(corners: Array, fans: NDArray[np.int64]) -> None:
+    """Raises UnreadableFile where a triangle of a fan looks the other way than its polygon: it lies beside that."""
+    polygon = np.repeat(np.arange(len(fans)), fans)
+    areas = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    whole = np.stack([np.bincount(polygon, weights=areas[:, k], minlength=len(fans)) for k in range(3)], axis=1)
+    if ((areas * whole[polygon]).sum(axis=1) < -1e-6 * (whole[polygon] ** 2).sum(axis=1)).any():
+        raise UnreadableFile("the file holds a polygon that is not convex; export it as triangles")
