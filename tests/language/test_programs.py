@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 from tests.made import body, hole, part, whole
 
-from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation, Side
+from querycad_contracts import AnswerType, Measure, PartQuery, Relation, Side
 from querycad_language.forms import (
     Angle,
     Boundary,
