@@ -13,7 +13,7 @@ from tests.segworker.shapes import ball, box, compound, cut, cylinder, plate, wr
 from querycad_segworker.errors import KernelDied
 from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
-from querycad_segworker.model import ModelStore
+from querycad_segworker.model import Artefacts, ModelStore
 
 
 @pytest.fixture(scope="module")
@@ -41,7 +41,7 @@ def test_an_unknown_part_is_a_key_error(two_bodies: LocalSegCad) -> None:
 def test_a_kernel_that_cannot_start_is_an_error_and_not_a_hang(two_bodies: LocalSegCad, tmp_path: Path) -> None:
     from querycad_segworker.measuring import Kernel
 
-    kernel = Kernel(tmp_path / "missing.bin")
+    kernel = Kernel(Artefacts(tmp_path))
     for _ in range(2):
         with pytest.raises(KernelDied):
             kernel.measure("distance", [0], [1])

@@ -35,7 +35,7 @@ BAD: dict[str, tuple[bytes, type[FileProblem], str]] = {
     "empty": (b"", IncompleteFile, "the file is empty"),
     "UTF-16": (GOOD.encode("utf-16"), NotStep, "UTF-16"),
     "HTML": (b"<!DOCTYPE html><html></html>", NotStep, "HTML or XML"),
-    "STL": (b"solid cube\nfacet normal 0 0 1\n", NotStep, "another CAD or mesh format"),
+    "STL": (b"solid cube\nfacet normal 0 0 1\n", NotStep, "begins like an STL file"),
     "binary": (bytes(range(256)) * 20, NotStep, "binary data"),
     "text": (b"hello", NotStep, "does not begin with ISO-10303-21"),
     "binary after the header": (b"ISO-10303-21;\n\x00\x01\x02", NotStep, "binary data after the header"),

@@ -21,7 +21,7 @@ export const texts = {
 
   files: {
     choose: "Add CAD files",
-    drop: "STEP, IGES, BREP or zipped; several at once",
+    drop: "STEP, IGES, BREP, STL, OBJ, 3MF, or zipped; several at once",
     uploading: (percent: number): string => `sending, ${percent} %`,
     ahead: (number: number | null): string =>
       number === null ? "waiting to be read" : number === 0 ? "waiting: next to be read" : `waiting: ${count(number, "file")} before it`,

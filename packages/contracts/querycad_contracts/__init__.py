@@ -33,7 +33,7 @@ from .drawings import (
     TableFormat,
     TableKind,
 )
-from .file_kinds import HEAD_BYTES, FileKind, file_kind
+from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
@@ -321,6 +321,7 @@ __all__ = [
     "end_with_parent",
     "file_kind",
     "file_store",
+    "is_3mf",
     "keep_private",
     "models_name",
     "needs_eyes",

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import struct
+from collections.abc import Iterable
 from enum import StrEnum
 
 HEAD_BYTES = 4096
@@ -10,6 +12,12 @@ HEAD_BYTES = 4096
 _BOM = b"\xef\xbb\xbf"
 _IGES = re.compile(rb"[^\r\n]{72}S[ 0]{6}1")
 """The first line of an IGES file: 72 columns of text, the letter of the start section, a number of seven places."""
+_OBJ = re.compile(rb"^v(?:[ \t]{1,20}[-+]?[\d.][^\s]{0,40}){3}", re.MULTILINE)
+"""A vertex of an OBJ file: a letter and three numbers."""
+_STL_FACET = re.compile(rb"^\s{0,80}(?:facet\s{1,20}normal|endsolid)\b", re.MULTILINE | re.IGNORECASE)
+_STL_RECORD = struct.Struct("<12fH")
+_LARGEST = 1e20
+"""Of a coordinate: what is no mesh has larger ones among its first hundred, unless it is made to."""
 
 
 class FileKind(StrEnum):
@@ -19,9 +27,18 @@ class FileKind(StrEnum):
     IGES = "IGES"
     BREP = "BREP"
     """The CAD kernel's own text format. It declares no unit: millimetres, as its programs have it."""
+    STL = "STL"
+    OBJ = "OBJ"
+    THREE_MF = "3MF"
+    """A ZIP archive by its first bytes; its directory tells (`three_mf`)."""
     GZIP = "gzip"
     ZIP = "zip"
     """Packed, as .stpz and .stpZ are: one CAD file in it."""
+
+    @property
+    def is_mesh(self) -> bool:
+        """Does it hold triangles, to which faces are fitted?"""
+        return self in (FileKind.STL, FileKind.OBJ, FileKind.THREE_MF)
 
     @property
     def is_packed(self) -> bool:
@@ -40,4 +57,25 @@ def file_kind(head: bytes) -> FileKind | None:
         return FileKind.ZIP
     if text.startswith((b"DBRep_DrawableShape", b"CASCADE Topology")):
         return FileKind.BREP
-    return FileKind.IGES if _IGES.match(head) else None
+    if _IGES.match(head):
+        return FileKind.IGES
+    if b"\x00" not in head:
+        if text[:5].lower() == b"solid" and _STL_FACET.search(text):
+            return FileKind.STL
+        return FileKind.OBJ if _OBJ.search(text) else None
+    return FileKind.STL if _is_binary_stl(head) else None
+
+
+def is_3mf(names: Iterable[str]) -> bool:
+    """Is an archive with files of these names a 3MF?"""
+    return any(name.lower().startswith("3d/") and name.lower().endswith(".model") for name in names)
+
+
+def _is_binary_stl(head: bytes) -> bool:
+    """It has no mark of its own: after 84 bytes come triangles, each a normal no longer than 1 and three corners."""
+    count = int.from_bytes(head[80:84], "little")
+    records = [*_STL_RECORD.iter_unpack(head[84 : 84 + (len(head) - 84) // 50 * 50])][:count]
+    return bool(records) and all(
+        not x * x + y * y + z * z > 1.1 and not any(abs(each) > _LARGEST for each in corners)
+        for x, y, z, *corners, _ in records
+    )

@@ -61,7 +61,7 @@ ROWS_SHOWN = 50
 PRINTED_CHARS = 4000
 LOOK_S = 0.01
 """Between two looks whether all has been answered."""
-SUFFIXES = (".step", ".stp", ".stpz", ".igs", ".iges", ".brep", ".zip")
+SUFFIXES = (".step", ".stp", ".stpz", ".igs", ".iges", ".brep", ".zip", ".stl", ".obj", ".3mf")
 READS = ToolAnnotations(read_only_hint=True, open_world_hint=False, idempotent_hint=True)
 INSTRUCTIONS = """\
 QueryCAD reads CAD models and answers questions about them from exact geometry. Begin with open_model; the id that it
@@ -211,7 +211,9 @@ async def over_stdio(made: MCPServer) -> None:
 def _add_reading(tool: Callable[[Callable[..., Any]], Any], session: Session) -> None:
     @tool
     def open_model(
-        file: Annotated[str, Field(description="Path of a CAD file on this machine: STEP, IGES, BREP, .stpz, .zip.")],
+        file: Annotated[
+            str, Field(description="Path of a file on this machine: STEP, IGES, BREP, STL, OBJ, 3MF, .zip.")
+        ],
         unit: UnitArg = LengthUnit.MM,
     ) -> Opened:
         """Read a CAD file, and say what it holds. The first time takes seconds, after that milliseconds."""

@@ -24,9 +24,13 @@ from .errors import FileProblem, UnreadableFile
 from .features.faces import faces_of
 from .features.recognise import recognise
 from .features.sheet.material_thickness import material_thickness
+from .mesh import Mesh
+from .meshes.files import read_mesh_file
+from .meshes.fitting import fitted
 from .model import Artefacts, Model
 from .orientation import outward
 from .sniff import kind_of, strange_number
+from .topology import Brep
 from .vectors import dist
 from .visibility.faces import shows_backs, visible_pixels
 from .visibility.raycast import Scene
@@ -82,18 +86,12 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts, mis
     clock = _Clock()
     clock.begin("read")
     kind = kind_of(source)
-    if kind not in (FileKind.IGES, FileKind.BREP) and (strange := strange_number(source)):
-        raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
-    content = read_file(source, kind)
-    if kind in (FileKind.IGES, FileKind.BREP):  # these have names of entities, not of the model
-        content = replace(content, name=Path(file_name).stem)
-    clock.begin("measure")
-    extracted = extract(content)
-    brep = extracted.brep
-    save_faces(extracted.faces, artefacts.kernel_faces)
+    if kind is not None and kind.is_mesh:
+        brep, triangles, units = _mesh(source, kind, file_name, clock)
+    else:
+        brep, triangles, units = _kernel_faces(source, kind, file_name, artefacts, clock)
     np.save(artefacts.face_pairs, np.array(brep.face_pairs, dtype=np.int32).reshape(-1, 2))
-    clock.begin("tessellate")
-    mesh = outward(tessellate(extracted.faces, dist(*brep.box)), [body.faces for body in brep.bodies])
+    mesh = outward(triangles, [body.faces for body in brep.bodies])
     clock.begin("look")
     scene = Scene(mesh)
     replace(mesh, closed=mesh.closed and not shows_backs(scene)).save(artefacts.mesh)
@@ -111,11 +109,35 @@ def _ingest(source: Path, file_name: str, sha256: str, artefacts: Artefacts, mis
         file_name=file_name,
         shape=found.shape,
         parts=tuple(parts),
-        units=content.units,
+        units=units,
         warnings=(*brep.warnings, *([f"the file was read without these walls: {missing}"] if missing else [])),
         timings_ms=clock.timings_ms,
     )
     artefacts.save(model, faces, found.refused)
+
+
+def _kernel_faces(
+    source: Path, kind: FileKind | None, file_name: str, artefacts: Artefacts, clock: _Clock
+) -> tuple[Brep, Mesh, tuple[str, ...]]:
+    """The B-rep of a CAD file as the kernel reads it, its tessellation, and the units that it declares."""
+    if kind not in (FileKind.IGES, FileKind.BREP) and (strange := strange_number(source)):
+        raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
+    content = read_file(source, kind)
+    if kind in (FileKind.IGES, FileKind.BREP):  # these have names of entities, not of the model
+        content = replace(content, name=Path(file_name).stem)
+    clock.begin("measure")
+    extracted = extract(content)
+    save_faces(extracted.faces, artefacts.kernel_faces)
+    clock.begin("tessellate")
+    return extracted.brep, tessellate(extracted.faces, dist(*extracted.brep.box)), content.units
+
+
+def _mesh(source: Path, kind: FileKind, file_name: str, clock: _Clock) -> tuple[Brep, Mesh, tuple[str, ...]]:
+    """As `_kernel_faces`, of triangles: faces are fitted to them, and nothing is there for the kernel."""
+    file = read_mesh_file(source, kind)
+    clock.begin("measure")
+    brep, triangles = fitted(file, Path(file_name).stem)
+    return brep, triangles, file.units
 
 
 def _must_be_bounded(what: Shape | Part | Face) -> None:

@@ -27,6 +27,7 @@ from querycad_contracts import end_with_parent
 from . import ingest_child
 from .brep import measure
 from .kernel_process import Reach, missing_walls, shut_in
+from .meshes import measure as mesh_measure
 
 WORK: Final[dict[str, tuple[Callable[..., None], Callable[..., Reach]]]] = {
     "ingest": (
@@ -34,6 +35,7 @@ WORK: Final[dict[str, tuple[Callable[..., None], Callable[..., Reach]]]] = {
         lambda source, _name, _sha256, folder, memory_bytes, _missing: Reach((source,), (folder,), memory_bytes),
     ),
     "measure": (measure.work, lambda kernel_faces: Reach((kernel_faces,))),
+    "measure_mesh": (mesh_measure.work, lambda mesh: Reach((mesh,))),
 }
 """By name: what is done, and what it may reach with these arguments."""
 

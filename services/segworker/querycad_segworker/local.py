@@ -69,7 +69,7 @@ class LocalSegCad:
         self.artefacts = artefacts
         self._vision = Vision(artefacts, networks, vision, keep)
         self._sights = Sights(artefacts, keep, fetch)
-        self._kernel = Kernel(artefacts.kernel_faces)
+        self._kernel = Kernel(artefacts)
         self.model = model or artefacts.load_model()
 
     @cached_property

@@ -1,4 +1,4 @@
-"""New measurements by the CAD kernel, in a process of its own that is started once a model and asked line by line."""
+"""New measurements, by the CAD kernel or on a mesh, in a process that is started once a model and asked by lines."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import math
 import threading
 import weakref
 from collections.abc import Sequence
-from pathlib import Path
 
 from querycad_contracts import Vector
 
 from .errors import KernelDied
 from .kernel_process import KernelProcess
+from .model import Artefacts
 
 TIMEOUT_S = 60.0
 """One distance takes milliseconds; very large freeform faces take seconds."""
@@ -21,8 +21,8 @@ TIMEOUT_S = 60.0
 class Kernel:
     """Measures the faces of one model. The process starts with the first request and ends with this object."""
 
-    def __init__(self, kernel_faces: Path) -> None:
-        self._path = kernel_faces
+    def __init__(self, artefacts: Artefacts) -> None:
+        self._artefacts = artefacts
         self._lock = threading.Lock()
         self._process: KernelProcess | None = None
         self._known: dict[str, float] = {}
@@ -60,6 +60,8 @@ class Kernel:
 
     def _running(self) -> KernelProcess:
         if self._process is None:
-            self._process = KernelProcess("measure", str(self._path))
+            exact = self._artefacts.kernel_faces.exists()
+            work, path = ("measure", self._artefacts.kernel_faces) if exact else ("measure_mesh", self._artefacts.mesh)
+            self._process = KernelProcess(work, str(path))
             weakref.finalize(self, self._process.close)
         return self._process

@@ -72,7 +72,7 @@ class Artefacts:
 
     @property
     def kernel_faces(self) -> Path:
-        """The faces in the kernel's binary format, for measurements that need exact surfaces."""
+        """The faces in the kernel's binary format, for measurements that need exact surfaces; not there of a mesh."""
         return self.folder / "faces.bin"
 
     def load_model(self) -> Model:

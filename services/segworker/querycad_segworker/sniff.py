@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from pathlib import Path
 
-from querycad_contracts import HEAD_BYTES, FileKind, file_kind
+from querycad_contracts import HEAD_BYTES, FileKind, file_kind, is_3mf
 
 from .errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
@@ -29,8 +30,8 @@ LARGEST = 2e100
 
 
 def check_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
-    """As `check_step`, of any file that can be read: what else there is the kernel alone knows."""
-    if path.is_file() and path.stat().st_size <= max_bytes and kind_of(path) in (FileKind.IGES, FileKind.BREP):
+    """As `check_step`, of any file that can be read: what else there is only its reader knows."""
+    if path.is_file() and path.stat().st_size <= max_bytes and kind_of(path) not in (FileKind.STEP, None):
         return None
     return check_step(path, max_bytes)
 
@@ -39,7 +40,13 @@ def kind_of(path: Path) -> FileKind | None:
     """What kind of file is it? None where it cannot be read."""
     try:
         with path.open("rb") as file:
-            return file_kind(file.read(HEAD_BYTES))
+            kind = file_kind(file.read(HEAD_BYTES))
+        if kind is FileKind.ZIP:
+            with zipfile.ZipFile(path) as archive:
+                return FileKind.THREE_MF if is_3mf(archive.namelist()) else kind
+        return kind
+    except zipfile.BadZipFile:
+        return FileKind.ZIP
     except OSError:
         return None
 
@@ -125,7 +132,7 @@ def _looks_like(data: bytes) -> str:
     if head[:1] == b"<":
         return "it is an HTML or XML document"
     if head.startswith(b"solid"):
-        return "it is another CAD or mesh format; export it as STEP"
+        return "it begins like an STL file, and holds no facet"
     if b"\x00" in data[:4096]:
         return "it holds binary data"
     return "it does not begin with ISO-10303-21"

@@ -21,7 +21,7 @@ interface Upload {
 
 export class Files {
   private readonly list = h("ul", { class: "files" });
-  private readonly input = h("input", { type: "file", id: "file", accept: ".step,.stp,.p21,.stpz,.igs,.iges,.brep,.zip", multiple: true });
+  private readonly input = h("input", { type: "file", id: "file", accept: ".step,.stp,.p21,.stpz,.igs,.iges,.brep,.zip,.stl,.obj,.3mf", multiple: true });
   private readonly uploads: Upload[] = [];
   private models: readonly ModelResource[] = [];
   private readonly watched = new Set<string>();

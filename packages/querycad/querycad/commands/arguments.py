@@ -73,7 +73,9 @@ def _runs(module: str, name: str) -> Callable[[argparse.Namespace], int]:
 
 
 def _add_file(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("file", metavar="FILE", help="a STEP, IGES or BREP file, or one in a .stpz or .zip")
+    parser.add_argument(
+        "file", metavar="FILE", help="STEP, IGES, BREP, STL, OBJ or 3MF, or one of these in a .stpz or .zip"
+    )
 
 
 def _add_unit(parser: argparse.ArgumentParser, of: str = "of lengths in text") -> None:

@@ -43,7 +43,10 @@ FORM: Any = {"max_files": 2, "max_fields": 2, "max_part_size": 1024}
     },
 )
 async def upload_model(
-    file: Annotated[UploadFile, File(description="A STEP file (ISO 10303-21).")],
+    file: Annotated[
+        UploadFile,
+        File(description="STEP (ISO 10303-21), IGES, BREP, STL, OBJ or 3MF, or one of them zipped."),
+    ],
     services: ServicesDep,
     wait_s: WaitDep,
     request: Request,

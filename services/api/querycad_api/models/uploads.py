@@ -25,7 +25,7 @@ def check_head(head: bytes) -> None:
     if not head:
         raise NotStepFile("the file is empty")
     if file_kind(head) is None:
-        raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21; nor IGES, BREP or an archive")
+        raise NotStepFile("not a STEP file: it does not begin with ISO-10303-21; nor IGES, BREP, a mesh or an archive")
 
 
 @dataclass(frozen=True, slots=True)

@@ -137,7 +137,7 @@ def _closed(
     if around is not None and around.outline != "free":
         outline = around.outline
     frame = frame_of(brep, group, normal, rim if outline != "free" else None)
-    mouth = frame if inside == group else frame_of(brep, inside | floors, normal, None, frame.u)
+    mouth = frame if inside == group or not inside | floors else frame_of(brep, inside | floors, normal, None, frame.u)
     kind = DepressionKind.POCKET if floors else DepressionKind.PASSAGE
     found = depression_in(kind, outline, frame, group, tuple(sorted(floors)), host.body)
     found = replace(found, corner_radius=corner, length=mouth.size[0], width=mouth.size[1])
