@@ -18,8 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from querycad_contracts import Part
-from querycad_segworker.brep.extract import extract
-from querycad_segworker.brep.step import read_step
+from querycad_segworker.brep.extract import Extracted, extract
+from querycad_segworker.brep.step import StepContent, read_step
 from querycad_segworker.brep.tessellate import tessellate
 from querycad_segworker.features.recognise import recognise
 from querycad_segworker.features.shared.extruded_walls import tunnel_of
@@ -31,6 +31,8 @@ from querycad_segworker.visibility.raycast import Scene
 MIN_OVERLAP = 0.5
 """More than half: then no part lies in two instances, and what answers for an instance is more right than wrong."""
 SETS = ("mfcadpp", "mfcad")
+MOST_CUTS = 8
+"""Features of a random block: MFCAD++ has 3 to 10."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,21 +153,48 @@ def read_set(folder: Path, name: str, *, all_labels: bool = False) -> Iterator[L
     names = CLASS_ORDER.get(name) or truth["class_names"]
     for entry in truth["models"]:
         extracted = extract(read_step(folder / name / entry["file"]))
-        brep = extracted.brep
-        if len(brep.faces) != entry["n_faces"]:
-            raise ValueError(f"{entry['file']} has {len(brep.faces)} faces, but labels for {entry['n_faces']}")
-        scene = Scene(tessellate(extracted.faces, dist(*brep.box)))
+        if len(extracted.brep.faces) != entry["n_faces"]:
+            raise ValueError(
+                f"{entry['file']} has {len(extracted.brep.faces)} faces, but labels for {entry['n_faces']}"
+            )
         labels = [names[label] for label in entry["face_labels"]]
-        parts = recognise(brep, scene.is_clear).parts
-        doubts = [(*found, contradiction(brep, *found)) for found in _instances(brep, labels)]
-        if all_labels:
-            doubts = [(label, faces, why if label in FAMILIES["holes"] else None) for label, faces, why in doubts]
-        yield Labelled(
-            f"{name}/{Path(entry['file']).name}",
-            tuple((label, faces) for label, faces, why in doubts if why is None),
-            tuple((label, faces, why) for label, faces, why in doubts if why is not None),
-            parts,
-        )
+        instances = _instances(extracted.brep, labels)
+        yield _labelled(f"{name}/{Path(entry['file']).name}", extracted, instances, all_labels=all_labels)
+
+
+def random_blocks(count: int, *, all_labels: bool = False) -> Iterator[Labelled]:
+    """Blocks with one to eight features each; an instance is what is left of one cutter's surface."""
+    from build123d import Face  # 5 s, which the labelled files do not need
+
+    from .random_blocks import block, cutter_of
+
+    for seed in range(count):
+        body, cuts = block(seed, 1 + seed % MOST_CUTS)
+        extracted = extract(StepContent(body.wrapped, f"block {seed}", ()))
+        left: dict[int, set[int]] = defaultdict(set)
+        for index, face in enumerate(extracted.faces):
+            number = cutter_of(Face(face), cuts)
+            if number is not None:
+                left[number].add(index)
+        instances = ((cuts[number].label, frozenset(faces)) for number, faces in sorted(left.items()))
+        yield _labelled(f"block {seed}", extracted, instances, all_labels=all_labels)
+
+
+def _labelled(
+    file: str, extracted: Extracted, instances: Iterable[tuple[str, frozenset[int]]], *, all_labels: bool
+) -> Labelled:
+    brep = extracted.brep
+    scene = Scene(tessellate(extracted.faces, dist(*brep.box)))
+    parts = recognise(brep, scene.is_clear).parts
+    doubts = [(*found, contradiction(brep, *found)) for found in instances]
+    if all_labels:
+        doubts = [(label, faces, why if label in FAMILIES["holes"] else None) for label, faces, why in doubts]
+    return Labelled(
+        file,
+        tuple((label, faces) for label, faces, why in doubts if why is None),
+        tuple((label, faces, why) for label, faces, why in doubts if why is not None),
+        parts,
+    )
 
 
 def _instances(brep: Brep, labels: Sequence[str]) -> Iterator[tuple[str, frozenset[int]]]:
@@ -319,14 +348,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("folder", nargs="?", type=Path, default=default, help="holds mfcadpp/ and mfcad/")
     parser.add_argument("--show", metavar="FAMILY", help="print what was missed and what is wrong in a family")
     parser.add_argument("--all-labels", action="store_true", help="keep labels that the geometry contradicts")
+    parser.add_argument("--random", type=int, metavar="N", help="N blocks with random features instead of files")
     options = parser.parse_args(arguments)
-    if not options.folder.is_dir():
+    if options.random is None and not options.folder.is_dir():
         print(f"no labelled models at {options.folder}", file=sys.stderr)
         return 1
     if options.show is not None and options.show not in FAMILIES:
         parser.error(f"the families are {', '.join(FAMILIES)}")
-    for name in SETS:
-        models = list(read_set(options.folder, name, all_labels=options.all_labels))
+    for name in SETS if options.random is None else ("random blocks",):
+        if options.random is None:
+            models = list(read_set(options.folder, name, all_labels=options.all_labels))
+        else:
+            models = list(random_blocks(options.random, all_labels=options.all_labels))
         print(f"{name}: {len(models)} models\n{table(models)}\n")
         for model in models:
             for label, faces, why in model.set_aside:

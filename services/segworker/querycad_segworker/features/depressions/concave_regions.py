@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
-from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, Tunnel, tunnel_of, upwards
+from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, Tunnel, first_of_plane, tunnel_of, upwards
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
@@ -44,8 +44,8 @@ def group_depression(
         return _passage(brep, group, tunnel)
     if not planes:
         return None
-    links = {face.id: _wall_links(graph, face.id, group) for face in planes}
-    floor = _floor_under_lips(brep, group, planes, links) or _floor(planes, links)
+    links = _links_by_plane(graph, group, planes)
+    floor = _floor_under_lips(brep, group, planes, links) or _floor(graph, group, planes, links)
     walls = [brep.faces[i] for i in sorted(links[floor.id])]
     special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
     if special is not None or not walls:
@@ -57,6 +57,9 @@ def group_depression(
     if pair is None and (beveled := _between_bevels(graph, group, planes, links)) is not None:
         floor, above, pair = beveled
         walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
+    if pair is None and (bottom := _across(brep, group, planes)) is not None:
+        floor, pair = bottom
+        walls = [plane for plane in planes if plane.id != floor.id]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
         return _passage(brep, group, tunnel)
     if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
@@ -110,20 +113,55 @@ def _floor_under_lips(
     return None
 
 
-def _floor(planes: Sequence[FaceRecord], links: dict[int, set[int]]) -> FaceRecord:
-    """The plane that the most others stand on.
+def _floor(
+    graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
+) -> FaceRecord:
+    """The plane that walls surround, or else the one that the most others stand on.
 
     The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
-    faces that are all alike, the one facing top, then front, then right.
+    faces that are all alike, the one between two walls that face each other, or facing top, then front, then right.
     """
     most = max(len(links[face.id]) for face in planes)
     largest = max(face.area for face in planes)
 
     def rank(face: FaceRecord) -> tuple[float, ...]:
-        size = round(face.area / largest, 3) if most > 2 else 0.0
-        return len(links[face.id]), size, dot(face.axis, (0.1, -0.2, 1.0)), face.area
+        walls = [graph.brep.faces[i] for i in sorted(links[face.id])]
+        pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], face.axis)
+        size = round(face.area / largest, 3) if most > 2 or pair is not None else 0.0
+        return (
+            _is_surrounded(graph.brep, face, group),
+            len(walls),
+            pair is not None,
+            size,
+            dot(face.axis, (0.1, -0.2, 1.0)),
+            face.area,
+        )
 
     return max(planes, key=rank)
+
+
+def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
+    """Do faces of the group stand on all of its outline?"""
+    return bool(face.loops) and all(
+        brep.edges[e].convexity is EdgeConvexity.CONCAVE and group.issuperset(brep.edges[e].faces)
+        for e in face.loops[0].edges
+    )
+
+
+def _across(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> tuple[FaceRecord, Pair] | None:
+    """The floor between two walls that face each other, where all else runs straight across from one to the other.
+
+    As the floor that a disc cutter leaves, flat and rising at its end, when another cut took its corner with a wall.
+    """
+    pair = facing_pair(planes, None)
+    if pair is None:
+        return None
+    rest = [brep.faces[i] for i in sorted(group) if i not in (pair[0].id, pair[1].id)]
+    flat = [face for face in rest if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, pair[0].axis)) < SQUARE]
+    rounds = [f for f in rest if f.kind is SurfaceKind.CYLINDER and parallel(f.axis, pair[0].axis, SQUARE)]
+    if not flat or len(flat) + len(rounds) < len(rest):
+        return None
+    return max(flat, key=lambda face: face.area), pair
 
 
 def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
@@ -277,6 +315,15 @@ def _is_walled_in(
 def _is_square(walls: Sequence[FaceRecord]) -> bool:
     first = walls[0].axis
     return all(parallel(wall.axis, first, 0.05) or abs(dot(wall.axis, first)) < 0.05 for wall in walls)
+
+
+def _links_by_plane(graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord]) -> dict[int, set[int]]:
+    """What stands on each plane of the group, its pieces taken together where other cuts have parted it."""
+    owners = first_of_plane(planes)
+    links: dict[int, set[int]] = {face.id: set() for face in planes}
+    for face in planes:
+        links[owners[face.id]] |= _wall_links(graph, face.id, group)
+    return {face.id: links[owners[face.id]] for face in planes}
 
 
 def _wall_links(graph: ConcaveGraph, face: int, group: set[int]) -> set[int]:

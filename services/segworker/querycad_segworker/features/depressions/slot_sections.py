@@ -22,7 +22,8 @@ V_ANGLE_RAD = (math.radians(10.0), math.radians(160.0))
 """Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
 SAME_WAY = math.cos(math.radians(45.0))
 """The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
-
+FLARE = math.cos(math.radians(44.0))
+"""What a groove is cut into looks its way; beside a step cut square into a block lie faces at 45 degrees to that."""
 MUCH = 0.25
 """A face that ends a flank over less than this share of its length is what another cut left there."""
 
@@ -157,7 +158,7 @@ def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[F
         if edge.convexity is EdgeConvexity.CONVEX and face.kind is SurfaceKind.PLANE and runs_along:
             bounds.append((edge.length, face))
     longest = max((length for length, _ in bounds), default=0.0)
-    return [face for length, face in bounds if length > MUCH * longest and dot(face.axis, out) > 0.5]
+    return [face for length, face in bounds if length > MUCH * longest and dot(face.axis, out) > FLARE]
 
 
 def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:

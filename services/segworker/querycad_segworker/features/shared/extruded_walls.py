@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
@@ -33,14 +33,19 @@ class Tunnel:
 
 
 def tunnel_of(brep: Brep, group: Collection[int]) -> Tunnel | None:
-    """Which tunnel do these faces form? None when they do not all run along one direction, or branch."""
+    """Which tunnel do these faces form? None when they do not all run along one direction, or branch.
+
+    What other cuts across that direction have parted of one plane is one wall.
+    """
     faces = [brep.faces[i] for i in sorted(group)]
     if len(faces) < 2 or any(f.kind not in (SurfaceKind.PLANE, SurfaceKind.CYLINDER) for f in faces):
         return None
     axis = _common_direction(faces)
     if axis is None:
         return None
-    links = _links(brep, group, axis)
+    owners = first_of_plane(faces, lambda a, b: _behind(brep, a, b, axis))
+    links = _links(brep, group, axis, owners)
+    faces = [face for face in faces if owners[face.id] == face.id]
     if any(len(links[face.id]) > 2 for face in faces) or sum(not links[face.id] for face in faces):
         return None
     ends = sum(len(links[face.id]) == 1 for face in faces)
@@ -68,15 +73,17 @@ def _common_direction(faces: Collection[FaceRecord]) -> Vector | None:
     return axis
 
 
-def _links(brep: Brep, group: Collection[int], axis: Vector) -> dict[int, dict[int, EdgeRecord]]:
+def _links(
+    brep: Brep, group: Collection[int], axis: Vector, owners: dict[int, int]
+) -> dict[int, dict[int, EdgeRecord]]:
     """Which faces of the group border each other along the direction, in a concave corner or smoothly?"""
     links: dict[int, dict[int, EdgeRecord]] = defaultdict(dict)
     for face in group:
         for edge, other in brep.neighbours(face):
             if other not in group or edge.kind is not EdgeKind.LINE or edge.convexity is EdgeConvexity.CONVEX:
                 continue
-            if norm(cross(unit(sub(edge.end, edge.start)), axis)) < ACROSS:
-                links[face][other] = edge
+            if owners[face] != owners[other] and norm(cross(unit(sub(edge.end, edge.start)), axis)) < ACROSS:
+                links[owners[face]][owners[other]] = edge
     return links
 
 
@@ -89,7 +96,9 @@ def _two_links(brep: Brep, faces: Collection[FaceRecord]) -> bool:
 
 def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, closed: bool = True) -> str:
     """The name of the section of walls that run along one direction; `corners`: the angles that they meet at."""
-    flats = _distinct([f for f in faces if f.kind is SurfaceKind.PLANE])
+    flats = [f for f in faces if f.kind is SurfaceKind.PLANE]
+    owners = first_of_plane(flats)
+    flats = [f for f in flats if owners[f.id] == f.id]
     rounds = [f for f in faces if f.kind is SurfaceKind.CYLINDER]
     if len(flats) == 2 and rounds and _is_obround(flats[0], flats[1], rounds):
         return "obround"
@@ -105,15 +114,41 @@ def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, 
     return polygon_name([face.axis for face in flats])
 
 
-def _distinct(planes: Collection[FaceRecord]) -> list[FaceRecord]:
-    """One face of each plane: what another cut has parted is one side."""
+def first_of_plane(
+    faces: Collection[FaceRecord], together: Callable[[FaceRecord, FaceRecord], bool] = lambda _a, _b: True
+) -> dict[int, int]:
+    """The first of those faces that lie in one plane and look the same way, for each by id. Others are alone.
+
+    `together`: what pieces of a plane must meet besides.
+    """
     found: list[FaceRecord] = []
-    for face in planes:
-        near = 1e-3 * math.sqrt(face.area)
-        same = (dot(f.axis, face.axis) > 0.9999 and abs(dot(sub(f.point, face.point), f.axis)) < near for f in found)
-        if not any(same):
+    owners = {}
+    for face in faces:
+        same = [f for f in found if _in_one_plane(f, face) and together(f, face)]
+        owners[face.id] = same[0].id if same else face.id
+        if not same and face.kind is SurfaceKind.PLANE:
             found.append(face)
-    return found
+    return owners
+
+
+def _in_one_plane(a: FaceRecord, b: FaceRecord) -> bool:
+    near = 1e-3 * math.sqrt(b.area)
+    return (
+        b.kind is SurfaceKind.PLANE and dot(a.axis, b.axis) > 0.9999 and abs(dot(sub(a.point, b.point), a.axis)) < near
+    )
+
+
+def _behind(brep: Brep, a: FaceRecord, b: FaceRecord, along: Vector) -> bool:
+    """Do two pieces of a plane lie behind each other along a direction? The lips of a T slot lie beside each other."""
+    across = unit(cross(a.axis, along))
+    (low, high), (first, last) = (
+        (min(widths), max(widths))
+        for widths in (
+            [dot(p, across) for e in brep.face_edges[f.id] for p in (brep.edges[e].start, brep.edges[e].mid)]
+            for f in (a, b)
+        )
+    )
+    return min(high, last) - max(low, first) > 1e-3 * min(high - low, last - first)
 
 
 def _is_obround(a: FaceRecord, b: FaceRecord, rounds: Collection[FaceRecord]) -> bool:

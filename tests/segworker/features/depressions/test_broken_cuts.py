@@ -1,0 +1,62 @@
+"""What is cut in stays what it is when another cut takes a corner of it, and only then becomes another thing."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from tests.segworker.shapes import box, cut, cylinder, extruded, find, plate, prism
+
+TRIANGLE = ((-10.0, -8.0), (10.0, -8.0), (0.0, 18.0))
+
+
+@pytest.mark.parametrize(("depth", "kinds"), [(3.0, ["pocket"]), (9.0, ["slot"])])
+def test_a_pocket_whose_corner_lies_in_a_step_is_a_pocket_unless_the_step_is_deeper(
+    depth: float, kinds: list[str]
+) -> None:
+    step = box((70, 10, depth), (-35, 17, -depth))
+    found = find(cut(plate(), extruded(TRIANGLE, -8, 9), step))
+    assert len(found.of("step")) == 1
+    assert [part.kind for part in found.parts if part.kind in ("pocket", "slot", "channel", "cutout")] == kinds
+    if kinds == ["pocket"]:
+        assert "triangular" in found.of("pocket")[0].tags
+
+
+@pytest.mark.parametrize(("reach", "kind"), [(-4.0, "slot"), (10.0, "step")])
+def test_a_slot_of_a_disc_cutter_that_lost_part_of_a_wall_is_a_slot_and_one_without_the_wall_a_step(
+    reach: float, kind: str
+) -> None:
+    disc = cylinder(8, 10, (-5, -5, 0), (0, 1, 0))
+    beside = box((reach + 40, 20, 30), (-40, -22, -25))
+    found = find(cut(plate(), box((30, 10, 8), (-35, -5, -8)), disc, beside))
+    cuts = [part for part in found.parts if part.kind in ("slot", "step", "notch")]
+    assert [part.kind for part in cuts if part.depth == pytest.approx(0.008)] == [kind]
+
+
+def test_a_slot_whose_floor_another_cut_parts_is_no_cutout() -> None:
+    across = box((10, 50, 6), (-5, -25, -11))
+    found = find(cut(plate(), box((70, 10, 8), (-35, -5, -8)), across))
+    assert not [part for part in found.of("cutout") if abs((part.axis or part.normal or (0, 0, 0))[0]) > 0.9]
+    assert any(part.width == pytest.approx(0.010) and part.length == pytest.approx(0.060) for part in found.of("slot"))
+
+
+def test_walls_that_run_on_all_around_stay_a_cutout_though_a_bore_crosses_them() -> None:
+    found = find(cut(plate(), box((20, 10, 30), (-10, -5, -25)), cylinder(3, 60, (0, -30, -10), (0, 1, 0))))
+    assert "rectangular" in found.of("cutout")[0].tags
+    assert not found.of("slot")
+
+
+def test_a_corner_step_beside_a_steep_slope_is_no_v_groove() -> None:
+    foot = 6 * math.tan(math.radians(50))
+    slope = prism(((10, -6, 0), (10, 0, 0), (10, 0, -foot)), (25, 0, 0))
+    found = find(cut(plate(), box((25, 25, 14), (10, 0, -14)), slope))
+    assert len(found.of("step")) == 1
+    assert not found.of("slot")
+
+
+@pytest.mark.parametrize("tilt", [0.0, 15.0, 30.0])
+def test_a_v_groove_may_lean(tilt: float) -> None:
+    first, second = (4 * math.tan(math.radians(45 + sign * tilt)) for sign in (1, -1))
+    groove = prism(((-35, -first, 0), (-35, second, 0), (-35, 0, -4)), (70, 0, 0))
+    (slot,) = find(cut(plate(), groove)).of("slot")
+    assert "v_shaped" in slot.tags
