@@ -71,10 +71,11 @@ def _standing_walls(brep: Brep, tolerances: Tolerances, ratio: float) -> list[Ri
         if top.kind is not SurfaceKind.PLANE:
             continue
         sides = _sides(brep, top)
-        if (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 2)) is not None:
+        footed = {face.id for _, face in sides if _feet(brep, face, top)}
+        if (flanks := _opposed(sides, footed, 2)) is not None:
             standing.append(_rib(brep, top, flanks, {flanks[0].id, flanks[1].id}, ratio))
-        elif (flanks := _opposed(sides, {face.id for _, face in sides if _stands(brep, face, top)}, 1)) is not None:
-            flush.append(_rib(brep, top, flanks, {f.id for f in flanks if _stands(brep, f, top)}, ratio))
+        elif (flanks := _opposed(sides, footed, 1)) is not None:
+            flush.append(_rib(brep, top, flanks, {f.id for f in flanks if f.id in footed}, ratio))
     ribs = _widest_tops(brep, [rib for rib in standing if rib is not None])
     ends = [end for end in flush if end is not None and any(_same_row(brep, end, rib, tolerances) for rib in ribs)]
     row = [*ribs, *ends]
@@ -178,6 +179,10 @@ def _opposed(
     sides: Sequence[tuple[EdgeRecord, FaceRecord]], standing: set[int], feet: int
 ) -> tuple[FaceRecord, FaceRecord] | None:
     """The two longest parallel sides that face away from each other, `feet` of them among those standing."""
+    if len(standing) < feet:
+        return None
+    if feet == 2:
+        sides = [side for side in sides if side[1].id in standing]
     for i, (edge, a) in enumerate(sides):
         for other_edge, b in sides[i + 1 :]:
             opposed = dot(a.axis, b.axis) < -0.99 and dot(sub(a.point, b.point), a.axis) > 0
@@ -187,22 +192,18 @@ def _opposed(
     return None
 
 
-def _stands(brep: Brep, flank: FaceRecord, top: FaceRecord) -> bool:
-    """Does the flank end in a concave edge below the top, and along it?"""
-    return bool(_feet(brep, flank, top))
-
-
 def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, float]]:
     """The flank's concave edges below the top, and along it: their lengths and positions along the top's normal.
 
     They are of its outline: what stands on the flank itself, a pin on a plate, is no foot.
     """
     level = dot(top.point, top.axis)
-    outline = {edge for loop in flank.loops if loop.outer for edge in loop.edges}
+    outline = [brep.edges[e] for loop in flank.loops if loop.outer for e in loop.edges]
     return [
         (edge.length, dot(edge.mid, top.axis))
-        for edge, other in brep.neighbours(flank.id)
-        if edge.id in outline
+        for edge in outline
+        for other in edge.faces
+        if other != flank.id
         and (
             edge.convexity is EdgeConvexity.CONCAVE
             or (edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].outward < 0)

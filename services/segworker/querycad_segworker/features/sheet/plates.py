@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import SurfaceKind
+import numpy as np
+from numpy.typing import NDArray
+
+from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.adjacency import is_blend
@@ -22,6 +25,10 @@ SQUARE = 1e-2
 MOST = 0.5
 """More than this share of a plate's outline is free, and of its face has another across from it; along the rest it runs
 into what it carries or what carries it."""
+
+
+ALIKE = 1e-9
+"""Lengths of outline, as shares of it, that differ by less differ by rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +49,10 @@ def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], t
     Sorted by lowest face id. Round discs are bosses and left to them, thin walls that stand on the material are ribs.
     """
     known = [prism for prism in prisms if prism.height < PLATE_RATIO * prism.width]
+    across = _Across(brep, 10 * tolerances.length)
     found: list[tuple[float, Prism, set[int]]] = []
     for face in brep.faces:
-        side = _side(brep, face, tolerances)
+        side = _side(across, face)
         if side is None or any(_is_one(prism, side) for prism in known):
             continue
         if any({face.id, *side.below}.issuperset(rib.flanks) for rib in ribs):
@@ -79,11 +87,24 @@ def _is_one(prism: Prism, side: _Side) -> bool:
     return alike and (side.face.id in prism.faces or len(set(prism.faces).intersection(side.walls)) > 1)
 
 
-def _side(brep: Brep, face: FaceRecord, tolerances: Tolerances) -> _Side | None:
+@dataclass(frozen=True, slots=True)
+class _Ends:
+    """Where an upright wall ends at faces that look another way, by level: what lies on one level is one.
+
+    `levels`: (L,) float64, metres, rising. `first`: (L,) which of the wall's ends was the first there.
+    """
+
+    levels: NDArray[np.float64]
+    first: NDArray[np.int64]
+    faces: tuple[tuple[int, ...], ...]
+
+
+def _side(across: _Across, face: FaceRecord) -> _Side | None:
     """The walls that run square from the outline of a face to one level, for most of the outline."""
     if face.kind is not SurfaceKind.PLANE or not face.loops or not face.loops[0].outer:
         return None
-    whole, ends = 0.0, list[tuple[float, float, int, int]]()
+    brep = across.brep
+    whole, above = 0.0, list[tuple[float, int]]()
     for e in face.loops[0].edges:
         edge = brep.edges[e]
         whole += edge.length
@@ -91,31 +112,65 @@ def _side(brep: Brep, face: FaceRecord, tolerances: Tolerances) -> _Side | None:
         if len(beyond) != 1:
             return None
         other = brep.faces[beyond[0]]
-        rounded = edge.convexity is EdgeConvexity.SMOOTH and other.outward > 0 and is_blend(brep, other)
         if edge.convexity is EdgeConvexity.CONVEX:
-            ends += [(edge.length, *end) for end in _ends(brep, face, other)]
-        elif rounded:
+            above.append((edge.length, other.id))
+        elif edge.convexity is EdgeConvexity.SMOOTH and other.outward > 0 and is_blend(brep, other):
             walls = {i for link, i in brep.neighbours(other.id) if link.convexity is EdgeConvexity.SMOOTH} - {face.id}
-            ends += [(edge.length, *end) for wall in walls for end in _ends(brep, face, brep.faces[wall])]
-    near = 10 * tolerances.length
-    best: list[tuple[float, float, int, int]] = []
-    for _, level, _, _ in ends:
-        same = [end for end in ends if abs(end[1] - level) <= near]
-        if _free(same) > _free(best):
-            best = same
-    below = tuple(sorted({end[3] for end in best}))
-    if _free(best) <= MOST * whole or sum(brep.faces[i].area for i in below) < MOST * face.area:
+            above += [(edge.length, wall) for wall in walls]
+    above = list(dict.fromkeys(above))
+    ends = [across.ends(face, wall) for _, wall in above]
+    levels = np.concatenate([each.levels for each in ends]) if ends else np.zeros(0)
+    if not len(levels):
         return None
-    return _Side(face, best[0][1], tuple(sorted({end[2] for end in best})), below)
+    counts = [len(each.levels) for each in ends]
+    owner = np.repeat(np.arange(len(above)), counts)
+    rising = np.argsort(levels, kind="stable")
+    group = np.zeros(len(levels), dtype=np.int64)
+    group[rising[1:]] = np.cumsum(np.diff(levels[rising]) > across.near)
+    free = np.bincount(group, weights=np.array([length for length, _ in above])[owner])
+    widest = np.flatnonzero(free[group] >= free.max() - ALIKE * whole)
+    order = np.concatenate([each.first for each in ends])
+    first = min(widest, key=lambda i: (owner[i], order[i]))  # of several, the one met first along the outline
+    if free[group[first]] <= MOST * whole:
+        return None
+    starts = np.cumsum([0, *counts])
+    members = [(int(owner[i]), int(i - starts[owner[i]])) for i in np.flatnonzero(group == group[first])]
+    below = tuple(sorted({f for k, i in members for f in ends[k].faces[i]}))
+    if sum(brep.faces[i].area for i in below) < MOST * face.area:
+        return None
+    return _Side(face, float(levels[first]), tuple(sorted({above[k][1] for k, _ in members})), below)
 
 
-def _free(ends: Collection[tuple[float, float, int, int]]) -> float:
-    """The length of outline above these ends, each edge counted once."""
-    return sum({(length, wall): length for length, _, wall, _ in ends}.values())
+class _Across:
+    """The ends of upright walls. One with a thousand cutouts is gone through once for all faces that look one way."""
+
+    def __init__(self, brep: Brep, near: float) -> None:
+        self.brep, self.near = brep, near
+        self._found: dict[tuple[int, Vector], _Ends] = {}
+
+    def ends(self, face: FaceRecord, wall: int) -> _Ends:
+        """Where does the wall end, against the normal of this face?"""
+        x, y, z = (round(c, 6) + 0.0 for c in face.axis)
+        key = (wall, (x, y, z))
+        if key not in self._found:
+            self._found[key] = self._by_level(_ends(self.brep, face, self.brep.faces[wall]))
+        return self._found[key]
+
+    def _by_level(self, ends: Sequence[tuple[float, int]]) -> _Ends:
+        levels, first, faces = list[float](), list[int](), list[list[int]]()
+        for number in sorted(range(len(ends)), key=lambda i: ends[i]):
+            level, face = ends[number]
+            if not levels or level - levels[-1] > self.near:
+                levels.append(level)
+                first.append(number)
+                faces.append([])
+            first[-1] = min(first[-1], number)
+            faces[-1].append(face)
+        return _Ends(np.array(levels), np.array(first, dtype=np.int64), tuple(map(tuple, faces)))
 
 
-def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, int, int]]:
-    """Where an upright wall ends at faces that look the other way: (level, wall, face there)."""
+def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, int]]:
+    """Where an upright wall ends at faces that look the other way: (level, face there)."""
     if wall.kind is SurfaceKind.PLANE:
         upright = abs(dot(wall.axis, face.axis)) < SQUARE
     elif wall.kind is SurfaceKind.CYLINDER:
@@ -126,13 +181,13 @@ def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, i
     for edge, other in brep.neighbours(wall.id) if upright else []:
         beyond = brep.faces[other]
         if beyond.kind is SurfaceKind.PLANE and dot(beyond.axis, face.axis) < SQUARE - 1:
-            found.append((dot(beyond.point, face.axis), wall.id, other))
-        elif is_blend(brep, beyond) and beyond.outward > 0 and edge.convexity is EdgeConvexity.SMOOTH:
+            found.append((dot(beyond.point, face.axis), other))
+        elif edge.convexity is EdgeConvexity.SMOOTH and beyond.outward > 0 and is_blend(brep, beyond):
             for link, last in brep.neighbours(other):
                 under = brep.faces[last]
                 if link.convexity is EdgeConvexity.SMOOTH and under.kind is SurfaceKind.PLANE:
                     if dot(under.axis, face.axis) < SQUARE - 1:
-                        found.append((dot(under.point, face.axis), wall.id, last))
+                        found.append((dot(under.point, face.axis), last))
     return found
 
 
