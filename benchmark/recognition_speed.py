@@ -3,6 +3,7 @@
 `python -m benchmark.recognition_speed versus [DIR]` times QueryCAD and quiddity on every STEP file below DIR (default:
 the development half of CAD-Q&A), each file and system in a process of its own that may crash or run out of time.
 `python -m benchmark.recognition_speed scaling [PICTURE]` times solids of 100 to 20,000 faces and draws the growth.
+`python -m benchmark.recognition_speed sieve` times plates of 250 to 4,000 faces, all openings in one face.
 `querycad bench perf` has both, on fewer and smaller files.
 
 Processor seconds are compared, as they hardly depend on what else the machine does. Ours is everything after the file
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 DEFAULT_FILES = Path(__file__).parents[2] / "shared" / "cad-qa-dev"
 TIMEOUT_S = 300.0
 FACES_A_TILE = 92
+OPENINGS = (100, 200, 400, 800, 1600)
 TILES = (1, 3, 8, 24, 72, 220)  # 92 to about 20,000 faces
 
 
@@ -154,6 +156,49 @@ def terrace(tiles: int, file: Path) -> Path:
     return file
 
 
+def sieve(openings: int) -> Part:
+    """A plate with round and square openings in turn, all in one face: 2.5 faces each."""
+    from build123d import Edge, Face, Plane, Wire, extrude
+
+    pitch, cells = 12.0, math.ceil(math.sqrt(openings))
+    end = cells * pitch
+    rims = []
+    for number in range(openings):
+        x, y = ((number % cells + 0.5) * pitch, (number // cells + 0.5) * pitch)
+        square = [(x - 3, y - 3), (x + 3, y - 3), (x + 3, y + 3), (x - 3, y + 3)]
+        circle = Edge.make_circle(3, Plane((x, y, 0)))
+        rims.append(Wire([circle]) if number % 2 else Wire.make_polygon(square, close=True))
+    outline = Wire.make_polygon([(0, 0), (end, 0), (end, end), (0, end)], close=True)
+    return extrude(Face(outline, rims), 5, dir=(0, 0, 1))
+
+
+def sieves(most: int) -> list[Run]:
+    """Recognition alone on plates of ever more openings in one face, up to `most` faces.
+
+    The kernel's reading and meshing of such a face grow with the square of its openings, and are left out.
+    """
+    from querycad_segworker.brep.extract import extract
+    from querycad_segworker.brep.step import StepContent
+    from querycad_segworker.brep.tessellate import tessellate
+    from querycad_segworker.features.recognise import recognise
+    from querycad_segworker.vectors import dist
+    from querycad_segworker.visibility.raycast import Scene
+
+    runs = []
+    for openings in OPENINGS:
+        if 2.5 * openings > most:
+            break
+        extracted = extract(StepContent(sieve(openings).wrapped, "sieve", ()))
+        mesh = tessellate(extracted.faces, dist(*extracted.brep.box))
+        scene = Scene(mesh)
+        start = time.process_time()
+        found = recognise(extracted.brep, scene.is_clear, mesh=mesh, ahead=scene.ahead)
+        seconds = time.process_time() - start
+        kinds = dict(Counter(str(part.kind) for part in found.parts))
+        runs.append(Run("querycad", f"{openings} openings", seconds, len(extracted.brep.faces), kinds))
+    return runs
+
+
 def scaling(most: int = TILES[-1] * FACES_A_TILE) -> list[Run]:
     """Ours on one solid of a growing number of faces, up to `most`."""
     with tempfile.TemporaryDirectory(prefix="querycad-scaling-") as scratch:
@@ -205,6 +250,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     scaling_parser.add_argument("picture", type=Path, nargs="?", help="an SVG file")
     scaling_parser.add_argument("--most", type=int, default=TILES[-1] * FACES_A_TILE, help="faces (default: all)")
     scaling_parser.add_argument("--json", action="store_true", help="the figures as one JSON object")
+    sieve_parser = commands.add_parser("sieve", help="as openings in one face become more")
+    sieve_parser.add_argument("--most", type=int, default=math.ceil(2.5 * OPENINGS[-1]), help="faces (default: all)")
     time_parser = commands.add_parser("time", help="one file and system, as one JSON object")
     child_parser = commands.add_parser("child", help="one file, used by the other two")
     for each in (time_parser, child_parser):
@@ -223,14 +270,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         runs = versus(options.folder)
         print(versus_table(runs))
         return int(any(one.failure for one in runs if one.system == "querycad"))
-    runs = scaling(options.most)
-    if options.json:
+    runs = sieves(options.most) if options.command == "sieve" else scaling(options.most)
+    if options.command != "sieve" and options.json:
         print(f'{{"runs": [{", ".join(map(_as_json, runs))}], "exponent": {exponent(runs)}}}')
         return 0
     for one in runs:
         print(f"{one.faces:6} faces {one.seconds:8.2f} s {one.failure}")
     print(f"time grows as (n log n)^{exponent(runs):.2f}")
-    if options.picture:
+    if options.command != "sieve" and options.picture:
         draw(runs, options.picture)
     return int(any(one.failure for one in runs))
 

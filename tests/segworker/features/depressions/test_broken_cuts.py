@@ -40,6 +40,12 @@ def test_a_slot_whose_floor_another_cut_parts_is_no_cutout() -> None:
     assert any(part.width == pytest.approx(0.010) and part.length == pytest.approx(0.060) for part in found.of("slot"))
 
 
+def test_an_open_slot_whose_walls_are_parted_halfway_down_is_not_closed() -> None:
+    slot = (box((20, 8, 30), (15, -4, -25)), cylinder(4, 30, (15, 0, -25)))
+    found = find(cut(plate(), *slot, box((30, 6, 4), (5, -3, -12))))
+    assert not [part for part in found.of("cutout") if "closed" in part.tags]
+
+
 def test_walls_that_run_on_all_around_stay_a_cutout_though_a_bore_crosses_them() -> None:
     found = find(cut(plate(), box((20, 10, 30), (-10, -5, -25)), cylinder(3, 60, (0, -30, -10), (0, 1, 0))))
     assert "rectangular" in found.of("cutout")[0].tags
@@ -60,3 +66,11 @@ def test_a_v_groove_may_lean(tilt: float) -> None:
     groove = prism(((-35, -first, 0), (-35, second, 0), (-35, 0, -4)), (70, 0, 0))
     (slot,) = find(cut(plate(), groove)).of("slot")
     assert "v_shaped" in slot.tags
+
+
+@pytest.mark.parametrize(("width", "seats"), [(8.0, 1), (20.0, 0)])
+def test_a_trough_wider_than_the_disc_that_it_fits_is_no_woodruff_seat(width: float, seats: int) -> None:
+    trough = cylinder(8, width, (38, -width / 2, 40), (0, 1, 0))
+    found = find(cut(cylinder(40, 80), trough))
+    assert len([part for part in found.parts if "woodruff" in part.tags]) == seats
+    assert any(part.kind.cuts_in for part in found.parts)

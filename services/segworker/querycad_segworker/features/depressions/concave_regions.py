@@ -8,7 +8,13 @@ from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
-from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, Tunnel, first_of_plane, tunnel_of, upwards
+from querycad_segworker.features.shared.extruded_walls import (
+    MORE_THAN_HALF,
+    Tunnel,
+    first_of_surface,
+    tunnel_of,
+    upwards,
+)
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
@@ -44,8 +50,9 @@ def group_depression(
         return _passage(brep, group, tunnel)
     if not planes:
         return None
-    links = _links_by_plane(graph, group, planes)
-    floor = _floor_under_lips(brep, group, planes, links) or _floor(graph, group, planes, links)
+    own_links = {face.id: _wall_links(graph, face.id, group) for face in planes}
+    links = _links_by_plane(planes, own_links)
+    floor = _floor_under_lips(brep, group, planes, own_links) or _floor(graph, group, planes, links)
     walls = [brep.faces[i] for i in sorted(links[floor.id])]
     special = v_slot(brep, group, planes) or woodruff(brep, group, planes)
     if special is not None or not walls:
@@ -116,7 +123,7 @@ def _floor_under_lips(
 def _floor(
     graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord], links: dict[int, set[int]]
 ) -> FaceRecord:
-    """The plane that walls surround, or else the one that the most others stand on.
+    """The plane that the most others stand on; of several, one that walls surround.
 
     The end of a slot bears as many walls as its floor: the larger one is the floor. In a corner of two or three
     faces that are all alike, the one between two walls that face each other, or facing top, then front, then right.
@@ -129,8 +136,8 @@ def _floor(
         pair = facing_pair([wall for wall in walls if wall.kind is SurfaceKind.PLANE], face.axis)
         size = round(face.area / largest, 3) if most > 2 or pair is not None else 0.0
         return (
-            _is_surrounded(graph.brep, face, group),
             len(walls),
+            _is_surrounded(graph.brep, face, group),
             pair is not None,
             size,
             dot(face.axis, (0.1, -0.2, 1.0)),
@@ -317,12 +324,12 @@ def _is_square(walls: Sequence[FaceRecord]) -> bool:
     return all(parallel(wall.axis, first, 0.05) or abs(dot(wall.axis, first)) < 0.05 for wall in walls)
 
 
-def _links_by_plane(graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord]) -> dict[int, set[int]]:
+def _links_by_plane(planes: Sequence[FaceRecord], own: dict[int, set[int]]) -> dict[int, set[int]]:
     """What stands on each plane of the group, its pieces taken together where other cuts have parted it."""
-    owners = first_of_plane(planes)
+    owners = first_of_surface(planes)
     links: dict[int, set[int]] = {face.id: set() for face in planes}
     for face in planes:
-        links[owners[face.id]] |= _wall_links(graph, face.id, group)
+        links[owners[face.id]] |= own[face.id]
     return {face.id: links[owners[face.id]] for face in planes}
 
 

@@ -167,7 +167,11 @@ def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depre
     if len(planes) != 2 or len(rounds) != 1 or not parallel(rounds[0].axis, planes[0].axis, 1e-2):
         return None
     bottom = rounds[0]
-    if facing_pair(planes, None) is None:
+    pair = facing_pair(planes, None)
+    if pair is None:
+        return None
+    if abs(dot(sub(pair[1].point, pair[0].point), pair[0].axis)) > 2 * bottom.radius:
+        refuse("slot", group, "it is wider than the disc that would have cut it")
         return None
     frame = frame_of(brep, group, bottom.point_normal, None, unit(cross(bottom.axis, bottom.point_normal)))
     slot = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (bottom.id,), bottom.body, is_open=True)

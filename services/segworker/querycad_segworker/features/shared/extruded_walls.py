@@ -11,6 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, scale, sub, unit
 
+from .axes import Axis
 from .frames import POLYGONS, polygon_name
 
 ACROSS = 0.02
@@ -35,7 +36,7 @@ class Tunnel:
 def tunnel_of(brep: Brep, group: Collection[int]) -> Tunnel | None:
     """Which tunnel do these faces form? None when they do not all run along one direction, or branch.
 
-    What other cuts across that direction have parted of one plane is one wall.
+    What other cuts across that direction have parted of one plane or cylinder is one wall.
     """
     faces = [brep.faces[i] for i in sorted(group)]
     if len(faces) < 2 or any(f.kind not in (SurfaceKind.PLANE, SurfaceKind.CYLINDER) for f in faces):
@@ -43,7 +44,7 @@ def tunnel_of(brep: Brep, group: Collection[int]) -> Tunnel | None:
     axis = _common_direction(faces)
     if axis is None:
         return None
-    owners = first_of_plane(faces, lambda a, b: _behind(brep, a, b, axis))
+    owners = first_of_surface(faces, lambda a, b: _behind(brep, a, b, axis))
     links = _links(brep, group, axis, owners)
     faces = [face for face in faces if owners[face.id] == face.id]
     if any(len(links[face.id]) > 2 for face in faces) or sum(not links[face.id] for face in faces):
@@ -97,7 +98,7 @@ def _two_links(brep: Brep, faces: Collection[FaceRecord]) -> bool:
 def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, closed: bool = True) -> str:
     """The name of the section of walls that run along one direction; `corners`: the angles that they meet at."""
     flats = [f for f in faces if f.kind is SurfaceKind.PLANE]
-    owners = first_of_plane(flats)
+    owners = first_of_surface(flats)
     flats = [f for f in flats if owners[f.id] == f.id]
     rounds = [f for f in faces if f.kind is SurfaceKind.CYLINDER]
     if len(flats) == 2 and rounds and _is_obround(flats[0], flats[1], rounds):
@@ -114,33 +115,37 @@ def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, 
     return polygon_name([face.axis for face in flats])
 
 
-def first_of_plane(
+def first_of_surface(
     faces: Collection[FaceRecord], together: Callable[[FaceRecord, FaceRecord], bool] = lambda _a, _b: True
 ) -> dict[int, int]:
-    """The first of those faces that lie in one plane and look the same way, for each by id. Others are alone.
+    """The first of those planes and cylinders that are pieces of one, and look the same way, for each by id.
 
-    `together`: what pieces of a plane must meet besides.
+    `together`: what pieces must meet besides.
     """
     found: list[FaceRecord] = []
     owners = {}
     for face in faces:
-        same = [f for f in found if _in_one_plane(f, face) and together(f, face)]
+        same = [f for f in found if _is_one_surface(f, face) and together(f, face)]
         owners[face.id] = same[0].id if same else face.id
-        if not same and face.kind is SurfaceKind.PLANE:
+        if not same:
             found.append(face)
     return owners
 
 
-def _in_one_plane(a: FaceRecord, b: FaceRecord) -> bool:
+def _is_one_surface(a: FaceRecord, b: FaceRecord) -> bool:
     near = 1e-3 * math.sqrt(b.area)
-    return (
-        b.kind is SurfaceKind.PLANE and dot(a.axis, b.axis) > 0.9999 and abs(dot(sub(a.point, b.point), a.axis)) < near
-    )
+    if a.kind is not b.kind or a.outward != b.outward:
+        return False
+    if a.kind is SurfaceKind.PLANE:
+        return dot(a.axis, b.axis) > 0.9999 and abs(dot(sub(a.point, b.point), a.axis)) < near
+    if a.kind is SurfaceKind.CYLINDER:
+        return abs(a.radius - b.radius) < near and Axis(a.origin, a.axis).radius_of(b.origin) < near
+    return False
 
 
 def _behind(brep: Brep, a: FaceRecord, b: FaceRecord, along: Vector) -> bool:
-    """Do two pieces of a plane lie behind each other along a direction? The lips of a T slot lie beside each other."""
-    across = unit(cross(a.axis, along))
+    """Do two pieces of a wall lie behind each other along a direction? The lips of a T slot lie beside each other."""
+    across = unit(cross(a.axis if a.kind is SurfaceKind.PLANE else a.point_normal, along))
     (low, high), (first, last) = (
         (min(widths), max(widths))
         for widths in (
