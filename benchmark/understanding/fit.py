@@ -1,8 +1,8 @@
 """Fits the weights that rank readings: a log-linear model with the programs latent, learned from the truths alone.
 
 The probability of a candidate is the softmax of its features times the weights; a question's likelihood is the
-probability of all candidates whose value is right (several programs can give it). L2 keeps weights near their rough
-first guess.
+probability of all candidates whose value is right (several programs can give it). How probable it is that none is right
+is fitted after that. L2 keeps weights near their rough first guess.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize
+from scipy.optimize import minimize, minimize_scalar
 from scipy.sparse import csr_array
 from scipy.special import logsumexp
 
-from querycad_answering.ranking import confidence, doubts, key, odds
+from querycad_answering.ranking import NONE, confidence, doubts, key, odds
 
-from .collect import Row
+from .collect import Row, Tried
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
@@ -62,13 +62,34 @@ def fit(rows: Sequence[Row], prior: Table, begin: Table | None = None, l2: float
         )
 
     found = minimize(loss, first, jac=True, method="L-BFGS-B", options={"maxiter": 300})
-    return {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
+    table = {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
+    return {**table, NONE: round(_none(rows, table), 3)}
 
 
 def _logsumexp(scores: NDArray[np.float64], begins: NDArray[np.int64], owner: NDArray[np.int64]) -> NDArray[np.float64]:
     """Of each question's candidates."""
     top = np.maximum.reduceat(scores, begins)
     return np.asarray(top + np.log(np.add.reduceat(np.exp(scores - top[owner]), begins)))
+
+
+def _none(rows: Sequence[Row], table: Table) -> float:
+    """The score that none of the candidates has against theirs, so that it is as often right as they say."""
+    right, whole = [], []
+    for row in rows:
+        scores = [(one.right, _score(one, table)) for one in row.tried]
+        whole.append(logsumexp([score for _, score in scores] or [-math.inf]))
+        right.append(logsumexp([score for is_right, score in scores if is_right] or [-math.inf]))
+    good, all_told = np.array(right), np.array(whole)
+    any_right = np.isfinite(good)
+
+    def loss(score: float) -> float:
+        return float((np.logaddexp(all_told, score) - np.where(any_right, good, score)).sum())
+
+    return float(minimize_scalar(loss, bounds=(-10.0, 5.0), method="bounded").x)
+
+
+def _score(one: Tried, table: Table) -> float:
+    return math.fsum(table.get(name, 0.0) * value for name, value in one.features.items())
 
 
 def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[csr_array, NDArray[np.bool_]]:
@@ -86,8 +107,8 @@ def answered(row: Row, table: Table) -> Answered:
     runs = [one for one in row.tried if one.value is not None and one.value != []]
     if not runs:
         return Answered(False, 0.0, {}, 0.0, True)
-    scores = np.array([math.fsum(table.get(name, 0.0) * value for name, value in one.features.items()) for one in runs])
-    shares = np.exp(scores - logsumexp(scores))
+    scores = np.array([_score(one, table) for one in runs])
+    shares = np.exp(scores - logsumexp([*scores, table.get(NONE, -math.inf)]))
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
         groups.setdefault(key(one.value), []).append(i)

@@ -11,11 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from querycad_language.weights import calibration
+from querycad_contracts import AnswerType
+from querycad_language.weights import calibration, weights
 
 from .candidates import Candidate
 
 Features = dict[str, float]
+NONE = "none_right"
+"""The weight that says how probable it is that no candidate is right: their scores count against it."""
 SHOWN = 3
 """So many readings are shown where none is sure: people choose between two or three."""
 
@@ -71,12 +74,16 @@ def key(value: Any) -> str:
 def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Value]:
     """The different values of the candidates that gave one, the most probable first.
 
-    `untried` are the scores of those that were not run: their share of the probability is nobody's.
+    `untried` are the scores of those that were not run: their share of the probability is nobody's; so is that of none.
     """
     runs = [one for one in tried if one.value is not None and one.value != []]
     if not runs:
         return []
-    shares = softmax([*(one.score for one in runs), *untried])
+    listing = (
+        max(runs, key=lambda one: one.score).written.expects is AnswerType.PARTS
+    )  # no truth that is fitted on is one
+    none = -math.inf if listing else weights().get(NONE, -math.inf)
+    shares = softmax([*(one.score for one in runs), *untried, none])
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
         groups.setdefault(key(one.value), []).append(i)

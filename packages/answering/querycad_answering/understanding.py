@@ -46,7 +46,7 @@ PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
-"""So sure, at most, is a value that answers a question which asks for yes or no."""
+"""So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed."""
 _YES_OR_NO = re.compile(
     r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"
     r"(?!.*\b(?:or|how|what|which|where|number|count|give|tell|possible|way|anyone|anybody)\b)",
@@ -164,7 +164,8 @@ class Understanding:
         tried = self.tried(run)
         untried = [one.score for one in self.ranked[len(tried) :]]
         found = values(tried, untried)
-        for index, best in enumerate(map(self._certain, found)):
+        told = math.fsum(one.share for one in found)
+        for index, best in enumerate(self._certain(one, told) for one in found):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
                 if (missing := self._missing(best, least)) is not None:
@@ -178,16 +179,18 @@ class Understanding:
             return Understood(verdict=Verdict(failure=missing))
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
 
-    def _certain(self, best: Value) -> Value:
+    def _certain(self, best: Value, told: float) -> Value:
         """The value with the confidence that it has where every part is named by its id, and no word is passed over.
 
-        Then nothing is left to find: it is as sure as the share of its meaning among the others.
+        Then nothing is left to find: it is as sure as the share of its meaning among all that is told, `told`.
         """
         ids = self.addressed.ids
         named = ids and is_certain(best.candidate.reading.form) and names_all(best.candidate.reading, ids)
-        sure = max(best.confidence, best.share) if named and not skipped(best.candidate) else best.confidence
+        sure = max(best.confidence, best.share / told) if named and not skipped(best.candidate) else best.confidence
         if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
             sure = min(sure, PASSED_OVER)
+        if "guessed" in best.candidate.features:
+            sure = min(sure, OTHER_CLASS)
         if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
@@ -212,7 +215,7 @@ class Understanding:
         counts = isinstance(best.candidate.reading.form, Count | Exists)
         for query, taken in best.candidate.grounds.items():
             whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
-            if counts and whole and query.noun not in lexicon().words("whole"):
+            if counts and (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole"):
                 return self._asked.absent(query, taken)  # no propeller is on a flange
             if any(taken.features.get(name) for name in STANDS_IN):
                 empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)

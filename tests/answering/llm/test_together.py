@@ -127,7 +127,7 @@ def test_both_agreeing_is_shown_as_confidence() -> None:
 
 
 def test_both_disagreeing_shows_both_programs() -> None:
-    record = ask(FakeModel(program(COUNT)), Codegen.BOTH, by_llm=5)
+    record = ask(FakeModel(program(COUNT)), Codegen.BOTH, by_llm=5, parts=(hole(1), hole(2, 20)))
     assert record.agreement is not None
     assert (record.agreement.agreeing, record.agreement.programs) == (1, 2)
     assert (record.codegen, value_of(record)) == ("parser", 4)

@@ -32,9 +32,16 @@ def row(writer: str, model: str, *, misleading: bool = False) -> Row:
 def test_what_tells_right_values_from_wrong_ones_gets_the_weight() -> None:
     rows = [row("w", f"own:{i}", misleading=i % 10 == 0) for i in range(50)]
     table = fit(rows, {})
-    assert table["telling"] > 0.5 > abs(table.get("common", 0.0))
+    assert table["telling"] > 0.5
     assert table["noise"] < 0
     assert answered(rows[1], table).right
+
+
+def test_where_no_candidate_is_right_none_gets_the_share() -> None:
+    hopeless = Row(question("w", "own:x"), (Tried({"odd": 1.0}, 3.0, False, "c"),))
+    rows = [row("w", f"own:{i}") for i in range(50)] + [hopeless] * 50
+    table = fit(rows, {})
+    assert answered(rows[0], table).probability > 0.5 > answered(hopeless, table).probability
 
 
 def test_several_programs_with_one_value_add_up() -> None:

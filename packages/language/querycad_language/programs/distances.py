@@ -55,7 +55,7 @@ def directions(draft: Draft, first: PartQuery, second: Target, reduce: Reduce) -
     if any(part.axis is None and part.normal is None for part in parts):
         raise Unwritable
     meanings = {"between": "a.angle_to(b)"}
-    if len({part.axis is None for part in parts}) > 1:  # what an axis and a plane enclose
+    if len({part.axis is None or "plate" in part.tags for part in parts}) > 1:  # what an axis and a plane enclose
         meanings = {"inclined": "1.5707963267948966 - a.angle_to(b)"} | meanings
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
         meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from querycad_contracts import Measure, Part, Rank
+from querycad_language.lexicon import lexicon
 from querycad_segworker.vectors import dot, norm, sub
 
 from .inventory import by_size, extreme, measured
@@ -101,8 +102,11 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         query = request.query
-        compound = " " in query.noun or any(not place.relation for place in query.places)
-        told = way.unchecked or query.unknown or compound
+        noun = lexicon().nouns.get(
+            query.noun
+        )  # nothing checks the 'vent' of a vent slot, a tag the 'blind' of a blind hole
+        loose = noun is not None and " " in query.noun and not any((*noun.senses[0].tags, *noun.senses[0].any))
+        told = way.unchecked or query.unknown or loose or any(not place.relation for place in query.places)
         if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
             return  # 'the holes' are all of them, 'the grip studs' may be those of one size
         groups = [group for group in groups if len(group) > 1]
