@@ -9,7 +9,7 @@ from .queries import Grounded
 from .runs import PictureRequest
 from .services import ModelTask
 
-_GUESSED = ("sense_stretch", "unknown_whole", "unknown_words", "kin_instead")
+_GUESSED = ("sense_stretch", "unknown_whole", "unknown_words", "kin_instead", "guessed")
 """Features of a grounding whose noun geometry takes for something else, or knows only a part of …"""
 GUESSED = 0.5
 """… by so much: a lesser stretch is another word for the same."""

@@ -45,7 +45,7 @@ class Noun:
     """It may name the whole model."""
     apart: bool = False
     """Said apart it means the same: 'the bore of the cylinder'."""
-    measure: str = "magnitude"
+    measure: Measure = Measure.MAGNITUDE
     """What is asked where no measure is said: 'fork gap?' asks how wide it is."""
 
 
@@ -202,8 +202,8 @@ def lexicon() -> Lexicon:
 def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
     for entry in data["part"]:
         senses = tuple(_sense(line) for line in entry["senses"])
-        own = {name: entry[name] for name in ("product", "apart", "measure") if name in entry}
-        noun = Noun(entry["words"][0], senses, **own)
+        measure = Measure(entry.get("measure", Measure.MAGNITUDE))
+        noun = Noun(entry["words"][0], senses, entry.get("product", False), entry.get("apart", False), measure)
         for phrase in entry["words"]:
             lex.nouns[phrase] = noun
             lex.add("noun", phrase, noun)

@@ -102,9 +102,8 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         query = request.query
-        noun = lexicon().nouns.get(
-            query.noun
-        )  # nothing checks the 'vent' of a vent slot, a tag the 'blind' of a blind hole
+        # Nothing checks the 'vent' of a vent slot; a tag checks the 'blind' of a blind hole.
+        noun = lexicon().nouns.get(query.noun)
         loose = noun is not None and " " in query.noun and not any((*noun.senses[0].tags, *noun.senses[0].any))
         told = way.unchecked or query.unknown or loose or any(not place.relation for place in query.places)
         if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:

@@ -52,6 +52,12 @@ class Inventory:
         self._found: dict[Sense, list[Part]] = {}
 
     @cached_property
+    def alike(self) -> list[list[Part]]:
+        """What is cut in or stands out, in groups of one kind and size: most parts first, then the largest."""
+        groups = by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
+        return sorted(groups, key=lambda group: (len(group), measured(group[0], "size")), reverse=True)
+
+    @cached_property
     def largest(self) -> float:
         """The longest extent of the model, metres."""
         return max(self.model.extents) if self.model is not None else 1.0

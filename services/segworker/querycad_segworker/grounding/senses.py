@@ -9,7 +9,7 @@ from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.tokens import is_english
 
-from .inventory import Inventory, by_size, measured
+from .inventory import Inventory, measured
 from .ways import Request, Way
 
 SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
@@ -31,7 +31,8 @@ def bases(request: Request) -> Iterator[Way]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
-    words = [word for word in query.words if word not in ("the", *lexicon().wholes)] or query.noun.split()
+    said_nothing = {"the", *lexicon().wholes}
+    words = [word for word in query.words if word not in said_nothing] or query.noun.split()
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
@@ -91,21 +92,15 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Way]:
     """Parts of one kind and size, where nothing is known of the noun: 'a cell' may be any of the fifteen pockets."""
     if not all(map(is_english, query.noun.split())):
         return
-    features = [part for part in inventory.parts if part.kind.cuts_in or part.kind.stands_out]
-    groups = [group for group in by_size(features) if len(group) > 1 or not query.plural]
-    groups.sort(key=lambda group: (len(group), measured(group[0], "size")), reverse=True)
-    largest = max(features, key=lambda part: measured(part, "size"), default=None)
+    groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
+    largest = max((measured(group[0], "size") for group in inventory.alike), default=0.0)
     for rank, group in enumerate(groups[:GUESSES]):
-        said = f"'{query.noun}', taken for a {group[0].kind}"
-        yield Way(
-            tuple(group),
-            {
-                "guessed": 1.0,
-                "guessed_most": float(rank == 0 and len(group) > 1),
-                "guessed_largest": float(largest in group),
-            },
-            (said,),
-        )
+        features = {
+            "guessed": 1.0,
+            "guessed_most": float(rank == 0 and len(group) > 1),
+            "guessed_largest": float(measured(group[0], "size") == largest),
+        }
+        yield Way(tuple(group), features, (f"'{query.noun}', taken for a {group[0].kind}",))
 
 
 def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Way]:

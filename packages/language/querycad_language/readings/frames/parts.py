@@ -59,7 +59,7 @@ def _held(question: Question, mention: Mention) -> Mention | None:
 
 def _named_by(query: PartQuery) -> Measure:
     noun = lexicon().nouns.get(query.noun)
-    return Measure(noun.measure) if noun is not None else Measure.MAGNITUDE
+    return noun.measure if noun is not None else Measure.MAGNITUDE
 
 
 def _asks_for_side(text: Text, at: int) -> bool:
