@@ -9,6 +9,8 @@ from tests.made import body, hole, part, whole
 
 from querycad_contracts import AnswerType, Measure, PartQuery, Relation, Side
 from querycad_language.forms import (
+    LONGEST,
+    SHORTER,
     Angle,
     Boundary,
     Check,
@@ -21,7 +23,9 @@ from querycad_language.forms import (
     Get,
     Parallel,
     Parts,
+    Plane,
     Reduce,
+    Several,
     Uniform,
     queries,
 )
@@ -47,6 +51,13 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Get((Measure.APPROACH,), HOLES), AnswerType.DIRECTION),
     (Count(HOLES, Measure.MIRROR_PLANES), AnswerType.COUNT),
     (Distance(PINS, LEVERS, "overlap"), AnswerType.VOLUME),
+    (Distance(HOLES, "each other", "outsides"), AnswerType.LENGTH),
+    (Distance(HOLES, Plane(None, LEVERS)), AnswerType.LENGTH),
+    (Distance(Plane(Side.TOP, PINS), Plane(None, LEVERS)), AnswerType.LENGTH),
+    (
+        Several((Distance(HOLES, "each other", axis=LONGEST), Distance(HOLES, "each other", axis=SHORTER))),
+        AnswerType.LENGTHS,
+    ),
     (Check(Distance(PINS, "each other", "overlap"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
     (Count(HOLES), AnswerType.COUNT),
     (Count(HOLES, Measure.DIAMETER), AnswerType.COUNT),
@@ -117,6 +128,25 @@ def test_an_axis_and_a_plane_enclose_what_is_left_to_a_right_angle_of_axis_and_n
     neck, face = hole(1), part("face-1", normal=(0.0, 0.0, 1.0))
     written = write(Angle(HOLES, OTHERS), {HOLES: ((neck,), 0), OTHERS: ((face,), 0)}, whole())
     assert "1.5707963267948966 - a.angle_to(b)" in written.code
+
+
+def test_parts_of_a_round_model_lie_at_an_angle_about_its_axis() -> None:
+    """Two parallel holes enclose no angle of their own."""
+    grounds = {HOLES: ((hole(1, 20),), 0), OTHERS: ((hole(2, 0, 20),), 0)}
+    flange = whole(extents=(0.1, 0.1, 0.01))
+    about = write(Angle(HOLES, OTHERS), grounds, flange)
+    assert "arms0 = [[(p.opening or p.center)[i] - middle[i] for i in [0, 1]]" in about.code
+    assert "a.angle_to(b)" in write(Angle(HOLES, OTHERS), grounds, flange, 1).code
+    assert "a.angle_to(b)" in write(Angle(HOLES, OTHERS), grounds, whole()).code
+
+
+def test_spacings_in_both_directions_run_along_the_sides_on_which_the_parts_lie_apart() -> None:
+    four = tuple(part(f"hole-{i}", (0.0, 0.02 * (i % 2), 0.01 * (i // 2)), diameter=0.005) for i in range(4))
+    both = Several(tuple(Distance(HOLES, "each other", "centers", axis) for axis in (LONGEST, SHORTER)))
+    code = write(both, {HOLES: (four, 0)}, whole()).code
+    assert "a.center[1] - b.center[1]" in code
+    assert "a.center[2] - b.center[2]" in code
+    assert "center[0]" not in code
 
 
 def test_the_grounding_that_is_meant_is_named_by_its_sense() -> None:

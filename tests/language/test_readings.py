@@ -75,6 +75,18 @@ def test_every_form_is_among_the_readings_of_its_question(question: str, kind: t
         ("Which piece carries the slot?", (Measure.NAME,), "piece"),
         ("How wide is the groove round the rim?", (Measure.WIDTH,), "groove"),
         ("Blind hole depth, drill point excluded", (Measure.DEPTH,), "blind hole"),
+        ("What axle goes in it?", (Measure.DIAMETER,), "axle hole"),
+        ("What size dowel fits the flange?", (Measure.DIAMETER,), "flange"),
+        ("Which way does the spigot point?", (Measure.DIRECTION,), "spigot"),
+        (
+            "The slot: width, depth at the wall, length over all?",
+            (Measure.WIDTH, Measure.DEPTH, Measure.LENGTH),
+            "slot",
+        ),
+        ("Window size, width by height", (Measure.WIDTH, Measure.HEIGHT), "window"),
+        ("How thick is the wall around the bore?", (Measure.WALL_THICKNESS,), "bore"),
+        ("How thick is the top?", (Measure.THICKNESS,), "roof"),
+        ("What is the floor thickness of the box?", (Measure.THICKNESS,), "floor"),
     ],
 )
 def test_measures_are_read_however_they_are_said(question: str, measures: tuple[Measure, ...], noun: str) -> None:
@@ -82,6 +94,42 @@ def test_measures_are_read_however_they_are_said(question: str, measures: tuple[
         isinstance(form, Get) and form.measures == measures and form.target is not None and form.target.noun == noun
         for form in forms(question)
     )
+
+
+@pytest.mark.parametrize(
+    ("question", "noun"),
+    [
+        ("There are two bores coming in from the left. How deep is the larger one?", "bore"),
+        ("The hub overtops the ring. How high is it?", "hub"),
+        ("A window cut in the wall. How wide is it?", "window"),
+        ("How many ribs run around the outside?", "rib"),
+    ],
+)
+def test_verbs_and_adjectives_are_no_unknown_nouns(question: str, noun: str) -> None:
+    named = {query.noun for form in forms(question) for query in queries(form)}
+    assert noun in named
+    assert not named & {"coming", "overtop", "cut", "outside"}
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("Spacing of the bolts in both directions", Several),
+        ("What are the two spacings of the studs?", Several),
+        ("Width over both lugs", "outsides"),
+        ("Diagonal distance of the four studs", Reduce.LARGEST),
+        ("How far is the pin from the hub's end face?", Plane),
+        ("What is the angular offset between the key and the vane?", Angle),
+    ],
+)
+def test_how_a_distance_is_taken_is_said_in_many_ways(question: str, expected: Any) -> None:
+    found = forms(question)
+    distances = [form for form in found if isinstance(form, Distance)]
+    if isinstance(expected, type):
+        ends = [end for form in distances for end in (form.first, form.second)]
+        assert any(isinstance(one, expected) for one in (*found, *ends))
+    else:
+        assert any(expected in (form.mode, form.reduce) for form in distances)
 
 
 def test_the_unit_of_the_answer_is_no_word_that_is_passed_over() -> None:

@@ -59,7 +59,12 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911 - one case a form
         case Distance(first, second, "overlap"):
             return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
         case Distance(first, second, mode, axis, reduce):
-            how = {"centers": "between centres ", "surfaces": "between surfaces ", "usual": ""}[mode]
+            how = {
+                "centers": "between centres ",
+                "surfaces": "between surfaces ",
+                "outsides": "over the outsides ",
+                "usual": "",
+            }[mode]
             along = (
                 ""
                 if axis is None

@@ -38,7 +38,8 @@ class Boundary:
 class Plane:
     """The outermost plane of a part on one side: the underside of a foot, the front face of a flange.
 
-    Without a side: where the part reaches furthest beyond the other one, along its own length.
+    Without a side: along its own length, where the part reaches furthest beyond the other plane's, or where it ends
+    nearest to the other part.
     """
 
     side: Side | None
@@ -83,8 +84,8 @@ class Distance:
 
     first: Anchor
     second: Anchor | Literal["each other"]
-    mode: Literal["centers", "surfaces", "usual", "overlap"] = "usual"
-    """'overlap': the volume that bodies share."""
+    mode: Literal["centers", "surfaces", "outsides", "usual", "overlap"] = "usual"
+    """'outsides': over all of them; 'overlap': the volume that bodies share."""
     axis: int | None = None
     """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
     reduce: Reduce = Reduce.ONE

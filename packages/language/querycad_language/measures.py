@@ -126,7 +126,7 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             ]
         case Measure.HEIGHT:
             if kind in WHOLE:
-                return [("{0}.extents[2]", "own"), ("{0}.height", "own")]
+                return [("{0}.extents[2]", "own"), ("{0}.height", "own"), ("max({0}.extents)", "derived")]
             if kind in CUT and kind != "hole":  # of a window in a wall how far it reaches upwards
                 return [("{0}.extents[2]", "own"), ("{0}.depth", "derived"), ("{0}.length", "derived")]
             return [
@@ -136,7 +136,12 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             ]
         case Measure.WIDTH:
             if kind in WHOLE:
-                return [("{0}.extents[0]", "own"), ("sorted({0}.extents)[1]", "derived"), ("{0}.extents[1]", "derived")]
+                return [
+                    ("{0}.extents[0]", "own"),
+                    *((expression, "derived") for expression, _ in _axial(part)),  # of a roller
+                    ("sorted({0}.extents)[1]", "derived"),
+                    ("{0}.extents[1]", "derived"),
+                ]
             if kind == "hole" and part.radii:
                 return [("2 * max({0}.radii)", "own")]
             if kind == "chamfer":
@@ -169,6 +174,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             )
         case Measure.THICKNESS:
             return _thickness(part, stepped)
+        case Measure.WALL_THICKNESS if kind in CUT:  # what is left around it
+            return [("{0}.wall_distance", "own"), ("{0}.edge_distance()", "derived"), ("{0}.thickness", "foreign")]
         case Measure.WALL_THICKNESS:
             if stepped and not (kind in WHOLE and not _is_plain_tube(part)):
                 return [("max({0}.radii) - min({0}.radii)", "own"), ("{0}.thickness", "own")]
@@ -236,6 +243,12 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
                 ("1.5707963267948966 - {0}.angle", "derived"),
                 ("{0}.inclination", "derived"),
                 ("1.5707963267948966 - {0}.inclination", "derived"),
+            ]
+        case Measure.DRAFT:
+            return [
+                ("{0}.draft", "own"),
+                ("abs(1.5707963267948966 - {0}.inclination)", "derived"),
+                ("{0}.inclination", "derived"),
             ]
         case Measure.MASS:
             return [("{0}.volume", "own")]

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Rank
+from querycad_contracts import Rank, SizeFilter
 from querycad_language.lexicon import Adjective, Scale, Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import Draft
 from .sizes import size_before
-from .words import ends_do_question, is_generic, is_noun, noun_follows, superlative
+from .words import ends_do_question, is_generic, is_noun, is_verb, noun_follows, superlative
 
 
 def before_noun(text: Text, at: int, draft: Draft) -> int:
@@ -39,6 +39,7 @@ def _determiner(text: Text, at: int, draft: Draft) -> int:
         return at + 2
     if span := text.find(at, "each"):
         draft.each = True
+        draft.count = 2 if text.is_word(at, "both") else draft.count
         return span.end
     if span := text.find(at, "quantifier"):
         return span.end
@@ -57,7 +58,10 @@ def _number(text: Text, at: int, draft: Draft) -> int:
     """'4 holes' says how many; 'hole 4' names one."""
     token = text.tokens[at]
     if token.value != int(token.value):
-        return at
+        if draft.nouns or not text.find(at + 1, "noun", "adjective"):
+            return at
+        draft.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes'
+        return at + 1
     if draft.nouns and not draft.unknown and draft.nouns[-1].end == at and token.value < 10_000:
         draft.ids.append(f"{draft.nouns[-1].value.name}-{int(token.value)}")
         return at + 1
@@ -95,6 +99,8 @@ def _is_over(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
         return False
     if (draft.nouns or draft.unknown) and ends_do_question(text, at):
         return True  # 'does the axis of the bore run?'
+    if draft.nouns and text.is_word(at, "cut") and text.find(at + 1, "place"):
+        return True  # 'the window cut in the wall'
     return bool(draft.nouns or draft.unknown) and text.is_word(at, "inside", "interior")  # 'the board inside'
 
 
@@ -144,9 +150,9 @@ def _attribute(text: Text, at: int, draft: Draft) -> int:
 
 def _unknown(text: Text, at: int, draft: Draft, measure: Span | None) -> int:
     """A word that no class has may be the name of something."""
-    if draft.nouns or not text.is_content(at) or measure or text.find(at, "whole", "side", "scale"):
+    if draft.nouns or not text.is_content(at) or measure or text.find(at, "whole", "side", "scale", "adjective"):
         return at
-    if text.find(at, "ground", "verbs", "reach", "aside") or text.is_word(at, "s"):
+    if text.find(at, "ground", "verbs", "reach", "aside", "side_noun") or text.is_word(at, "s") or is_verb(text, at):
         return at
     draft.unknown.append(at)
     return at + 1

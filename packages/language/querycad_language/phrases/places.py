@@ -132,8 +132,10 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
         return other.end if span.value in ("in", "on", "of", "through") and not other.pronoun else at
     if text.find(other.end, "measure") and not text.is_word(other.end, "of"):
         return at  # 'holes in plate thickness direction'
-    if span.value == "between" and text.is_word(other.end, "and"):
-        second = phrases.at(other.end + 1, depth + 1, False)
+    if span.value == "between" and (also := text.skip(other.end, "side", "ground", "side_noun")) < len(text) - 1:
+        second = (
+            phrases.at(also + 1, depth + 1, False) if text.is_word(also, "and") else None
+        )  # 'groove bottom and bore'
         if second is not None and second.query is not None:
             both = replace_fields(other.query, also=(*other.query.also, second.query))
             draft.places.append(Place(relation="between", what=both))

@@ -69,7 +69,8 @@ class Phrases:
         query = mention.query
         if query is None or query.noun or query.ids:
             return mention
-        named = next((m.query for m in reversed(before) if m.query is not None and m.query.noun), None)
+        nouns = [m.query for m in reversed(before) if m.query is not None and m.query.noun]
+        named = max(nouns, key=lambda one: (one.known, one.known and one.plural), default=None)  # one of several
         if named is None or (not self.text.is_word(mention.end - 1, "one") and not query.adjectives):
             return mention
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))

@@ -8,6 +8,9 @@ from querycad_language.tokens import Kind
 
 from .mention import GENERIC
 
+_VERBS = (
+    "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide", "face", "point", "open", "look",
+)  # fmt: skip
 _OPEN = (
     "noun", "adjective", "whole", "side", "color", "scale", "ordinal", "place_extreme", "number", "article", "measure",
     "whole_adjective", "stock", "distance", "gap", "ground",
@@ -50,5 +53,14 @@ def ends_do_question(text: Text, at: int) -> bool:
     return (
         last
         and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at))
-        and text.is_word(at, "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide")
+        and text.is_word(at, *_VERBS)
     )
+
+
+def is_verb(text: Text, at: int) -> bool:
+    """Does an unknown word stand where a verb stands: 'holes coming in from the side', 'the hub overtops the rim'?"""
+    behind_noun = at > 0 and text.tokens[at - 1].kind is Kind.WORD and text.find(at - 1, "noun", "whole", "pronoun")
+    if text.words[at].endswith(("ing", "ed")) and (behind_noun or text.find(at + 1, "article", "place")):
+        return True
+    bare = not text.find(at - 1, "article", "adjective", "number", "ask", "quantifier", "each", "place", "scale")
+    return bool(bare and text.find(at + 1, "article", "count"))

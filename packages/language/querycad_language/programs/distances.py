@@ -8,7 +8,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Part, PartQuery, Side
 from querycad_language.forms import LONGEST, SHORTER, Behind, Boundary, Distance, Origin, Plane, Reduce, Target
 
-from .draft import Draft, Unwritable
+from .draft import Draft, Read, Unwritable
 
 SLACK = 1e-6
 """Metres within which two lengths are one."""
@@ -52,44 +52,80 @@ def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, re
 def directions(draft: Draft, first: PartQuery, second: Target, reduce: Reduce) -> str:
     """Angles between axes or normals; of flat parts also what they enclose. Raises Unwritable: some have neither."""
     parts = [*draft.of(first), *(draft.of(second) if second is not None else ())]
+    return pairwise(draft, first, second, draft.chosen(_between_directions(parts, reduce), _kind(parts)), reduce)
+
+
+def _between_directions(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
+    """What the angle of 'a' and 'b' can mean."""
     if any(part.axis is None and part.normal is None for part in parts):
-        raise Unwritable
+        return {}
     meanings = {"between": "a.angle_to(b)"}
     if len({part.axis is None or "plate" in part.tags for part in parts}) > 1:  # what an axis and a plane enclose
         meanings = {"inclined": "1.5707963267948966 - a.angle_to(b)"} | meanings
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
         meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
-    return pairwise(draft, first, second, draft.chosen(meanings, _kind(parts)), reduce)
+    return meanings
 
 
 def angle_between(draft: Draft, first: PartQuery, second: Target) -> str:
-    """Between axes; of several parts with parallel axes about their common middle: the pitch of a bolt circle."""
-    axes = [part.axis for part in draft.of(first) if part.axis is not None]
-    parallel = all(abs(sum(a * b for a, b in zip(axes[0], axis, strict=True))) > _PARALLEL for axis in axes)
-    if second is not None or len(axes) < 3 or len(axes) < len(draft.of(first)) or not parallel:
-        return directions(draft, first, second, Reduce.ONE)
-    name = draft.parts(first)
-    draft.lines.append("import math")
-    draft.lines.append(f"middle = [sum(p.center[i] for p in {name}) / len({name}) for i in range(3)]")
-    draft.lines.append(f"arms = [[p.center[i] - middle[i] for i in range(3)] for p in {name}]")
+    """Between directions, or about an axis: the pitch of a bolt circle, a keyway and the cross hole opposite."""
+    parts = [*draft.of(first), *(draft.of(second) if second is not None else ())]
+    if len(parts) < 2:
+        raise Unwritable
+    axes = [part.axis for part in parts if part.axis is not None]
+    parallel = len(axes) == len(parts) and all(abs(_dot(axes[0], axis)) > _PARALLEL for axis in axes)
+    if parallel and second is None and len(parts) > 2:
+        return _about(draft, first, None, None)
+    meanings = _between_directions(parts, Reduce.ONE)
+    if (along := _turned(draft.whole)) is not None:  # the angle of parallel axes is none
+        meanings = {"about": ""} | meanings if parallel else meanings | {"about": ""}
+    chosen = draft.chosen(meanings, _kind(parts))
+    return pairwise(draft, first, second, chosen, Reduce.ONE) if chosen else _about(draft, first, second, along)
+
+
+def _turned(part: Part) -> int | None:
+    """Along which of x, y, z is the axis of what is round: its own, or the one square to two equal extents?"""
+    if part.axis is not None:
+        return max(range(3), key=[abs(x) for x in part.axis].__getitem__)
+    extents = part.extents
+    equal = [i for i in range(3) if abs(extents[i - 1] - extents[i - 2]) < SLACK]
+    return equal[0] if len(equal) == 1 else None
+
+
+def _about(draft: Draft, first: PartQuery, second: Target, along: int | None) -> str:
+    """The least angle between the arms to two parts, from their common middle or from the axis of a round model."""
+    names = [draft.parts(query) for query in (first, second) if query is not None]
+    middle = f"[sum(p.center[i] for p in {names[0]}) / len({names[0]}) for i in range(3)]"
+    point = "p.center" if along is None else "(p.opening or p.center)"
+    draft.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
+    for index, name in enumerate(names):
+        arm = f"[{point}[i] - middle[i] for i in {[i for i in range(3) if i != along]}]"
+        draft.lines.append(f"arms{index} = [{arm} for p in {name}]")
+    pairs = "for a in arms0 for b in arms1" if second else "for i, a in enumerate(arms0) for b in arms0[i + 1 :]"
+    draft.lines.append(f"pairs = [(a, b) {pairs} if math.hypot(*a) * math.hypot(*b) > 0]")
     cosine = "sum(u * v for u, v in zip(a, b)) / (math.hypot(*a) * math.hypot(*b))"
-    draft.lines.append(
-        f"found = [math.acos(max(-1.0, min(1.0, {cosine}))) for i, a in enumerate(arms) for b in arms[i + 1 :]]"
-    )
-    return "min(found)"
+    return f"min([math.acos(max(-1.0, min(1.0, {cosine}))) for a, b in pairs])"
 
 
-def _axis(draft: Draft, axis: int | None) -> int | None:
-    """Which of x, y, z: the sides of the model by their length where the words say so."""
-    if axis not in (LONGEST, SHORTER):
-        return axis
+def _dot(a: Sequence[float], b: Sequence[float]) -> float:
+    return sum(x * y for x, y in zip(a, b, strict=True))
+
+
+def _axis(draft: Draft, form: Distance) -> int | None:
+    """Which of x, y, z: where the words say so one of the longer sides along which the parts lie apart."""
+    if form.axis not in (LONGEST, SHORTER):
+        return form.axis
     order = sorted(range(3), key=lambda i: draft.whole.extents[i], reverse=True)
-    return order[axis - LONGEST]
+    parts = draft.of(form.first) if isinstance(form.first, PartQuery) and form.second == "each other" else ()
+    apart = [
+        i for i in order if len(parts) > 1 and max(p.center[i] for p in parts) - min(p.center[i] for p in parts) > SLACK
+    ]
+    return (apart if len(apart) > 1 else order)[form.axis - LONGEST]
 
 
 def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
     """How far apart the two ends of a distance are, as an expression and its type."""
-    form = replace(form, axis=_axis(draft, form.axis))
+    form = replace(form, axis=_axis(draft, form))
     first, second = form.first, form.second
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(draft, form)})", AnswerType.VOLUME
@@ -105,11 +141,28 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
         form = replace(form, mode="surfaces")
     if isinstance(second, Boundary | Origin) or second is None:
         return _to_place(draft, first, second, form), kind
+    if form.mode == "outsides":
+        return _over(draft, form, first), kind
     other = second if isinstance(second, PartQuery) else None
     parts = [*draft.of(first), *(draft.of(other) if other is not None else ())]
     between = _between(draft, form, parts, other is not None)
     reduce = form.reduce
     return pairwise(draft, first, other, between, reduce), kind
+
+
+def _over(draft: Draft, form: Distance, first: PartQuery) -> str:
+    """Over the outsides of several parts, along an axis or the one along which they lie furthest apart."""
+    found = draft.of(first)
+    if form.second != "each other" or len(found) < 2:
+        raise Unwritable
+    spread = [max(p.center[i] for p in found) - min(p.center[i] for p in found) for i in range(3)]
+    i = form.axis if form.axis is not None else max(range(3), key=spread.__getitem__)
+    ends = [
+        f"{pick}(p.center[{i}] {sign} p.half_extents[{i}] for p in {draft.parts(first)})"
+        for pick, sign in (("max", "+"), ("min", "-"))
+    ]
+    draft.reads.append(Read("distance", _kind(found), "outsides", "own"))
+    return " - ".join(ends)
 
 
 def overlapping(draft: Draft, form: Distance) -> str:
@@ -141,11 +194,14 @@ def _behind(parts: Sequence[Part]) -> Side:
 
 def _from_plane(draft: Draft, first: object, second: object, mode: str) -> str:
     """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""
-    if isinstance(first, Plane) and isinstance(second, Plane) and first.side is None:
-        side = _beyond(draft.of(first.of), draft.of(second.of))
-        first, second = replace(first, side=side), replace(second, side=side)
+    if isinstance(first, Plane) and isinstance(second, Plane):
+        first, second = _sided(draft, first, second)
     plane, other = (first, second) if isinstance(first, Plane) else (second, first)
     assert isinstance(plane, Plane)
+    if plane.side is None:
+        if not isinstance(other, PartQuery):
+            raise Unwritable
+        plane = replace(plane, side=_nearest_end(draft.of(plane.of), draft.of(other)))
     assert plane.side is not None
     axis = next(i for i, value in enumerate(plane.side.outward) if value)
     at = _plane_at(draft, plane, axis)
@@ -172,12 +228,22 @@ def _from_plane(draft: Draft, first: object, second: object, mode: str) -> str:
     return "found" if other.plural else "found[0] if len(different(found, 1e-05)) == 1 else found"
 
 
+def _sided(draft: Draft, first: Plane, second: Plane) -> tuple[Plane, Plane]:
+    """Two planes with their sides: one that reaches beyond another, or 'from the top of the head to the end'."""
+    named = first.side or second.side
+    if named is not None:
+        return replace(first, side=first.side or named.opposite), replace(second, side=second.side or named.opposite)
+    if draft.of(first.of) == draft.of(second.of):
+        raise Unwritable
+    side = _beyond(draft.of(first.of), draft.of(second.of))
+    return replace(first, side=side), replace(second, side=side)
+
+
 def _beyond(parts: Sequence[Part], others: Sequence[Part]) -> Side:
     """The end of a part, along its axis or its longest side, that reaches furthest beyond other parts."""
     if not parts or not others:
         raise Unwritable
-    part = parts[0]
-    along = max(range(3), key=lambda i: abs(part.axis[i]) if part.axis is not None else part.extents[i])
+    part, along = parts[0], _length(parts[0])
 
     def reach(side: Side) -> float:
         sign = side.outward[along]
@@ -185,6 +251,24 @@ def _beyond(parts: Sequence[Part], others: Sequence[Part]) -> Side:
         return sign * part.center[along] + part.extents[along] / 2 - max(far)
 
     return max((side for side in Side if side.outward[along]), key=reach)
+
+
+def _nearest_end(parts: Sequence[Part], others: Sequence[Part]) -> Side:
+    """The end of a part, along its axis or its longest side, that is nearest to the middle of another one."""
+    if not parts or not others:
+        raise Unwritable
+    part, along = parts[0], _length(parts[0])
+
+    def apart(side: Side) -> float:
+        return abs(part.center[along] + side.outward[along] * part.extents[along] / 2 - others[0].center[along])
+
+    return min((side for side in Side if side.outward[along]), key=apart)
+
+
+def _length(part: Part) -> int:
+    """Along which of x, y, z a part has its ends: its axis or its longest side."""
+    axis = part.axis
+    return max(range(3), key=lambda i: abs(axis[i]) if axis is not None else part.extents[i])
 
 
 def _each_of(draft: Draft, plane: Plane, axis: int, level: str) -> str:
@@ -214,13 +298,16 @@ def _between(draft: Draft, form: Distance, parts: Sequence[Part], two: bool) -> 
     alike = len({part.kind for part in parts}) == 1
     usual = alike or all(part.axis is not None for part in parts)
     own = ("center", "near") if usual and not (flat and two) else ("near", "center")
-    names = {"centers": ("center",), "surfaces": ("near",)}.get(form.mode, own)
+    names = {"centers": ("center", "axis"), "surfaces": ("near",)}.get(form.mode, (*own, "axis"))
     modes = {"center": "a.center_distance(b)", "near": "a.distance_to(b)"}
+    if two and not alike and (along := _turned(parts[-1])) is not None:  # how far from the axis of the second part
+        planar = [i for i in range(3) if i != along]
+        modes["axis"] = f"({' + '.join(f'(a.center[{i}] - b.center[{i}]) ** 2' for i in planar)}) ** 0.5"
     if form.axis is not None:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
         modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
-    return draft.chosen({name: modes[name] for name in names}, _kind(parts))
+    return draft.chosen({name: modes[name] for name in names if name in modes}, _kind(parts))
 
 
 def _kind(parts: Sequence[Part]) -> str:

@@ -102,8 +102,10 @@ def _how(text: Text, at: int) -> Asked | None:
 
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
-    if (verb := text.find(at, "verbs")) and verb.value in _BY_VERB and at not in taken:
-        return Asked(at, verb.end, (verb.value,), "verb", used=frozenset(verb.tokens))
+    if (verb := text.find(at, "verbs")) and at not in taken:
+        ways = {i for i in text.at_words("way") if text.find(i - 1, "ask")}
+        if verb.value in _BY_VERB or (verb.value is Measure.DIRECTION and ways):  # 'which way does the port face'
+            return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
@@ -147,22 +149,7 @@ def _joined_scales(text: Text, at: int, scale: Span) -> Asked:
 
 def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
     """'length, width and height': several measures of one owner; a word before them may say what becomes of them."""
-    measures, end = [span.value], span.end
-    while True:
-        after = end
-        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
-            after += 1
-        after = text.skip(after, "article")
-        more = text.find(after, "measure")
-        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
-            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
-            continue
-        if after == end or more is None or more.value in measures or text.find(after, "aside"):
-            break
-        if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
-            break  # 'the holes in the cone tips, Ø?'
-        measures.append(more.value)
-        end = more.end
+    measures, end = _listed(text, span)
     start, reduce = span.start, None
     if (both := _both(text, span)) is not None:  # 'inner and outer diameter'
         measures, start = [*both[1], *measures[1:]], both[0]
@@ -189,3 +176,25 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
             break
         start = before
     return Asked(start, end, tuple(measures), "noun", reduce, frozenset(used))
+
+
+def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
+    """The measure that is named here and those that are joined to it, and where the list ends."""
+    measures, end = [span.value], span.end
+    while True:
+        after = end
+        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
+            after += 1
+        after = text.skip(after, "article")
+        more = text.find(after, "measure")
+        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
+            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
+            continue
+        if after == end or more is None or more.value in measures or text.find(after, "aside"):
+            break
+        if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
+            break  # 'the holes in the cone tips, Ø?'
+        measures.append(more.value)
+        end = more.end
+    lengths = [one for one in measures if one not in (Measure.SIZE, Measure.MAGNITUDE)]
+    return lengths or measures, end  # 'size, width by height' asks for two

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Place
+from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import Target
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.tokens import Kind
@@ -16,6 +16,8 @@ from .question import Question
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
+_PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
+"""What closes a hollow model there."""
 MAX_OWNERS = 12
 """Parts further away are hardly meant; no question that was collected names more."""
 
@@ -51,9 +53,12 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
     yield from _compound_of(linked, asked)
-    for span in text.all("side") if asked.measures == (Measure.AREA,) else ():
+    for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
             query = PartQuery(noun="face", sides=(span.value,), definite=True)  # 'the area of the underside'
+            if asked.measures == (Measure.THICKNESS,):  # 'how thick is the top?'
+                noun = _PLATES.get(span.value, "wall")
+                query = PartQuery(noun=noun, sides=() if span.value in _PLATES else (span.value,), definite=True)
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
     features = {"link_whole": 1.0}
     if owned:

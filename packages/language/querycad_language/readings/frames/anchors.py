@@ -7,6 +7,7 @@ from typing import Literal, NamedTuple
 
 from querycad_contracts import PartQuery, Place
 from querycad_language.forms import Anchor, Boundary, Origin, Plane
+from querycad_language.lexicon import lexicon
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -57,12 +58,18 @@ def anchors_of(question: Question) -> list[Spot]:
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
-    """Of 'the top face of the flange', 'the left face': the outer plane that is meant."""
+    """Of 'the top face of the flange', 'the left face', 'the hub's end face': the outer plane that is meant."""
     sides = (*query.ends, *query.sides)
-    if query.noun not in ("face", "surface", "end face", "side face", "flat face") or not sides:
+    if any(category == "edge" for category, _ in lexicon().phrases.get(query.noun, ())):
+        return Boundary(None)
+    if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
     holder = next((place.what for place in query.places if place.what is not None), None)
-    return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+    if sides:
+        return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
+    if holder is None and query.noun in ("end", "end face") and not (query.adjectives or query.unknown or query.ranks):
+        holder = PartQuery(noun="object", words=("object",))
+    return Plane(None, holder) if holder is not None else None
 
 
 def _is_pattern(text: Text, noun: str) -> bool:

@@ -39,5 +39,8 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     if LONGEST in spans.values() or text.has("long", "along", "longer"):
         spans |= dict.fromkeys(text.at_words("long", "along", "longer"), LONGEST)
         spans |= dict.fromkeys(text.at_words("short", "across", "shorter"), SHORTER)
+    for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
+        if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
+            return (LONGEST, SHORTER), {at - 1, at, at + 1}
     axes = tuple(dict.fromkeys(spans[at] for at in sorted(spans)))
     return (axes, {i for at in spans for i in (at - 1, at)}) if len(axes) > 1 else ((), set())

@@ -12,11 +12,12 @@ from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, 
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
+from querycad_language.tokens import Kind
 
 from .anchors import Spot, anchors_of, ends_between, plane_of, without
 from .axes import axes_listed, axis_named
 
-Mode = Literal["centers", "surfaces", "usual"]
+Mode = Literal["centers", "surfaces", "outsides", "usual"]
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = frozenset((
     Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
@@ -115,13 +116,16 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
     text = question.text
+    if over := {i for span in text.all("outside_to_outside") for i in span.tokens}:
+        return "outsides", over
     centred = {i for span in text.all("center_to_center") for i in range(span.start, span.end)}
     if centred:
         return "centers", centred
     facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
     if text.has("between"):
         facing |= text.at_phrases("remaining")
-    ends = {mention.end for mention in question.mentions}
+    possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
+    ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
     named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of") or i in ends}
     if named:
         return "centers", named
@@ -131,6 +135,9 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
 def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]]:
     """The largest, the smallest, or all different ones of several distances."""
     text = question.text
+    for at in sorted(text.at_words("diagonal", "diagonally")):
+        if not any(text.find(i, "negation") for i in range(at - 3, at)):
+            return Reduce.LARGEST, {at}
     for at in range(max(0, start - 2), min(end + 1, len(text))):
         if text.find(at, "most"):
             return Reduce.LARGEST, {at}

@@ -13,6 +13,10 @@ from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+_HOLES = ("hole", "bore")
+MATES_WITHIN = 6
+"""Words between a part and the verb that says where it goes."""
+
 
 def parts(question: Question) -> Iterator[Draft]:
     """'Which ribs are higher than 11 mm?', 'On which side is the keyway?', 'What is the largest rib?'"""
@@ -76,6 +80,28 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
             sides = tuple(dict.fromkeys(span.value for span in spans))
             return sides, {i for i in range(spans[0].start, spans[-1].end) if not text.find(i, "noun")}
     return (), set()
+
+
+def mating(question: Question) -> Iterator[Draft]:
+    """'What shaft does it fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
+    text = question.text
+    nouns = [mention for mention in question.mentions if mention.query is not None and mention.query.known]
+    for index, male in enumerate(nouns):
+        lead = range(max(question.asking[0], male.start - 4), male.start + 1)
+        asked = next((i for i in lead if text.is_word(i, "what", "which")), None)
+        verb = next((span for span in text.all("mates") if 0 <= span.start - male.end < MATES_WITHIN), None)
+        if asked is None or verb is None or male.query is None:
+            continue
+        own = next(
+            (f"{male.query.noun} {hole}" for hole in _HOLES if f"{male.query.noun} {hole}" in text.lexicon.nouns),
+            "main bore",
+        )
+        fitted = [(PartQuery(noun=own, words=tuple(own.split())), set[int]())]
+        fitted += [(one.query, set(one.used)) for one in nouns[index + 1 : index + 3] if one.query is not None]
+        for query, used in fitted:
+            yield Draft(
+                Get((Measure.DIAMETER,), query), {"mating": 1.0}, {*range(asked, male.end), *verb.tokens, *used}
+            )
 
 
 def bare(question: Question) -> Iterator[Draft]:

@@ -23,6 +23,9 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
         return
     for first, second in ends_between(get.target) if get.target is not None else ():
         yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
+    for place in get.target.places if get.target is not None else ():
+        if place.what is not None and place.relation in ("around", "near"):  # 'the wall around the bore'
+            yield Draft(Get((Measure.WALL_THICKNESS,), place.what), {**features, "material_around": 1.0}, used)
     remaining = text.at_phrases("remaining")
     under = text.at_words("under", "below", "beneath", "underneath", "behind")
     if remaining or under:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
-from querycad_contracts import Measure
+from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
 from querycad_language.phrases import replace_fields
@@ -25,6 +26,8 @@ _STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
 _ALONG = frozenset((
     Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.MAGNITUDE, Measure.SIZE, Measure.THICKNESS,
 ))  # fmt: skip
+MOST_TOGETHER = 3
+"""Measures of one part that people ask for in one sentence."""
 _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
 
 
@@ -44,19 +47,22 @@ def values(question: Question) -> Iterator[Draft]:
             elif asked is not asked_for[0]:
                 draft.features["later_measure"] = 1.0
             yield from _with_axis(question, draft)
+            if get.measures == (Measure.BOTTOM_THICKNESS,):
+                floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
+                yield Draft(floor, draft.features, draft.used)  # 'the floor thickness of the tray'
             yield from less(question, get, draft.features, draft.used)
             yield from material(question, get, draft.features, draft.used)
 
 
 def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]:
     """'How deep is the slot, and how wide is it?': measures of one owner that are asked one after the other."""
-    both = list({one.measures: one for one in reversed(asked_for) if question.in_question(one.start)}.values())[::-1]
-    if len(both) == 2 and all(len(one.measures) == 1 and is_length(one.measures[0]) for one in both):
-        first, second = both
-        joined = any(question.text.is_word(i, "and", ",", "&", "x") for i in range(first.end, second.start))
-        if joined:
-            measures = (*first.measures, *second.measures)
-            yield replace(first, measures=measures, used=first.used | second.used)
+    text = question.text
+    lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
+    ones = list({one.measures: one for one in reversed(lengths)}.values())[::-1]
+    measures = tuple(dict.fromkeys(measure for one in ones for measure in one.measures))
+    joined = all(any(text.is_word(i, "and", ",", "&", "x") for i in range(a.end, b.start)) for a, b in pairwise(ones))
+    if len(ones) > 1 and len(measures) <= MOST_TOGETHER and joined:
+        yield replace(ones[0], measures=measures, used=frozenset().union(*(one.used for one in ones)))
 
 
 def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
