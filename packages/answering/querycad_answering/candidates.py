@@ -161,6 +161,20 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Fe
     return features
 
 
+MOST_DIGITS = 4
+ROUND = 1e-5
+"""Millimetres or degrees within which a value is a round one."""
+INCH = 25.4
+
+
+def _digits(value: float) -> int:
+    """How many decimals a value in mm or degrees needs: what was chosen has few (ISO 3), or is a part of an inch."""
+    found = [digits for digits in range(MOST_DIGITS) if abs(value - round(value, digits)) < ROUND]
+    parts = ((64, 1), (1000, 2))  # of an inch
+    found += [digits for part, digits in parts if abs(value - round(value / INCH * part) / part * INCH) < ROUND]
+    return min(found, default=MOST_DIGITS)
+
+
 def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Candidate:
     """The candidate after its run, with features of the value: how many, how large, whether there is one."""
     features = dict(candidate.features)
@@ -195,4 +209,8 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
             and not (isinstance(form, Get) and form.target is None)
         ):
             features["value_is_extent"] = 1.0
+    if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS, AnswerType.ANGLE):
+        scale = 180 / math.pi if candidate.written.expects is AnswerType.ANGLE else 1e3
+        numbers = [v * scale for v in listed if isinstance(v, float)]
+        features["value_digits"] = max(map(_digits, numbers), default=0) / MOST_DIGITS
     return replace(candidate, features=features, value=value)

@@ -152,17 +152,19 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
 
 def _over(draft: Draft, form: Distance, first: PartQuery) -> str:
     """Over the outsides of several parts, along an axis or the one along which they lie furthest apart."""
-    found = draft.of(first)
-    if form.second != "each other" or len(found) < 2:
+    queries = [query for query in (first, form.second) if isinstance(query, PartQuery)]
+    found = [part for query in queries for part in draft.of(query)]
+    if len(found) < 2 or not all(map(draft.of, queries)):
         raise Unwritable
     spread = [max(p.center[i] for p in found) - min(p.center[i] for p in found) for i in range(3)]
+    if len(queries) > 1 and (normal := found[0].normal) is not None:  # from a keyway's floor across the bore
+        spread = [abs(x) for x in normal]
     i = form.axis if form.axis is not None else max(range(3), key=spread.__getitem__)
-    ends = [
-        f"{pick}(p.center[{i}] {sign} p.half_extents[{i}] for p in {draft.parts(first)})"
-        for pick, sign in (("max", "+"), ("min", "-"))
-    ]
+    parts = " + ".join(f"list({draft.parts(query)})" for query in queries)
+    draft.lines.append(f"found = {parts}")
     draft.reads.append(Read("distance", _kind(found), "outsides", "own"))
-    return " - ".join(ends)
+    lower = f"min(p.center[{i}] - p.half_extents[{i}] for p in found)"
+    return f"max(p.center[{i}] + p.half_extents[{i}] for p in found) - {lower}"
 
 
 def overlapping(draft: Draft, form: Distance) -> str:

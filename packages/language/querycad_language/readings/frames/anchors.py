@@ -49,12 +49,21 @@ def anchors_of(question: Question) -> list[Spot]:
             if place.what is not None and place.relation in ("", "of") and _is_pattern(text, mention.query.noun):
                 inner = replace_fields(place.what, plural=True)
                 found.append(Spot(mention.head, inner, set(mention.used), plural=True))
+        if (cut := floored(mention.query)) is not None:
+            found.append(Spot(mention.head, cut, set(mention.used)))
         if plane := plane_of(mention.query):
             found.append(Spot(mention.head, plane, set(mention.used)))
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     found += planes_of(question)
     found.sort(key=lambda one: one.at)
     return found
+
+
+def floored(query: PartQuery) -> PartQuery | None:
+    """The cut of 'the floor of the keyway', 'the bottom of the groove'."""
+    if query.noun not in ("floor", "bottom", "ground", "base"):
+        return None
+    return next((p.what for p in query.places if p.what is not None and p.relation in ("of", "below", "")), None)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:

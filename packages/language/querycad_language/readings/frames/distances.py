@@ -63,6 +63,8 @@ def distances(question: Question) -> Iterator[Draft]:
 def _distance_words(question: Question) -> Iterator[_Words]:
     text = question.text
     yield from _unnamed(question)
+    for span in text.all("outside_to_outside"):
+        yield _Words(span.start, span.end, "outsides", {*span.tokens, *text.at_phrases("measure")})
     for span in text.all("distance", "gap"):
         noun = text.find(span.start, "noun")
         if question.in_question(span.start) and not (noun and noun.end > span.end):  # a pitch circle is no pitch
@@ -83,8 +85,8 @@ def _distance_words(question: Question) -> Iterator[_Words]:
 def _unnamed(question: Question) -> Iterator[_Words]:
     """'hole center to hole center', 'from the pin to the edge': neither a distance nor a measure is named."""
     text = question.text
-    measures = [span for i in range(len(text)) if (span := text.find(i, "measure"))]
-    if text.at_phrases("distance", "gap", "count"):
+    measures = [span for i in range(*question.asking) if (span := text.find(i, "measure"))]
+    if any(map(question.in_question, text.at_phrases("distance", "gap", "count"))):
         return
     joining = text.at_words("to", "above", "from")
     points = {Measure.POSITION, Measure.AXIS} | ({Measure.SIZE} if len(joining) > 1 else set())
@@ -126,7 +128,7 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
         facing |= text.at_phrases("remaining")
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
     ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
-    named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of") or i in ends}
+    named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
     if named:
         return "centers", named
     return ("surfaces", facing) if facing else (mode, set())
@@ -237,7 +239,8 @@ def angles(question: Question) -> Iterator[Draft]:
         parts = [m for m in question.mentions if m.query is not None and not m.pronoun]
         between = bool(text.at_phrases("between"))
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
-        for first, second in zip(parts, [*parts[1:], None], strict=True):
+        for first, second in pairwise([*parts, None]):
+            assert first is not None
             assert first.query is not None
             used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
             several = first.plural or text.at_phrases("neighbor")

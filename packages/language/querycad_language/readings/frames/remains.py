@@ -11,7 +11,7 @@ from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
-from .anchors import ends_between
+from .anchors import ends_between, floored
 
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 
@@ -31,12 +31,7 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
     if remaining or under:
         for mention in question.mentions:
             if mention.query is not None:
-                cut = mention.query
-                holder = next(
-                    (p.what for p in cut.places if p.what is not None and p.relation in ("of", "below")), None
-                )
-                if cut.noun in ("floor", "bottom", "ground", "base") and holder is not None:
-                    cut = holder
+                cut = floored(mention.query) or mention.query
                 owned, features = used | remaining | under | mention.used, {**features, "material_under": 1.0}
                 yield Draft(Distance(cut, Behind(), "surfaces"), features, owned)
                 yield Draft(Get((Measure.BOTTOM_THICKNESS,), cut), features, owned)

@@ -12,6 +12,7 @@ from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
+from querycad_language.tokens import Kind
 
 from .distances import distances
 
@@ -31,6 +32,7 @@ def yes_no(question: Question) -> Iterator[Draft]:
     if len(parts) > 1 and parts[0].query and parts[1].query and text.is_word(parts[1].start, "a", "an"):
         said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
         yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
+    yield from _fits(question, start)
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
         base: Features = {"check": 1.0, "count_far": float(index)}
         used = {start} | mention.used
@@ -67,6 +69,19 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
             yield Draft(form, {"check": 1.0}, {start, *used})
         elif said and mode == "overlap":
             yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
+
+
+def _fits(question: Question, start: int) -> Iterator[Draft]:
+    """'Does a 12.5 mm gauge enter the small bore?': is it as wide as what is stated?"""
+    text = question.text
+    verb = next((span for span in text.all("mates") if span.start >= start), None)
+    sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
+    holes = [m for m in question.mentions if verb and m.query is not None and m.start >= verb.end]
+    if verb is None or not sizes or not holes or holes[-1].query is None:
+        return
+    wide = Get((Measure.DIAMETER,), replace_fields(holes[-1].query, sizes=()))
+    used = {start, sizes[0], *verb.tokens, *holes[-1].used}
+    yield Draft(Check(wide, Relation.AT_LEAST, text.tokens[sizes[0]].value), {"check": 1.0, "mating": 1.0}, used)
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
@@ -152,6 +167,9 @@ def _verb_start(question: Question) -> int | None:
         return start
     if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
+    behind = [i + 1 for i in range(start, end - 1) if text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal")]
+    if behind and not text.is_word(behind[0] + 1, "there"):
+        return behind[0]  # 'Going by the model, is it …?'
     leading = next((i for i in range(start, end) if not _leads(text, i)), end)
     verbs = [i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal")]
     if verbs and text.is_word(verbs[0] - 1, "there"):
