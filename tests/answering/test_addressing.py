@@ -106,7 +106,7 @@ def test_a_face_by_number_and_a_part_of_that_number_are_told_apart() -> None:
 def test_several_in_a_list_are_read_apart_or_together() -> None:
     apart, together = address("depth of hole 1 and hole 2", PARTS).texts
     assert apart == f"depth of hole {FIRST_ALIAS} and hole {FIRST_ALIAS + 1}"
-    assert together == f"depth of hole {FIRST_ALIAS + 2}"
+    assert together == f"depth of holes {FIRST_ALIAS + 2}"
 
 
 def test_neighbours_in_a_row_are_no_distance_of_three_parts() -> None:

@@ -11,6 +11,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Route, expect
 from tests.page.conftest import ROOT, Opener, Service
+from tests.segworker.mesh_files import forms, triangles, write_stl
+from tests.segworker.shapes import cut, cylinder, plate
 
 from querycad.client import Client
 
@@ -40,6 +42,22 @@ def test_each_of_several_files_has_its_own_outcome(seen: Opener, tmp_path: Path)
     page.drawn()
     expect(page.page.locator("#model-name")).to_contain_text("first.step")
     page.errors.clear()  # the browser notes that a response was 415
+
+
+def test_meshes_of_every_kind_are_read_beside_one_that_is_damaged(seen: Opener, tmp_path: Path) -> None:
+    page = seen().open()
+    corners = triangles(cut(plate(), cylinder(3, 30, (0, 0, -25))), 0.1)
+    good = [path for name, path in forms(tmp_path, corners).items() if name in ("stl", "obj", "3mf")]
+    bad = write_stl(tmp_path / "short.stl", corners, len(corners) + 5)
+    page.page.set_input_files("#file", [good[0], bad, *good[1:]])
+    row = page.page.locator(".file")
+    for path in good:
+        expect(row.filter(has_text=path.name)).to_contain_text("KiB", timeout=60_000)
+    expect(row.filter(has_text="short.stl")).to_contain_text("cut short", timeout=60_000)
+    page.drawn()
+    page.ask("How many holes are there?")
+    expect(page.page.locator(".card .answer").first).to_have_text("1")
+    page.errors.clear()  # the browser notes that a response was no success
 
 
 def test_reading_is_seen_by_stage_and_place_and_a_question_waits_for_it(

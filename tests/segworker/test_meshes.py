@@ -164,6 +164,54 @@ def test_touching_bodies_stay_apart_and_a_void_belongs_to_its_body() -> None:
     assert len(body.faces) == 12
 
 
+PAINTS = (
+    '<basematerials id="5"><base name="grass" displaycolor="#22AA44FF"/><base name="ink" displaycolor="#101820"/>'
+    '</basematerials><m:colorgroup xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02" id="6">'
+    '<m:color color="#ff8800"/></m:colorgroup>'
+)
+
+
+@pytest.mark.parametrize(
+    ("of_object", "of_triangles", "color"),
+    [
+        ('pid="5" pindex="1"', "", "#101820"),
+        ('pid="6" pindex="0"', "", "#ff8800"),
+        ("", 'pid="5" p1="0"', "#22aa44"),
+        ('pid="5" pindex="1"', 'pid="6" p1="0"', "#ff8800"),
+        ('pid="5" pindex="9"', "", None),
+        ('pid="7" pindex="0"', "", None),
+        ('pid="5" pindex="-1"', "", None),
+        ("", "", None),
+    ],
+)
+def test_an_object_of_a_3mf_has_its_colour(
+    store: ModelStore, tmp_path: Path, of_object: str, of_triangles: str, color: str | None
+) -> None:
+    text = model_xml(prism(4, 5, 8)).replace("<resources>", f"<resources>{PAINTS}")
+    text = text.replace('<object id="1"', f'<object id="1" {of_object}').replace(
+        "<triangle ", f"<triangle {of_triangles} "
+    )
+    path = write_3mf(tmp_path / "painted.3mf", ("3D/3dmodel.model", text))
+    assert [body.color for body in ingest(path, store).load_model().shape.bodies] == [color]
+
+
+def test_an_object_whose_triangles_differ_in_colour_has_none(tmp_path: Path) -> None:
+    text = model_xml(prism(4, 5, 8)).replace("<resources>", f"<resources>{PAINTS}")
+    text = text.replace("<triangle ", '<triangle pid="5" p1="0" ', 3).replace(
+        "<triangle v1", '<triangle pid="5" p1="1" v1'
+    )
+    found = read_mesh_file(write_3mf(tmp_path / "two.3mf", ("3D/3dmodel.model", text)), FileKind.THREE_MF)
+    assert [each.color for each in found.objects] == [None]
+
+
+@pytest.mark.parametrize(("shade", "color"), [("1 0.5 0", "#ff8000"), ("0 0 0", "#000000"), ("", None), ("1 1", None)])
+def test_an_object_of_an_obj_has_the_colour_of_its_vertices(tmp_path: Path, shade: str, color: str | None) -> None:
+    path = write_obj(tmp_path / "part.obj", prism(4, 5, 8))
+    lines = [f"{line} {shade}" if line.startswith("v ") else line for line in path.read_text().splitlines()]
+    path.write_text("\n".join(lines))
+    assert [each.color for each in read_mesh_file(path, FileKind.OBJ).objects] == [color]
+
+
 def test_a_mesh_that_is_inside_out_is_turned() -> None:
     found = brep_of(triangles(DRILLED)[:, ::-1])
     assert all(body.is_solid for body in found.bodies)

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import TypeVar, cast
 
 from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
+from querycad_language.describe import plural_of
 from querycad_language.forms import Distance, Every, Form, Get, Reduce, mapped, queries
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
@@ -31,7 +32,7 @@ GROUP = "+"
 _ONE_ID = r"[a-z]+(?:[-_][a-z]+)*-[a-z]?\d+(?:\.\d+)*"
 _ID = re.compile(rf"(?<![\w+-]){_ONE_ID}(?:\+{_ONE_ID})*(?![\w-]|\.\d)", re.IGNORECASE)
 _UNIT = (
-    r"mm|cm|m|in(?! (?:mm|m|cm|inch|met|milli|the|which|what)\w*\b)|inch(?:es)?|ft|feet|deg|degrees?|kg|g|percent"
+    r"mm|cm|m|in(?! (?:mm|m|cm|inch|met|milli|sq|cu|the|which|what)\w*\b)|inch(?:es)?|ft|feet|deg|degrees?|kg|g|percent"
     r"|times|or more|or less"
 )
 _NUMBER = re.compile(rf"(?<![\w.,/+-])#?\d{{1,4}}(?![\w\"”″°×%:+-]|[.,/]\d|\s*(?:{_UNIT})\b|\s?[x×*])", re.IGNORECASE)
@@ -262,10 +263,12 @@ class _Finder:
         return f"⟦{len(self.found) - 1}⟧"
 
     def alias(self, match: re.Match[str]) -> str:
-        """A noun that the reader knows, with the name's number."""
+        """A noun that the reader knows, with the name's number; a plural where it stands for several parts."""
         number = int(match[1])
-        kind = self._parts[self.found[number][0]].kind
-        return f"{'part' if kind in _NO_NOUN else kind.value.replace('_', ' ')} {FIRST_ALIAS + number}"
+        ids = self.found[number]
+        kind = self._parts[ids[0]].kind
+        noun = "part" if kind in _NO_NOUN else kind.value.replace("_", " ")
+        return f"{plural_of(noun) if len(ids) > 1 else noun} {FIRST_ALIAS + number}"
 
 
 _KINDS = frozenset(kind.value for kind in PartKind) - {kind.value for kind in _NO_NOUN}

@@ -120,7 +120,8 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     inside = {i for span in unknowable for i in range(span.start, span.end)}
     measured = any(text.find(i, *_MEASURED) for i in range(start, end) if i not in inside)
     for span in unknowable:
-        is_used = best is not None and span.start in best.reading.used and "noun" in _categories(asked, span.start)
+        noun = text.find(span.start, "noun")  # 'surface finish' is no surface
+        is_used = best is not None and span.start in best.reading.used and noun is not None and noun.end >= span.end
         if not is_used and (not measured or _asks_for(asked, span.start, start)):
             return Failure(category="not_grounded", message=_CANNOT_KNOW[span.value])
     return None
@@ -135,10 +136,6 @@ def _asks_for(asked: Refused, at: int, start: int) -> bool:
         if text.find(i, "ask") or text.is_word(i, "how"):
             return True
     return False
-
-
-def _categories(asked: Refused, at: int) -> set[str]:
-    return {span.category for span in asked.reader.text.spans[at]}
 
 
 def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:

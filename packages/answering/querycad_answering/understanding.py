@@ -26,6 +26,8 @@ from querycad_contracts import (
 from querycad_language.describe import describe
 from querycad_language.forms import Count, Exists, Get
 from querycad_language.lexicon import lexicon
+from querycad_language.measures import WHOLE
+from querycad_language.programs.draft import Read
 
 from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .candidates import Candidate, Ground, candidates, with_value
@@ -46,7 +48,8 @@ PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
-"""So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed."""
+"""So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
+gives the smallest extent of a body for the thickness of its material."""
 _YES_OR_NO = re.compile(
     r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"
     r"(?!.*\b(?:or|how|what|which|where|number|count|give|tell|possible|way|anyone|anybody)\b)",
@@ -191,6 +194,8 @@ class Understanding:
             sure = min(sure, PASSED_OVER)
         if "guessed" in best.candidate.features:
             sure = min(sure, OTHER_CLASS)
+        if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
+            sure = min(sure, OTHER_CLASS)
         if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
@@ -270,6 +275,11 @@ class Understanding:
                 )
                 found.append(one)
         return tuple(found)
+
+
+def _is_bulk(read: Read) -> bool:
+    """Is an extent of a whole body taken for its thickness: is it no sheet, plate or tube of one thickness?"""
+    return read.measure == Measure.THICKNESS and read.kind in WHOLE and read.grade != "own"
 
 
 def meant(candidate: Candidate) -> str:

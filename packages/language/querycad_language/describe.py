@@ -23,6 +23,7 @@ from .forms import (
     Plane,
     Reduce,
     Several,
+    Touching,
     Towards,
     Uniform,
 )
@@ -45,7 +46,7 @@ _REDUCES = {
 _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
 
 
-def describe(form: Form) -> str:  # noqa: C901, PLR0911 - one case a form
+def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a form
     """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
     match form:
         case Get(measures, target, reduce, density):
@@ -99,6 +100,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911 - one case a form
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
         case Parts(target):
             return noun_phrase(target)
+        case Touching(target, other, held):
+            return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
         case Towards(target, sides):
             return f"side of {noun_phrase(target)}: {', '.join(sides[:-1])} or {sides[-1]}"
 
@@ -140,7 +143,7 @@ def noun_phrase(query: PartQuery | None) -> str:
     words += [name for name in query.adjectives if name not in query.noun.split()] + [
         name.upper() for name in query.threads
     ]
-    words += [_plural(query.noun) if query.plural and query.noun else query.noun or "part"]
+    words += [plural_of(query.noun) if query.plural and query.noun else query.noun or "part"]
     tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
     tail += [f"visible from the {' or '.join(query.sides)}"] if query.sides else []
@@ -174,7 +177,8 @@ def _length(value: float) -> str:
     return f"{value * 1e3:.6g} mm"
 
 
-def _plural(noun: str) -> str:
+def plural_of(noun: str) -> str:
+    """What several of these are called: 'boss' gives 'bosses'."""
     if noun.endswith(("s", "x", "ch", "sh")):
         return f"{noun}es"
     return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"

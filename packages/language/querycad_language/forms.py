@@ -168,6 +168,15 @@ class Parts:
 
 
 @dataclass(frozen=True, slots=True)
+class Touching:
+    """Which bodies of `target` touch one of `other`? `held`: those that fasteners hold, so no fasteners."""
+
+    target: PartQuery
+    other: PartQuery
+    held: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Towards:
     """Towards which of the sides do the parts lie, or open?"""
 
@@ -176,7 +185,20 @@ class Towards:
 
 
 Form: TypeAlias = (
-    Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
+    Get
+    | Count
+    | Distance
+    | Several
+    | Angle
+    | Combine
+    | Check
+    | Exists
+    | Every
+    | Uniform
+    | Parallel
+    | Parts
+    | Towards
+    | Touching
 )
 
 

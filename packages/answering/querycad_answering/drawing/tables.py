@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from querycad_contracts import Column, LengthUnit, Part, PartKind, Quantity, Table, TableKind, Vector
 from querycad_contracts.drawings import Cell
 
-from .callouts import Known, callout, carried_sections, ids_text
+from .callouts import Known, callout, carried_sections, ids_text, screw_length
 from .numbers import direction
 from .threads import suits, thread_name
 
@@ -195,20 +195,6 @@ def _common(texts: Iterable[str]) -> str | None:
     return different.pop() if len(different) == 1 else None
 
 
-def _shank(row: _Row) -> float | None:
-    """How long is a screw as its standard says, under the head? A countersunk one's head counts (ISO 7721)."""
-    part = row.first
-    if "screw" not in part.tags or "countersunk" in part.tags:
-        return part.length if "screw" in part.tags else None
-    faces = set(part.faces)
-    shanks = [
-        other.height
-        for other in row.known.values()
-        if "shank" in other.tags and other.height and other.faces and set(other.faces) <= faces
-    ]
-    return max(shanks, default=None)
-
-
 _TAG = (Column(name="tag"), lambda row: row.tag)
 _COUNT = (Column(name="count", quantity=Quantity.COUNT), lambda row: len(row.alike))
 _IDS = (Column(name="ids"), lambda row: ids_text([part.id for part in row.parts]))
@@ -293,7 +279,7 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _NAME,
         _text("type", lambda part: next((tag for tag in FASTENER_TAGS if tag in part.tags), None)),
         _size("diameter", lambda part: part.diameter),
-        (Column(name="length", quantity=Quantity.LENGTH), _shank),
+        (Column(name="length", quantity=Quantity.LENGTH), lambda row: screw_length(row.first, row.known)),
         _size("overall length", lambda part: part.length if "screw" in part.tags else max(part.extents)),
         _size("across flats", lambda part: part.across_flats),
         _COLOR,

@@ -128,7 +128,9 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
 def _is_head(text: Text, at: int, draft: Draft, noun: Span, adjective: Span | None) -> bool:
     """Is the noun one here: no adjective of a noun that follows, and no word for the whole model?"""
     if adjective and not (adjective.end == noun.end and is_generic(text, noun.end)):
-        if adjective.end >= noun.end and is_noun(text, adjective.end):
+        behind = adjective.end
+        thread = behind < len(text) and text.tokens[behind].kind is Kind.THREAD and text.tokens[behind - 1].plural
+        if behind >= noun.end and is_noun(text, behind) and not thread:  # 'are the screws M5?': not 'the screw M5'
             return False
     whole = text.find(at, "whole")
     return whole is None or whole.end < noun.end or bool(draft.nouns or draft.adjectives)

@@ -78,7 +78,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
-    for read in (_ranked, _stated_size):
+    for read in (_ranked, _fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -114,6 +114,21 @@ def _stated_size(text: Text, at: int, draft: Draft) -> int:
         return at  # '… around the 13 mm holes': the size is another noun's
     draft.sizes.append(found[0])
     return found[1]
+
+
+def _fitted(text: Text, at: int, draft: Draft) -> int:
+    """'that are M6', 'that take an M6 bolt', 'would an M6 bolt fit'."""
+    begin = text.skip(at, "modal")
+    start = text.skip(text.skip(begin, "fits"), "article")
+    if start >= len(text) or text.tokens[start].kind is not Kind.THREAD:
+        return at
+    noun = text.find(start + 1, "noun")
+    end = noun.end if noun is not None else start + 1
+    behind = text.find(end, "fits")
+    if noun is not None and not text.find(begin, "fits") and behind is None:
+        return at  # '… are M6 holes': the thread is another noun's
+    draft.threads.append(text.tokens[start].word)
+    return behind.end if behind is not None else end
 
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:

@@ -111,7 +111,7 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
-    longer = text.find(at, "measure")  # 'across flats'
+    longer = text.find(at, "measure", "contact")  # 'across flats', 'in contact with'
     if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end):
         return at
     start = span.end

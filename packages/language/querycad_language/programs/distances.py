@@ -6,7 +6,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import AnswerType, Part, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Behind, Boundary, Distance, Origin, Plane, Reduce, Target
+from querycad_language.forms import (
+    LONGEST,
+    SHORTER,
+    Behind,
+    Boundary,
+    Distance,
+    Origin,
+    Plane,
+    Reduce,
+    Target,
+    Touching,
+)
 
 from .draft import Draft, Read, Unwritable
 
@@ -14,6 +25,8 @@ SLACK = 1e-6
 """Metres within which two lengths are one."""
 FEW = 60
 """Every two of so many are measured in a run's 2,000 calls; of more only the nearest neighbours, for the least."""
+_FASTENERS = ["screw", "nut", "washer"]
+"""Tags of bodies that hold others."""
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""
 
@@ -174,6 +187,28 @@ def overlapping(draft: Draft, form: Distance) -> str:
         raise Unwritable
     names = [draft.parts(query) for query in queries]
     return f"overlaps({', '.join(names)})"
+
+
+def touching(draft: Draft, form: Touching) -> str:
+    """The bodies that touch others, as an expression; those whose boxes are apart are not measured.
+
+    Fasteners hold what they touch, and what other fasteners do that they touch: a nut by its screw and a washer.
+    """
+    if any(part.kind != "body" for query in (form.target, form.other) for part in draft.of(query)):
+        raise Unwritable
+    found, others = draft.parts(form.target), draft.parts(form.other)
+    room = "abs(p.center[i] - q.center[i]) <= p.half_extents[i] + q.half_extents[i] + 1e-06"
+    meets = f"any(all({room} for i in range(3)) and p.distance_to(q) <= 1e-06 for q in taken)"
+    draft.lines.append(f"taken = [q for q in {others}]")
+    if not form.held:
+        return f"[p for p in {found} if p.id not in [q.id for q in taken] and {meets}]"
+    fastens = f"any(tag in p.tags for tag in {_FASTENERS})"
+    draft.lines += [
+        f'fasteners = [p for p in find_parts({{"noun": "body", "plural": True}}) if {fastens}]',
+        "for _ in range(2):",
+        f"    taken += [p for p in fasteners if p.id not in [q.id for q in taken] and {meets}]",
+    ]
+    return f"[p for p in {found} if not {fastens} and p.id not in [q.id for q in taken] and {meets}]"
 
 
 def several(draft: Draft, forms: Sequence[Distance]) -> str:

@@ -20,12 +20,13 @@ from querycad_language.forms import (
     Parts,
     Reduce,
     Several,
+    Touching,
     Towards,
     Uniform,
 )
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import SLACK, angle_between, directions, distance, overlapping, several, towards
+from .distances import SLACK, angle_between, directions, distance, overlapping, several, touching, towards
 from .draft import Draft, Grounds, Unwritable, Written
 
 _KNOWN = ("width", "depth", "height", "center_of_mass")
@@ -67,6 +68,8 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             return f"len({draft.parts(target)}) > 0", AnswerType.BOOLEAN
         case Parts(target):
             return draft.parts(target), AnswerType.PARTS
+        case Touching():
+            return touching(draft, form), AnswerType.PARTS
         case Towards(target, sides):
             return towards(draft, target, sides), AnswerType.TEXT
         case Distance():

@@ -17,7 +17,8 @@ class Question:
     def __init__(self, question: str, names: Iterable[str] = ()) -> None:
         self.text = Text(question, frozenset(names))
         self.phrases = Phrases(self.text)
-        self.mentions = self.phrases.mentions()
+        units = {at for stretch, _ in self.units_asked for at in stretch}
+        self.mentions = [mention for mention in self.phrases.mentions() if not mention.used <= units]
         self.asking, self.claims = _asking_sentence(self.text)
 
     @cached_property

@@ -13,6 +13,7 @@ from querycad_language.weights import weights
 
 from .drafts import Draft, Reading
 from .frames.comparisons import comparisons
+from .frames.contacts import contacts
 from .frames.counts import counts, exists
 from .frames.distances import angles, distances
 from .frames.overhangs import overhangs
@@ -29,7 +30,7 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Drafts of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
-    counts, distances, overhangs, angles, comparisons, yes_no, values, mating, parts, exists,
+    counts, distances, overhangs, angles, comparisons, yes_no, values, mating, parts, contacts, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

@@ -63,13 +63,23 @@ def threaded(request: Request, way: Way) -> Iterator[Way]:
     name = request.query.threads[0]
     threads = lexicon().threads
     holes = threads.get(name) or threads.get(name.partition("x")[0]) or {}
-    marked = [
-        p
+    named = {
+        p.id: {word.partition("x")[0] for word in all_words(p.name)} & threads.keys()
         for p in way.parts
-        if p.kind == "body" and any(w == name or w.startswith(f"{name}x") for w in all_words(p.name))
-    ]
-    exact, near = ([part for p in way.parts if (part := _drawn_for(p, name, holes, by)) is not None] for by in THREAD_M)
+        if p.kind == "body"
+    }
+    marked = [p for p in way.parts if name.partition("x")[0] in named.get(p.id, ()) and _is_long(p, name)]
+    others = [p for p in way.parts if not named.get(p.id)]
+    if way.parts and not marked and not others:  # a screw that is called M5 is no M6 one
+        yield way.to((), "thread_empties")
+        return
+    exact, near = ([part for p in others if (part := _drawn_for(p, name, holes, by)) is not None] for by in THREAD_M)
     yield from kept(way, marked or exact or near, "thread", f"'{name}'")
+
+
+def _is_long(part: Part, name: str) -> bool:
+    """Does the body's name state the length, too, where the question does: 'M5x16'?"""
+    return "x" not in name or name in all_words(part.name)
 
 
 def _drawn_for(part: Part, name: str, holes: Mapping[str, float], near_m: float) -> Part | None:

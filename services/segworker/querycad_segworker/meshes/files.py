@@ -20,6 +20,7 @@ from .triangles import MOST_TRIANGLES, Array, Named
 
 MILLIMETRE_M = 1e-3
 """What programs mean by a number in a file that declares no unit."""
+NO_SHADE = -1
 CHUNK_BYTES = 2**24
 _HEAD_BYTES = 84
 _RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -128,16 +129,20 @@ def _numbers(found: list[tuple[bytes, ...]]) -> Array:
 
 
 def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
-    """Vertices and faces; what colours and smooths them is passed over. A polygon is cut into a fan, which must fit."""
-    places, corners, fans = array("d"), array("q"), array("q")
+    """Vertices and faces; what smooths them is passed over. A polygon is cut into a fan, which must fit.
+
+    Colours are those that vertices state behind their places; those of materials stand in a file of their own.
+    """
+    places, corners, fans, shades = array("d"), array("q"), array("q"), array("q")
     names: list[tuple[str, int]] = []
     with path.open("rb") as file:
         try:
             for line in file:
                 word, _, rest = line.lstrip().partition(b" ")
                 if word == b"v":
-                    x, y, z = rest.split(None, 3)[:3]
-                    places.extend((float(x), float(y), float(z)))
+                    said = rest.split()
+                    places.extend((float(said[0]), float(said[1]), float(said[2])))
+                    shades.append(_shade(said[3:6]) if len(said) > 5 else NO_SHADE)
                 elif word == b"f":
                     count = len(places) // 3
                     ids = [int(each.split(b"/", 1)[0]) for each in rest.split()]
@@ -150,7 +155,7 @@ def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
                     names.append((rest.decode("utf-8", errors="replace").strip(), len(corners) // 3))
                 if len(corners) > 3 * MOST_TRIANGLES:
                     must_be_few(len(corners) // 3)
-        except (ValueError, OverflowError) as error:
+        except (ValueError, IndexError, OverflowError) as error:
             raise UnreadableFile("the file is damaged: a vertex or face in it is not made of numbers") from error
     points = np.frombuffer(places, dtype=np.float64).reshape(-1, 3) if places else np.zeros((0, 3))
     index = np.frombuffer(corners, dtype=np.int64).reshape(-1, 3) if corners else np.zeros((0, 3), dtype=np.int64)
@@ -160,10 +165,25 @@ def _read_obj(path: Path) -> tuple[Array, tuple[Named, ...]]:
     if not names or names[0][1] > 0:
         names.insert(0, ("", 0))
     ends = [begin for _, begin in names[1:]] + [len(index)]
+    painted = np.frombuffer(shades, dtype=np.int64)
     objects = tuple(
-        Named(name, None, end - begin) for (name, begin), end in zip(names, ends, strict=True) if end > begin
+        Named(name, _one_color(painted[index[begin:end]]), end - begin)
+        for (name, begin), end in zip(names, ends, strict=True)
+        if end > begin
     )
     return points[index], objects
+
+
+def _shade(said: list[bytes]) -> int:
+    """Red, green and blue from 0 to 1 as one number."""
+    red, green, blue = (min(max(round(255 * float(each)), 0), 255) for each in said)
+    return red << 16 | green << 8 | blue
+
+
+def _one_color(shades: NDArray[np.int64]) -> str | None:
+    """The colour that all vertices state, '#rrggbb'; None where one states none, or another."""
+    first = int(shades.flat[0])
+    return f"#{first:06x}" if first != NO_SHADE and (shades == first).all() else None
 
 
 def _must_be_convex(corners: Array, fans: NDArray[np.int64]) -> None:

@@ -1,11 +1,13 @@
 """Reads 3MF (ISO/IEC 25422): an archive of XML. Objects, what they are composed of, and where the build places them.
 
-Of the extensions the one for production is read, where objects lie in parts of their own. Bytes are counted as they
+Of the extensions the one for production is read, where objects lie in parts of their own, and of that for materials the
+colours. An object is as its own property says, or as all its triangles do. Bytes are counted as they
 come out of the archive, and a document type, which the format forbids and entities need, ends the reading.
 """
 
 from __future__ import annotations
 
+import re
 import zipfile
 import zlib
 from array import array
@@ -22,6 +24,7 @@ from querycad_segworker.sniff import MAX_FILE_BYTES
 from .triangles import MOST_TRIANGLES, Array, Named
 
 CHUNK_BYTES = 2**20
+_COLOR = re.compile(r"#[0-9a-fA-F]{6}(?:[0-9a-fA-F]{2})?")
 DEEPEST = 20
 """Of assemblies in assemblies: more is a circle."""
 _RELATIONS = "_rels/.rels"
@@ -36,9 +39,19 @@ Reference = tuple[str, str]
 """Of an object: the part of the archive that it is in, and its id there."""
 
 
+_COLORS = {"base": "displaycolor", "color": "color"}
+"""Elements that state a colour, '#RRGGBB' or '#RRGGBBAA', and in which attribute: core 5.1.1, materials 3.1."""
+Paint = tuple[str, str]
+"""The id of a group of colours in the same part of the archive, and which of the group it is."""
+
+
 @dataclass(slots=True)
 class _Object:
     name: str
+    paint: Paint | None
+    """Of the object, and of its triangles that do not state one."""
+    paints: set[Paint] = field(default_factory=set)
+    """Of its triangles."""
     places: array[float] = field(default_factory=lambda: array("d"))
     corners: array[int] = field(default_factory=lambda: array("q"))
     components: list[tuple[Reference, Array]] = field(default_factory=list)
@@ -82,6 +95,8 @@ class _Reader:
         self._unit = "millimeter"
         self._object: _Object | None = None
         self._objects: dict[Reference, _Object] = {}
+        self._colors: dict[Reference, list[str]] = {}
+        self._group: list[str] = []
         self._items: list[tuple[Reference, Array]] = []
         self._triangles = 0
 
@@ -128,12 +143,17 @@ class _Reader:
                 self._object.places.extend((float(attributes["x"]), float(attributes["y"]), float(attributes["z"])))
             case "triangle" if self._object is not None:
                 self._object.corners.extend((int(attributes["v1"]), int(attributes["v2"]), int(attributes["v3"])))
+                self._object.paints |= {paint} if (paint := _paint(attributes, "p1")) else set()
                 self._triangles += 1
                 if self._triangles > MOST_TRIANGLES:
                     raise FileTooLarge(f"the mesh has more than the {MOST_TRIANGLES:,} triangles that are read")
             case "object":
-                self._object = _Object(attributes.get("name", ""))
+                self._object = _Object(attributes.get("name", ""), _paint(attributes, "pindex"))
                 self._objects[self._part.lower(), attributes.get("id", "")] = self._object
+            case "basematerials" | "colorgroup":
+                self._group = self._colors.setdefault((self._part.lower(), attributes.get("id", "")), [])
+            case "base" | "color" as kind:
+                self._group.append(attributes.get(_COLORS[kind], ""))
             case "component" if self._object is not None:
                 self._object.components.append(self._reference(attributes))
             case "item":
@@ -177,12 +197,25 @@ class _Reader:
             placed = points @ matrix[:3] + matrix[3]
             mirrored = np.linalg.det(matrix[:3]) < 0
             pieces.append(placed[index[:, ::-1] if mirrored else index])
-            named.append(Named(own, None, len(index)))
+            named.append(Named(own, self._color(reference[0], found), len(index)))
             if sum(each.count for each in named) > MOST_TRIANGLES:
                 raise FileTooLarge(f"the mesh has more than the {MOST_TRIANGLES:,} triangles that are read")
         for inner, place in found.components:
             both = np.r_[place[:3] @ matrix[:3], (place[3] @ matrix[:3] + matrix[3])[None]]
             self._place(inner, both, own, pieces, named, depth + 1)
+
+    def _color(self, part: str, of: _Object) -> str | None:
+        """The one colour of an object, '#rrggbb'; None where it has none, or several."""
+        paint = of.paint if not of.paints else of.paints.copy().pop() if len(of.paints) == 1 else None
+        if paint is None or not paint[1].isdecimal():
+            return None
+        group = self._colors.get((part, paint[0]), [])
+        said = group[int(paint[1])] if int(paint[1]) < len(group) else ""
+        return said[:7].lower() if _COLOR.fullmatch(said) else None
+
+
+def _paint(attributes: dict[str, str], which: str) -> Paint | None:
+    return (attributes["pid"], attributes.get(which, "0")) if "pid" in attributes else None
 
 
 def _local(name: str) -> str:

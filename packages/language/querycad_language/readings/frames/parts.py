@@ -89,7 +89,7 @@ def mating(question: Question) -> Iterator[Draft]:
     for index, male in enumerate(nouns):
         lead = range(max(question.asking[0], male.start - 4), male.start + 1)
         asked = next((i for i in lead if text.is_word(i, "what", "which")), None)
-        verb = next((span for span in text.all("mates") if 0 <= span.start - male.end < MATES_WITHIN), None)
+        verb = next((span for span in text.all("fits") if 0 <= span.start - male.end < MATES_WITHIN), None)
         if asked is None or verb is None or male.query is None:
             continue
         own = next(

@@ -122,7 +122,8 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     text = question.text
     plural = target is not None and target.plural
     if asked.reduce is not None:
-        if asked.reduce is not Reduce.TOTAL or (plural and asked.measures[0] in ADDITIVE | _STACKED):
+        adds = asked.measures[0] in ADDITIVE | _STACKED or bool(text.at_phrases("sum"))
+        if asked.reduce is not Reduce.TOTAL or (plural and adds):
             return asked.reduce, set()
     used: set[int] = set()
     start, end = question.asking
@@ -131,7 +132,8 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
             span = text.find(at, category)
             if span is None or not start <= at < end or text.is_word(at - 1, "i", "we", "you"):
                 continue
-            if meaning is Reduce.TOTAL and not (plural and asked.measures[0] in ADDITIVE):
+            adds = asked.measures[0] in ADDITIVE or text.find(at, "sum") is not None
+            if meaning is Reduce.TOTAL and not (plural and adds):
                 used |= set(range(at, span.end))
                 continue
             return meaning, set(range(at, span.end))

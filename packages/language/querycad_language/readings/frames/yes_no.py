@@ -74,7 +74,7 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
 def _fits(question: Question, start: int) -> Iterator[Draft]:
     """'Does a 12.5 mm gauge enter the small bore?': is it as wide as what is stated?"""
     text = question.text
-    verb = next((span for span in text.all("mates") if span.start >= start), None)
+    verb = next((span for span in text.all("fits") if span.start >= start), None)
     sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
     holes = [m for m in question.mentions if verb and m.query is not None and m.start >= verb.end]
     if verb is None or not sizes or not holes or holes[-1].query is None:
@@ -135,6 +135,8 @@ def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features,
         adjectives = target.adjectives[:-1] if not target.lacking else target.adjectives
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
         yield Draft(Every(bare, target), base, used)
+    if target.threads:
+        yield Draft(Every(replace_fields(target, threads=()), target), base, used)
     if target.sides:
         yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
 

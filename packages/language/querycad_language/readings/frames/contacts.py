@@ -1,0 +1,39 @@
+"""Which bodies touch, carry or hold which: what stands beside each other in an assembly."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import PartQuery
+from querycad_language.forms import Touching
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.question import Question
+
+VERBS = ("contact", "carry", "fasten")
+BODIES = PartQuery(noun="body", words=("body",), plural=True)
+
+
+def contacts(question: Question) -> Iterator[Draft]:
+    """'Which discs does the spindle touch?', 'What do the bolts hold together?', 'What is held by the bolts?'
+
+    What carries a body touches it; what fasteners hold touches them, and is no fastener itself.
+    """
+    text = question.text
+    asks = next((i for i in range(*question.asking) if text.is_word(i, "which", "what")), None)
+    before = range(question.asking[0], asks or 0)
+    if asks is None or any(text.find(i, "noun", "measure", "count") for i in before):
+        return  # 'the number of nuts which hold the wheel'
+    named = [mention for mention in question.mentions if mention.query is not None and mention.start > asks][:2]
+    asked = named[0] if len(named) > 1 and named[0].start == asks + 1 else None
+    other = next((mention for mention in named if mention is not asked), None)
+    begin = asked.end if asked is not None else asks + 1
+    helped = text.find(begin, "do", "be") is not None
+    if other is None or other.query is None:
+        return
+    after = other.end if helped and other.start == begin + 1 else begin + helped
+    verb = next((span for at in range(after, after + 2) if (span := text.find(at, *VERBS))), None)
+    if verb is None or (other.start > verb.start and other.start > verb.end + 1):
+        return
+    target = asked.query if asked is not None and asked.query is not None and asked.query.noun != "part" else BODIES
+    used = {asks, *range(verb.start, verb.end), *other.used, *(asked.used if asked is not None else ())}
+    yield Draft(Touching(target, other.query, held=verb.category == "fasten"), used=used)

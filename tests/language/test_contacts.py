@@ -1,0 +1,53 @@
+"""Which bodies touch, carry or hold which, and which holes take a screw."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_language.forms import Form, Get, Parts, Touching
+from querycad_language.readings import read
+
+
+def first(question: str) -> Form:
+    return read(question)[0].form
+
+
+@pytest.mark.parametrize(
+    ("question", "noun", "other", "held"),
+    [
+        ("Which discs does the spindle touch?", "disc", "spindle", False),
+        ("Which plates are touched by the pins?", "plate", "pin", False),
+        ("What do the bolts hold together?", "body", "bolt", True),
+        ("What is held by the bolts?", "body", "bolt", True),
+        ("What is the spacer in contact with?", "body", "spacer", False),
+        ("Which plate rests on the columns?", "plate", "column", False),
+    ],
+)
+def test_bodies_are_asked_for_by_what_they_touch(question: str, noun: str, other: str, held: bool) -> None:
+    found = [one.form for one in read(question) if isinstance(one.form, Touching)]
+    assert [(form.target.noun, form.other.noun, form.held) for form in found][:1] == [(noun, other, held)]
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["What is the height of the column that carries the shelf?", "State the number of nuts which hold the rim."],
+)
+def test_what_a_body_carries_may_only_say_which_one_it_is(question: str) -> None:
+    assert not any(isinstance(one.form, Touching) for one in read(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["Which bores are M7?", "Which bores take an M7 bolt?", "Which bores would an M7 bolt fit?"]
+)
+def test_holes_are_told_by_the_screws_that_they_take(question: str) -> None:
+    form = first(question)
+    assert isinstance(form, Parts)
+    assert form.target.threads == ("m7",)
+
+
+def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
+    sums, totals = (first(f"What is the {said} the diameters of the pins?") for said in ("sum of", "total of"))
+    assert isinstance(sums, Get)
+    assert sums.reduce == "total"
+    assert isinstance(totals, Get)
+    assert totals.reduce == "each"
