@@ -85,7 +85,7 @@ def test_every_form_is_among_the_readings_of_its_question(question: str, kind: t
         ),
         ("Window size, width by height", (Measure.WIDTH, Measure.HEIGHT), "window"),
         ("How thick is the wall around the bore?", (Measure.WALL_THICKNESS,), "bore"),
-        ("How thick is the top?", (Measure.THICKNESS,), "roof"),
+        ("What is the thickness of the top?", (Measure.THICKNESS,), "roof"),
         ("What is the floor thickness of the box?", (Measure.THICKNESS,), "floor"),
     ],
 )

@@ -56,7 +56,7 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
             query = PartQuery(noun="face", sides=(span.value,), definite=True)  # 'the area of the underside'
-            if asked.measures == (Measure.THICKNESS,):  # 'how thick is the top?'
+            if asked.measures == (Measure.THICKNESS,):  # 'what is the thickness of the top?'
                 noun = _PLATES.get(span.value, "wall")
                 query = PartQuery(noun=noun, sides=() if span.value in _PLATES else (span.value,), definite=True)
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})

@@ -83,7 +83,7 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
 
 
 def mating(question: Question) -> Iterator[Draft]:
-    """'What shaft does it fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
+    """'Which shaft does the bore fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
     text = question.text
     nouns = [mention for mention in question.mentions if mention.query is not None and mention.query.known]
     for index, male in enumerate(nouns):
