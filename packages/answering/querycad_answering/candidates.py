@@ -212,5 +212,5 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS, AnswerType.ANGLE):
         scale = 180 / math.pi if candidate.written.expects is AnswerType.ANGLE else 1e3
         numbers = [v * scale for v in listed if isinstance(v, float)]
-        features["value_digits"] = max(map(_digits, numbers), default=0) / MOST_DIGITS
+        features["value_digits"] = min(map(_digits, numbers), default=0) / MOST_DIGITS
     return replace(candidate, features=features, value=value)

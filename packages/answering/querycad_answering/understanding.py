@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -50,12 +49,6 @@ _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
 gives the smallest extent of a body for the thickness of its material."""
-_YES_OR_NO = re.compile(
-    r"^(?:(?:and|but|so)\s)?(?:is|are|was|were|does|has)\b"
-    r"(?!.*\b(?:or|how|what|which|where|number|count|give|tell|possible|way|anyone|anybody)\b)",
-    re.IGNORECASE | re.DOTALL,
-)
-"""What asks for yes or no and for nothing else."""
 
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
@@ -196,7 +189,7 @@ class Understanding:
             sure = min(sure, OTHER_CLASS)
         if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
-        if best.candidate.written.expects is not AnswerType.BOOLEAN and _YES_OR_NO.match(self.question):
+        if "value_for_yes_no" in best.candidate.features:
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
 

@@ -131,7 +131,7 @@ class Lexicon:
             return word
         if word.endswith("ies"):
             return word[:-3] + "y"
-        if word.endswith(("ches", "shes", "sses", "xes", "zes")):
+        if word.endswith(("ches", "shes", "sses", "xes", "zzes")):
             return word[:-2]
         return word[:-1]
 

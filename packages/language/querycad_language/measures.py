@@ -31,7 +31,8 @@ _ENDS = {
 }  # fmt: skip
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
-    Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
+    Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT,
+    Measure.FACE_COUNT: AnswerType.COUNT, Measure.EDGE_COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
     **dict.fromkeys((Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
     **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA), AnswerType.AREA),

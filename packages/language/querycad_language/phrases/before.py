@@ -83,6 +83,8 @@ def _word(text: Text, at: int, draft: Draft) -> int:
     if noun and _is_head(text, at, draft, noun, adjective):
         draft.nouns.append(noun)
         return noun.end
+    if adjective and text.is_word(at - 1, "how"):
+        return at  # 'how deep the holes are'
     if adjective and (draft.nouns or noun_follows(text, adjective.end)):
         if draft.nouns and not is_noun(text, adjective.end):
             return at
@@ -117,8 +119,9 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'second largest', 'deepest', 'topmost'."""
     if (ordinal := text.find(at, "ordinal")) and (scale := superlative(text, ordinal.end)):
         return _rank(scale, draft, ordinal.value)
-    if (scale := superlative(text, at)) and noun_follows(text, scale.end):
-        return _rank(scale, draft, 1)
+    alone = text.is_word(at - 1, "the") and text.is_word(at - 2, "of", "for", "between", "to", "from")
+    if (scale := superlative(text, at)) and (alone or noun_follows(text, scale.end)):
+        return _rank(scale, draft, 1)  # 'of the largest'
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
         draft.ranks.append(Rank(side=extreme.value, count=draft.count or 1))
         return extreme.end
@@ -128,9 +131,8 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
 def _is_head(text: Text, at: int, draft: Draft, noun: Span, adjective: Span | None) -> bool:
     """Is the noun one here: no adjective of a noun that follows, and no word for the whole model?"""
     if adjective and not (adjective.end == noun.end and is_generic(text, noun.end)):
-        behind = adjective.end
-        thread = behind < len(text) and text.tokens[behind].kind is Kind.THREAD and text.tokens[behind - 1].plural
-        if behind >= noun.end and is_noun(text, behind) and not thread:  # 'are the screws M5?': not 'the screw M5'
+        behind, plural = adjective.end, text.tokens[adjective.end - 1].plural
+        if behind >= noun.end and is_noun(text, behind) and not plural:  # 'the counterbores visible': a noun
             return False
     whole = text.find(at, "whole")
     return whole is None or whole.end < noun.end or bool(draft.nouns or draft.adjectives)

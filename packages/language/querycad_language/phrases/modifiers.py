@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from querycad_contracts import Place, Rank
+from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import MAX_DEPTH, Draft, Mention, NounPhrases
 from .places import central, nearest, placed, seen
 from .sizes import size
-from .words import is_noun, superlative
+from .words import is_noun, noun_follows, superlative
 
 _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
@@ -78,7 +79,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
-    for read in (_ranked, _fitted, _stated_size):
+    for read in (_through, _ranked, _fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -86,6 +87,10 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
             return end
     negated = text.is_word(at, "not")
     adjective = text.find(at + negated, "adjective")
+    compound = adjective and not negated and draft.nouns and _compound(text, adjective, draft.nouns[-1])
+    if compound:
+        draft.nouns[-1] = compound
+        return compound.end
     if adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
         (draft.lacking if negated else draft.adjectives).append(adjective.value.name)
         return adjective.end
@@ -94,6 +99,13 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     if joined and text.is_word(at, "and", "or", "&", "plus") and (other := phrases.at(at + 1, depth + 1, False)):
         return _also(text, other, draft, at)
     return at
+
+
+def _compound(text: Text, adjective: Span, noun: Span) -> Span | None:
+    """'faces that are cylindrical' are cylindrical faces, where the lexicon has those."""
+    said = " ".join(text.words[adjective.start : adjective.end])
+    found = text.lexicon.nouns.get(f"{said} {noun.value.name}")
+    return Span(noun.start, adjective.end, "noun", found) if found is not None else None
 
 
 def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
@@ -105,6 +117,23 @@ def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
         return at
     draft.also.append(query)
     return other.end
+
+
+def _through(text: Text, at: int, draft: Draft) -> int:
+    """'that go all the way through', 'do not pass through the part', 'are through'."""
+    end = text.skip(at, "passing", "do", "negation")
+    if not text.is_word(end, "through"):
+        return at
+    inner = text.skip(end + 1, "each", "article")
+    if text.find(inner, "whole") or text.is_word(inner, "side", "way", "thickness", "wall"):
+        stop = inner + 1
+    elif noun_follows(text, end + 1):
+        return at  # 'through the lid': a place
+    else:
+        stop = end + 1
+    negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
+    (draft.lacking if negated else draft.adjectives).append("through")
+    return stop
 
 
 def _stated_size(text: Text, at: int, draft: Draft) -> int:

@@ -119,9 +119,6 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     if size and text.find(at, "relation"):
         return at
     inner = text.skip(start, "each", "article")
-    if span.value == "through" and text.is_word(inner, "side", "way", "part", "thickness", "wall"):
-        draft.adjectives.append("through")
-        return inner + 1
     piece = text.skip(inner, "side_noun", "edge")
     if piece > inner and text.is_word(piece, "of"):  # 'in the side of the foot' is in the foot
         start = piece + 1

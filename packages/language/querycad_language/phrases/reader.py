@@ -71,7 +71,7 @@ class Phrases:
             return mention
         nouns = [m.query for m in reversed(before) if m.query is not None and m.query.noun]
         named = max(nouns, key=lambda one: (one.known, one.known and one.plural), default=None)  # one of several
-        if named is None or (not self.text.is_word(mention.end - 1, "one") and not query.adjectives):
+        if named is None or not (query.adjectives or query.ranks or self.text.is_word(mention.end - 1, "one")):
             return mention
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
 
@@ -98,6 +98,12 @@ class Phrases:
         """A side that is said here apart from a part, as a mention without a noun."""
         draft = Draft()
         end = seen(self, at, draft, 1)
+        inner = self.text.skip(at, "article")
+        if end == at and inner > at and (side := self.text.find(inner, "side")):
+            owner = self.text.skip(side.end, "side_noun")
+            if self.text.find(owner, "have") or self.text.find(at - 1, "have"):  # 'does the top have?'
+                draft.sides.append(side.value)
+                end = owner
         draft.used.update(range(at, end))
         return mention_of(self.text, at, end, draft) if end > at else None
 

@@ -60,6 +60,8 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             if any("axisymmetric" in part.tags for part in draft.of(target)):  # they are more than can be counted
                 raise Unwritable
             return f"sum(len(p.mirror_planes) for p in {draft.parts(target)})", AnswerType.COUNT
+        case Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT):
+            return f"shape.{form.measure}", AnswerType.COUNT
         case Count(target, measure) if measure is not None:
             values = _listed(draft, measure, target)
             steps = _steps(measure, draft.of(target), draft.read(measure, draft.of(target), True), draft.parts(target))

@@ -88,8 +88,12 @@ def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
 def _how(text: Text, at: int) -> Asked | None:
     """'How deep is …?', 'How far does … stick out?'"""
     stuff = text.find(at + 2, "stuff") if text.is_word(at + 1, "much") else None
-    if stuff is not None:  # 'how much metal is left under the slot?'
-        return Asked(at, stuff.end, (Measure.THICKNESS,), "how", used=frozenset(range(at, stuff.end)))
+    if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
+        near = text.at_phrases("remaining", "gap", "between") | text.at_words(
+            "under", "behind", "around", "below", "beneath", "above"
+        )
+        measure = Measure.THICKNESS if near else Measure.VOLUME
+        return Asked(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)

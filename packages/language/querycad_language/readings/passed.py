@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from querycad_language.forms import Check, Every, Exists, Parallel, Uniform
 from querycad_language.tokens import Kind
 
 from .drafts import Draft, Reading
@@ -24,6 +25,10 @@ _CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
     ("function", frozenset(("side_noun", "article", "axis_preposition", "total"))),
 )
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
+
+
+CLOSED = Check | Every | Exists | Parallel | Uniform
+"""Forms whose answer is yes or no."""
 
 
 class Passable(NamedTuple):
@@ -59,6 +64,8 @@ def finished(question: Question, draft: Draft, words: Sequence[Passable]) -> Rea
     skipped = [word for word in words if word.at not in draft.used]
     for word in skipped:
         features[word.feature] = features.get(word.feature, 0.0) + 1.0
+    if question.closed and not isinstance(draft.form, CLOSED):
+        features["value_for_yes_no"] = 1.0
     edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in draft.used)
     if edits:
         features["corrected"] = float(edits)

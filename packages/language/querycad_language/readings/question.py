@@ -38,8 +38,30 @@ class Question:
         """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
         text = self.text
         told = {at for stretch, _ in self.units_asked for at in stretch}
-        strange = (at for at in {*range(len(text))} - told if text.is_content(at) and not text.find(at, *_TOLD))
+        strange = (at for at in {*range(len(text))} - told if text.is_content(at) and not text.spans[at])
         return {"words": math.log(max(1, len(text))), "strange_words": float(len(list(strange)))}
+
+    @cached_property
+    def closed(self) -> bool:
+        """Is yes or no asked for, and nothing else: 'Is …?', 'Check whether …', '…, isn't it?'"""
+        text, (start, end) = self.text, self.asking
+        inside = range(start, end)
+        if self.claims:
+            return True
+        if any(text.find(i, "ask", "where", "count") or text.is_word(i, *_OPEN) for i in inside):
+            return False
+        if any(text.is_word(i, "whether", "if") and not text.is_word(i + 1, "any", "you") for i in inside):
+            return True
+        lead = next(
+            (
+                i
+                for i in inside
+                if not text.find(i, "courtesy", "chatter") and not text.is_word(i, ",", "and", "but", "so")
+            ),
+            start,
+        )
+        asks = text.find(lead, "be", "do") is not None or text.is_word(lead, "has", "have")
+        return asks and not text.is_word(lead + 1, "you", "we", "i")
 
     def in_question(self, at: int) -> bool:
         """Is the token in the sentence that asks?"""
@@ -106,8 +128,10 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     return (before[-1], True) if before else (best[1], False)
 
 
-_TOLD = ("noun", "measure", "adjective")
-_IN_TAGS = ("confirm", "be", "pronoun", "article", "function", "whole")
+_IN_TAGS = ("confirm", "be", "do", "negation", "pronoun", "article", "function", "whole")
+_CLAIMED = ("confirm", "negation")
+_OPEN = ("or", "give", "possible", "way", "anyone", "anybody")
+"""Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""
 
 
 def _tag(text: Text, start: int, end: int) -> int:
@@ -117,8 +141,8 @@ def _tag(text: Text, start: int, end: int) -> int:
         if not text.find(begin - 1, *_IN_TAGS) and text.words[begin - 1] != ",":
             break
         begin -= 1
-        found = found or text.find(begin, "confirm") is not None
+        found = found or text.find(begin, *_CLAIMED) is not None
     if begin > start:  # within a sentence the tag stands behind a comma
         comma = next((i for i in range(begin, end) if text.words[i] == ","), None)
-        begin = comma if comma is not None and any(text.find(i, "confirm") for i in range(comma, end)) else end
+        begin = comma if comma is not None and any(text.find(i, *_CLAIMED) for i in range(comma, end)) else end
     return begin if found else end

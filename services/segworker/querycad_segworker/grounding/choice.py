@@ -98,7 +98,7 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     if not way.parts:
         yield way.to((), "empty")
         return
-    groups, untold = by_size(way.parts), 0.0
+    groups = by_size(way.parts)
     if request.query.plural:
         yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         query = request.query
@@ -106,11 +106,8 @@ def single(request: Request, way: Way) -> Iterator[Way]:
         noun = lexicon().nouns.get(query.noun)
         loose = noun is not None and " " in query.noun and not any((*noun.senses[0].tags, *noun.senses[0].any))
         told = way.unchecked or query.unknown or loose or any(not place.relation for place in query.places)
-        if query.ranks or not 1 < len(groups) <= MOST_GROUPS:
-            return
-        untold = float(
-            not told or bool(query.count)
-        )  # 'the holes' are all of them, 'the grip studs' may be those of one size
+        if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
+            return  # 'the holes' are all of them, 'the grip studs' may be those of one size
         groups = [group for group in groups if len(group) > 1]
     elif len(way.parts) == 1:
         yield way.to(way.parts, "one_for_one")
@@ -126,7 +123,6 @@ def single(request: Request, way: Way) -> Iterator[Way]:
     for group, size in zip(groups, sizes, strict=True):
         features = {
             "group_for_plural" if request.query.plural else "group_for_one": 1.0,
-            "group_untold": untold,
             "group_unchecked": float(bool(way.unchecked and request.query.plural)),
             "group_one": float(len(group) == 1),
             "group_largest": float(size == max(sizes)),

@@ -12,6 +12,7 @@ from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
 _LEADING = ("courtesy", "chatter")
+_PRESENT = ("present", "included", "there", "available")
 
 
 def counts(question: Question) -> Iterator[Draft]:
@@ -28,12 +29,20 @@ def counts(question: Question) -> Iterator[Draft]:
         inner = different.end if different else at
         measure = text.find(inner, "measure")
         noun_here = text.find(inner, "noun")
+        own = next((m for m in question.mentions if m.start <= inner < m.end and m.query), None)
+        behind = text.find(own.end, "measure") if own is not None else None
+        if own is not None and own.query is not None and behind is not None:  # 'how many different hole diameters'
+            counted = Count(replace_fields(own.query, plural=True), behind.value)
+            yield Draft(
+                counted, {"count_next": 1.0, "count_values": 1.0}, used | own.used | {inner - 1, *behind.tokens}
+            )
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = [m for m in question.mentions if m.query is not None]
         else:
             named = question.mentions
         yield from _treated(question, at, used)
+        yield from _topology(question, at, used)
         after = [m for m in named if m.head >= at and not m.pronoun]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
         for index, mention in enumerate(after[:3]):
@@ -70,6 +79,16 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
                 {"count_next": 1.0, "treated": 1.0},
                 used | {at, *adjective.tokens},
             )
+
+
+def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
+    """'How many faces does the part have?': of all shapes, and 'how many edges'."""
+    text = question.text
+    for word, measure in (("face", Measure.FACE_COUNT), ("surface", Measure.FACE_COUNT), ("edge", Measure.EDGE_COUNT)):
+        if text.is_word(at, word) and all(m.query is None or at in m.used for m in question.mentions):
+            whole = PartQuery(noun="object", definite=True)
+            said = {i for m in question.mentions if m.query is None for i in m.used}
+            yield Draft(Count(whole, measure), {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
@@ -112,7 +131,13 @@ def exists(question: Question) -> Iterator[Draft]:
     said = (at for at in range(*question.asking) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     start = next(said, question.asking[0])
     leads = text.find(start, "do", "have") is not None or text.is_word(start, "any")
+    for at in sorted(text.at_words("whether", "if")):  # '… whether the lever has a rib'
+        if question.in_question(at) and (verbs := [i for i in range(at, question.asking[1]) if text.find(i, "have")]):
+            start, leads = verbs[0], True
     owned = [m for m in question.mentions if leads and m.start >= start]
+    present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
+    if present and text.find(question.asking[0], "be") and present[0].query is not None:  # 'Is a rib present?'
+        yield Draft(Exists(present[0].query), {"exists": 1.0}, {question.asking[0], *present[0].used})
     for index, mention in enumerate(owned[:2]):
         if mention.query is None:
             continue
