@@ -419,6 +419,13 @@ def nearest(items: list[Part]) -> list[tuple[Part, Part]]:
     """
     ...
 
+def closest(items: list[Part], others: list[Part] | None = None) -> list[tuple[Part, Part]]:
+    """The pair with the least gap. By surfaces, of two items, or of one and one of the others; none of fewer.
+
+    Example: [a.distance_to(b) for a, b in closest(parts(kind="slot"))]
+    """
+    ...
+
 def overlaps(items: list[Part], others: list[Part] | None = None) -> list[tuple[Part, Part]]:
     """Bodies in the same room. Pairs of them that share more than a cube of 0.1 mm.
 
