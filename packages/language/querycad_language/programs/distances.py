@@ -45,8 +45,8 @@ def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, re
     if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
         if not least:
             raise Unwritable
-        draft.lines.append(f"found = [{expression} for a, b in closest({parts}{others})]")
-        return "min(found)"
+        draft.lines.append(f"a, b = closest({parts}{others})")
+        return expression
     if second is not None:
         loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":

@@ -201,7 +201,7 @@ def closest(items, others=None):
             break
         apart = a.distance_to(b)
         if best is None or apart < best:
-            best, found = apart, [(a, b)]
+            best, found = apart, [a, b]
     return found
 
 
