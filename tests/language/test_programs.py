@@ -166,3 +166,15 @@ def test_planes_through_the_axis_of_what_is_round_are_not_counted() -> None:
     turned = whole(tags=("symmetric", "rotational", "axisymmetric"))
     with pytest.raises(Unwritable):
         write(Count(HOLES, Measure.MIRROR_PLANES), {HOLES: ((turned,), 0)}, turned)
+
+
+def test_of_many_parts_only_the_closest_two_are_measured_by_their_surfaces() -> None:
+    def code(count: int, reduce: Reduce) -> str:
+        holes = tuple(hole(number, 10.0 * number) for number in range(count))
+        return write(Distance(HOLES, "each other", "surfaces", reduce=reduce), {HOLES: (holes, 0)}, whole(), 0).code
+
+    assert "closest(" not in code(10, Reduce.SMALLEST)
+    assert "a, b = closest(parts)\nsolution = a.distance_to(b)" in code(30, Reduce.SMALLEST)
+    assert "closest(" not in code(30, Reduce.LARGEST)
+    with pytest.raises(Unwritable):  # sure to be refused, after half a minute of the kernel's
+        code(100, Reduce.LARGEST)

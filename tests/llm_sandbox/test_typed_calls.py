@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import random
 from typing import Any
 
 import pytest
@@ -31,6 +33,31 @@ class Bodies(FakeSegCad):
     def overlap(self, part_a: str, part_b: str) -> float:
         self.asked.append((part_a, part_b))
         return 2e-7 if {part_a, part_b} == {"body-1", "body-2"} else 1e-13
+
+
+class Boxes(FakeSegCad):
+    """Parts that are boxes of many sizes, some within others, and how far these are apart."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        of = random.Random(4)
+        self.known = [
+            make_part(
+                f"{'hole' if number % 3 else 'slot'}-{number}",
+                kind="hole" if number % 3 else "slot",
+                center=tuple(of.uniform(0.0, 0.3) for _ in range(3)),
+                extents=tuple(of.uniform(0.001, 0.02) for _ in range(3)),
+            )
+            for number in range(45)
+        ]
+        self.asked: list[tuple[str, str]] = []
+
+    def distance(self, part_a: str, part_b: str) -> float:
+        self.asked.append((part_a, part_b))
+        a, b = ({part.id: part for part in self.known}[one] for one in (part_a, part_b))
+        return math.hypot(
+            *(max(0.0, abs(a.center[i] - b.center[i]) - (a.extents[i] + b.extents[i]) / 2) for i in range(3))
+        )
 
 
 def value(sandbox: Sandbox, segcad: FakeSegCad, code: str) -> Any:
@@ -92,6 +119,24 @@ def test_the_nearest_pair_comes_first_and_one_part_has_no_neighbour(sandbox: San
     assert gaps == sorted(gaps)
     assert gaps[0] == value(sandbox, segcad, least)
     assert value(sandbox, segcad, "nearest(parts(kind='hole')[:1])") == []
+
+
+@pytest.mark.parametrize("others", ["", ", parts(kind='slot')", ", parts()"])
+def test_the_closest_pair_is_that_of_all_pairs_and_few_are_measured(sandbox: Sandbox, others: str) -> None:
+    boxes, all_pairs = Boxes(), Boxes()
+    gap = value(sandbox, boxes, f"a, b = closest(parts(kind='hole'){others})\nsolution = a.distance_to(b)")
+    second = others.removeprefix(", ") or "parts(kind='hole')"
+    every = (
+        f"[a.distance_to(b) for a in parts(kind='hole') for b in {second} if a.id < b.id or {bool(others)} and a != b]"
+    )
+    assert gap == min(value(sandbox, all_pairs, every))
+    assert len(boxes.asked) * 20 < len(all_pairs.asked)
+
+
+def test_fewer_than_two_have_no_closest_pair(sandbox: Sandbox, segcad: FakeSegCad) -> None:
+    assert value(sandbox, segcad, "closest(parts(kind='hole')[:1])") == []
+    assert value(sandbox, segcad, "closest([])") == []
+    assert value(sandbox, segcad, "closest(parts(kind='hole'), [])") == []
 
 
 def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segcad: FakeSegCad) -> None:

@@ -30,6 +30,19 @@ def test_every_function_has_an_example_that_calls_it() -> None:
     assert all(f"{name}(" in example for name, example in EXAMPLES.items())
 
 
+@pytest.mark.parametrize("kind", ["hole", "cylinder", "face"])
+def test_the_closest_pair_of_a_real_model_is_that_of_all_pairs(run: Run, kind: str) -> None:
+    code = f"""some = parts(kind="{kind}")[:20]
+every = [a.distance_to(b) for i, a in enumerate(some) for b in some[i + 1 :]]
+a, b = closest(some)
+solution = [min(every), a.distance_to(b), len(every)]"""
+    outcome = run(Program(code=code, codegen="llm"))
+    assert (outcome.status, outcome.message) == (RunStatus.OK, "")
+    every, closest, pairs = outcome.value
+    assert closest == every
+    assert pairs > 1
+
+
 @pytest.mark.parametrize("name", sorted(EXAMPLES))
 def test_an_example_runs(run: Run, name: str) -> None:
     outcome = run(Program(code=f"solution = {EXAMPLES[name]}", codegen="llm"))

@@ -229,7 +229,7 @@ class Part:
         ...
 
     def size_in(self, frame: Frame) -> Vector:
-        """Full size along the axes of a frame."""
+        """Along its axes."""
         ...
 
     def measures(self) -> list[str]:
@@ -240,9 +240,9 @@ class Parts(list[Part]):
     """A list that says what of the words is not in it."""
 
     ignored_words: list[str]
-    """Words that are not known."""
+    """Unknown words."""
     not_checked: list[str]
-    """What restricts, and could not be checked."""
+    """What could not be checked."""
 
 class SizeFilter(TypedDict, total=False):
     """A stated size that the part has: 'a diameter of 5 mm', 'deeper than 11 mm'."""
@@ -392,7 +392,7 @@ def offset(a: Item, b: Item) -> float:
     ...
 
 def on(items: list[Part], what: Item) -> list[Part]:
-    """Those in or on it, or that touch it.
+    """Those in, on or touching it.
 
     Example: on(parts(kind="hole"), faces(facing="top")[0])
     """
@@ -419,6 +419,13 @@ def nearest(items: list[Part]) -> list[tuple[Part, Part]]:
     """
     ...
 
+def closest(items: list[Part], others: list[Part] | None = None) -> list[Part]:
+    """Two with the least gap. By surfaces, of the items, or one of these and one of the others; none of fewer.
+
+    Example: len(closest(parts(kind="hole")))
+    """
+    ...
+
 def overlaps(items: list[Part], others: list[Part] | None = None) -> list[tuple[Part, Part]]:
     """Bodies in the same room. Pairs of them that share more than a cube of 0.1 mm.
 
@@ -441,7 +448,7 @@ def distance(a: Vector, b: Vector) -> float:
     ...
 
 def different(values: list[float], tolerance: float = 1e-6) -> list[float]:
-    """Which different values are there, sorted?
+    """Different values, sorted.
 
     Values nearer than `tolerance` count as one.
     Example: different([p.diameter for p in parts(kind="hole")])

@@ -25,6 +25,10 @@ SLACK = 1e-6
 """Metres within which two lengths are one."""
 FEW = 60
 """Every two of so many are measured in a run's 2,000 calls; of more only the nearest neighbours, for the least."""
+CALLS = 2000
+"""Of a run; a program that is sure to make more is not written where each takes the kernel."""
+MEASURED = 100
+"""So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
 _FASTENERS = ["screw", "nut", "washer"]
 """Tags of bodies that hold others."""
 _PARALLEL = 0.9999
@@ -33,16 +37,22 @@ _PARALLEL = 0.9999
 
 def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, reduce: Reduce) -> str:
     """The expression of 'a' and 'b' for every two parts."""
-    parts = draft.parts(first)
-    if second is None:
-        if len(draft.of(first)) < 2:
+    parts, least = draft.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
+    own, others = len(draft.of(first)), "" if second is None else f", {draft.parts(second)}"
+    pairs = own * (own - 1) // 2 if second is None else own * len(draft.of(second))
+    if second is None and own < 2:
+        raise Unwritable
+    if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
+        if not least:
             raise Unwritable
-        one_size = len({part.diameter for part in draft.of(first)}) == 1
-        by_centre = expression in ("a.center_distance(b)", *(("a.distance_to(b)",) if one_size else ()))
-        few = len(draft.of(first)) <= FEW or not by_centre or reduce not in (Reduce.ONE, Reduce.SMALLEST)
-        loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]" if few else f"for a, b in nearest({parts})"
-    else:
+        draft.lines.append(f"a, b = closest({parts}{others})")
+        return expression
+    if second is not None:
         loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
+    elif own > FEW and least and expression == "a.center_distance(b)":
+        loop = f"for a, b in nearest({parts})"
+    else:
+        loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
     draft.lines.append(f"found = [{expression} {loop}]")
     if "center[" in expression and reduce not in (
         Reduce.LARGEST,

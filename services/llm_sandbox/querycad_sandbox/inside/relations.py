@@ -174,6 +174,37 @@ def nearest(items):
     return [found[i] for i in ranks]
 
 
+def closest(items, others=None):
+    order = [(item.center, item, 0) for item in items]
+    order += [(item.center, item, 1) for item in others or ()]
+    order = sorted(order, key=lambda one: one[0])
+    wide = _max([one[1].extents[0] for one in order], default=0.0)
+    far, pairs = None, []
+    for i in range(len(order)):  # boxes are as far apart as surfaces at most; these no farther than the boxes' corners
+        place, a, group = order[i]
+        for j in range(i + 1, len(order)):
+            other, b, own = order[j]
+            if far is not None and other[0] - place[0] - wide > far:
+                break
+            if a.id == b.id or (others is not None and group == own):
+                continue
+            low = high = 0.0
+            for k in range(3):
+                apart, both = abs(other[k] - place[k]), (a.extents[k] + b.extents[k]) / 2
+                low, high = low + _max(0.0, apart - both) ** 2, high + (apart + both) ** 2
+            if far is None or low**0.5 <= far:
+                pairs.append((low**0.5, a, b) if group <= own else (low**0.5, b, a))
+                far = high**0.5 if far is None else _min(far, high**0.5)
+    best, found = None, []
+    for gap, a, b in sorted(pairs, key=lambda pair: pair[0]):
+        if best is not None and gap >= best:
+            break
+        apart = a.distance_to(b)
+        if best is None or apart < best:
+            best, found = apart, [a, b]
+    return found
+
+
 def overlaps(items, others=None):
     bodies = list(items)
     found = []

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 
 from querycad_contracts import Measure, Part, Rank
 from querycad_language.lexicon import lexicon
-from querycad_segworker.vectors import dot, norm, sub
+from querycad_segworker.vectors import dot
 
 from .inventory import by_size, extreme, measured
+from .nearby import to_nearest
 from .ways import Request, Way
 
 MOST_GROUPS = 8
@@ -58,7 +59,7 @@ def _first_of(request: Request, parts: Sequence[Part], rank: Rank) -> list[Part]
         parts = [p for p in parts if p.id not in {other.id for other in others}]
         if not others or not parts:
             return []
-        values = [min(norm(sub(p.center, other.center)) for other in others) for p in parts]
+        values = list(map(to_nearest(others), parts))
     elif rank.edge:
         parts = [p for p in parts if p.edge_distance is not None]
         values = [p.edge_distance for p in parts if p.edge_distance is not None]

@@ -20,17 +20,29 @@ STEPS: tuple[Step, ...] = (
     colored, threaded, narrowed, sized, placed, seen, excepted, joined, ranked, counted, single,
 )  # fmt: skip
 """What happens to the parts that the noun means, in this order."""
+KEPT = 64
+"""So many queries a model keeps grounded: those of a question are a dozen, each asked for once a program."""
 
 
 def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int = 0) -> list[Grounded]:
     """The part sets that a query can mean on this model, best first; never none: the last resort is the empty set."""
     if query.ids:
         return [_by_id(inventory, query)]
+    known, said = inventory.grounded, () if query.words == tuple(query.noun.split()) else query.words
+    query = query.model_copy(update={"words": said, "sense": 0})  # as questions and as programs ask: one query
+    if (ways := known.get((query, depth))) is None:
+        ways = known[query, depth] = _ways(inventory, query, depth)
+        while len(known) > KEPT:
+            known.popitem(last=False)
+    return ways[:limit]
+
+
+def _ways(inventory: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
     request = Request(inventory, query, depth, lambda inner, most: ground(inventory, inner, most, depth + 1))
     ways = list(bases(request))
     for step in STEPS:
         ways = pruned([after for way in ways for after in step(request, way)])
-    return [Grounded(parts=way.parts, features=way.features, unchecked=way.unchecked) for way in ways[:limit]]
+    return [Grounded(parts=way.parts, features=way.features, unchecked=way.unchecked) for way in ways]
 
 
 def _by_id(inventory: Inventory, query: PartQuery) -> Grounded:

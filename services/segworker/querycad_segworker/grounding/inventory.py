@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 from itertools import pairwise
 
-from querycad_contracts import Measure, Part, Side
+from querycad_contracts import Grounded, Measure, Part, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 from .names import all_words, holds, share, vocabulary
+from .nearby import Nearby
 from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
@@ -50,6 +52,13 @@ class Inventory:
         self.names = vocabulary(parts)
         self._roles: dict[tuple[str, str], bool] = {}
         self._found: dict[Sense, list[Part]] = {}
+        self.grounded: OrderedDict[tuple[PartQuery, int], list[Grounded]] = OrderedDict()
+        """Ways to ground queries, by how deep in others these stand: one question asks for each several times."""
+
+    @cached_property
+    def nearby(self) -> Nearby:
+        """What is near to each part."""
+        return Nearby(self.parts)
 
     @cached_property
     def alike(self) -> list[list[Part]]:

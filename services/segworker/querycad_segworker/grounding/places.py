@@ -1,12 +1,13 @@
-"""How does a part stand to the place that a description names: in it, on it, beside it, between two of them?"""
+"""How does a part stand to the place that a description names: in it, on it, beside it?"""
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 
 from querycad_contracts import Part
-from querycad_segworker.vectors import cross, dot, line_distance, norm, sub
+from querycad_segworker.vectors import cross, line_distance, norm
+
+from .nearby import Nearby
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
@@ -41,22 +42,25 @@ def is_inside(part: Part, place: Part) -> bool:
     )
 
 
-def next_to(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+def next_to(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> list[Part]:
     """Those whose boxes meet that of a holder."""
-    return [p for p in found if any(h.id != p.id and touches(p, h) for h in holders)]
+    return [p for p, near in nearby.pairs(found, holders) if any(h.id != p.id and touches(p, h) for h in near)]
 
 
-def held(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:
+def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:
     """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
-    if carried := [p for p in found if any(carries(h, p) and not (relation == "on" and _is_of(p, h)) for h in holders)]:
+    pairs = nearby.pairs(found, holders)
+    on = relation == "on"
+    if carried := [p for p, near in pairs if any(carries(h, p) and not (on and _is_of(p, h)) for h in near)]:
         return carried
-    if relation == "on":
-        standing = [p for p in found if p.kind in STANDING_OUT or p.kind == "cylinder"]
-        on = [p for p in standing if any(touches(p, h) and not is_inside(p, h) for h in holders)]
-        if on:
-            return on
-    inside = [p for p in found if any(is_inside(p, h) or (p.kind == "pattern" and h.id in p.children) for h in holders)]
-    return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders)
+    if on:
+        standing = [(p, near) for p, near in pairs if p.kind in STANDING_OUT or p.kind == "cylinder"]
+        if upon := [p for p, near in standing if any(touches(p, h) and not is_inside(p, h) for h in near)]:
+            return upon
+    ids = {h.id for h in holders}
+    own = {p.id for p in found if p.kind == "pattern" and not ids.isdisjoint(p.children)}
+    inside = [p for p, near in pairs if p.id in own or any(is_inside(p, h) for h in near)]
+    return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders, nearby)
 
 
 def _is_of(part: Part, place: Part) -> bool:
@@ -73,28 +77,6 @@ def touches(part: Part, place: Part) -> bool:
     )
 
 
-def lies_between(part: Part, others: Sequence[Part], whole: bool = False) -> bool:
-    """Does the middle of the part lie between those of two others, no farther aside than they reach?
-
-    The `whole` part: it is no longer that way than they are apart, as the wall between two windows, not their plate.
-    """
-    for a, b in itertools.combinations(others, 2):
-        apart, ahead = sub(b.center, a.center), sub(part.center, a.center)
-        length = norm(apart)
-        reach = sum(e * abs(c) for e, c in zip(part.extents, apart, strict=True))
-        if length < TOUCH_M or not 0.0 < dot(ahead, apart) < length**2 or (whole and reach > length**2):
-            continue
-        boxed = all(
-            min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - TOUCH_M
-            <= part.center[i]
-            <= max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2) + TOUCH_M
-            for i in range(3)
-        )
-        if boxed:
-            return True
-    return False
-
-
 def coaxial(part: Part, other: Part) -> bool:
     """Do both lie on one axis, to a thousandth of the part?"""
     if part.axis is None or other.axis is None or norm(cross(part.axis, other.axis)) > 1e-3:
@@ -104,4 +86,4 @@ def coaxial(part: Part, other: Part) -> bool:
 
 def encloses(part: Part, other: Part) -> bool:
     """Is it on the other's axis, and wider?"""
-    return coaxial(part, other) and bool(part.radius and other.radius and part.radius > other.radius)
+    return bool(part.radius and other.radius and part.radius > other.radius) and coaxial(part, other)

@@ -7,8 +7,10 @@ from collections.abc import Iterator, Sequence
 from querycad_contracts import Grounded, Part, Place
 from querycad_segworker.vectors import dot
 
+from .between import lying_between
 from .names import all_words
-from .places import coaxial, encloses, held, is_inside, lies_between, next_to, touches
+from .nearby import Nearby
+from .places import coaxial, encloses, held, is_inside, next_to, touches
 from .ways import Request, Way, pruned, score
 
 _DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
@@ -59,11 +61,12 @@ def _held_by(request: Request, way: Way, place: Place, grounded: Grounded) -> It
         yield way.to(way.parts, f"{name}_whole", 1.0)
         return
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
-    kept = related(way.parts, place.relation, parts or list(grounded.parts))
+    kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     if place.side is not None:
         kept = [p for p in kept if place.side in p.sides] or kept
     if place.negated:
-        kept = [p for p in way.parts if p not in kept]
+        known = {id(p) for p in kept}
+        kept = [p for p in way.parts if id(p) not in known]
     if kept:
         yield way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))
 
@@ -73,45 +76,46 @@ def _worth(grounded: Grounded) -> float:
     return max(-5.0, min(1.0, score(grounded.features)))
 
 
-def related(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:  # noqa: PLR0911 - one case a relation
+def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:  # noqa: PLR0911 - one case a relation
     """Those that stand so to one of the holders; none where the relation is not known."""
     match relation:
         case "with":
-            having = [p for p in found if any(h.id != p.id and is_inside(h, p) for h in holders)]
-            return having or next_to(found, holders)
+            pairs = nearby.pairs(holders, found)
+            having = {p.id for h, near in pairs for p in near if h.id != p.id and is_inside(h, p)}
+            return [p for p in found if p.id in having] or next_to(found, holders, nearby)
         case "near":
-            return next_to(found, holders)
+            return next_to(found, holders, nearby)
         case "between":
-            apart = [p for p in found if p.id not in {h.id for h in holders} and lies_between(p, holders)]
-            return [p for p in apart if lies_between(p, holders, whole=True)] or apart
+            ids = {h.id for h in holders}
+            apart = lying_between([p for p in found if p.id not in ids], holders)
+            return lying_between(apart, holders, whole=True) or apart
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
-            return around or [p for p in found if p.kind in ("fillet", "round", "chamfer") and next_to([p], holders)]
+            edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
+            return around or next_to(edges, holders, nearby)
         case "above" | "below" | "left" | "right" | "front" | "behind":
             axis, sign = _DIRECTIONS[relation]
-            return [
-                p
-                for p in found
-                if any(h.id != p.id and sign * (p.center[axis] - h.center[axis]) > 5e-5 for h in holders)
-            ]
+            first = min((sign * h.center[axis] for h in holders), default=float("inf"))
+            return [p for p in found if sign * p.center[axis] - first > 5e-5]
         case "opposite":
-            return [
-                p
-                for p in found
-                if any(h.id != p.id and p.normal and h.normal and dot(p.normal, h.normal) < -0.9 for h in holders)
-            ]
+            normals = {h.normal for h in holders if h.normal}
+            return [p for p in found if p.normal and any(dot(p.normal, normal) < -0.9 for normal in normals)]
         case "through":
-            return held(found, "in", holders) or [p for p in found if any(touches(p, h) for h in holders)]
+            return held(found, "in", holders, nearby) or [
+                p for p, near in nearby.pairs(found, holders) if any(touches(p, h) for h in near)
+            ]
         case "":
-            own = held(found, "", holders)
+            own = held(found, "", holders, nearby)
+            pairs = nearby.pairs(found, holders)
             return (
                 own
-                or [p for p in found if any(coaxial(p, h) and touches(p, h) for h in holders)]
-                or next_to(found, holders)
+                or [p for p, near in pairs if any(coaxial(p, h) and touches(p, h) for h in near)]
+                or next_to(found, holders, nearby)
             )
         case _:
-            own = held(found, "of" if relation == "for" else relation, holders)
-            return own or [p for p in found if any(h.id in p.children for h in holders)]
+            own = held(found, "of" if relation == "for" else relation, holders, nearby)
+            ids = {h.id for h in holders}
+            return own or [p for p in found if not ids.isdisjoint(p.children)]
 
 
 def seen(request: Request, way: Way) -> Iterator[Way]:

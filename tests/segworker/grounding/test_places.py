@@ -1,0 +1,195 @@
+"""Where parts are: of many places few pairs are looked at, and the same is found as of all pairs."""
+
+from __future__ import annotations
+
+import itertools
+import random
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import pytest
+from tests.made import inventory, part
+
+from querycad_contracts import Grounded, Part, PartQuery, Place
+from querycad_segworker.grounding import ground as grounding
+from querycad_segworker.grounding.between import lying_between
+from querycad_segworker.grounding.ground import KEPT, ground
+from querycad_segworker.grounding.inventory import Inventory
+from querycad_segworker.grounding.nearby import Nearby, to_nearest
+from querycad_segworker.grounding.places import TOUCH_M, carries, coaxial, encloses, is_inside, touches
+from querycad_segworker.grounding.where import related
+from querycad_segworker.ingest import ingest
+from querycad_segworker.model import ModelStore
+from querycad_segworker.vectors import dot, norm, sub
+
+EXAMPLES = [Path(__file__).parents[3] / f"examples/{name}.step" for name in ("bearing_assembly", "bracket", "housing")]
+RELATIONS = ("in", "on", "of", "", "with", "near", "through", "around", "left", "opposite", "between")
+SOME = 70
+"""More than the places whose pairs are all looked at."""
+
+
+def test_pairs_of_a_tree_hold_all_that_meet_lie_in_or_are_carried() -> None:
+    for seed in range(3):
+        parts = scattered(seed)
+        near = {one.id: {other.id for other in some} for one, some in Nearby(parts).pairs(parts, parts)}
+        for a, b in itertools.product(parts, parts):
+            assert b.id in near[a.id] or not (touches(a, b) or is_inside(a, b) or carries(b, a)), (a.id, b.id)
+
+
+@pytest.mark.parametrize("relation", RELATIONS)
+def test_parts_at_scattered_places_are_those_of_all_pairs(relation: str) -> None:
+    for seed in range(2):
+        assert_like_all_pairs(scattered(seed), relation)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_parts_of_the_examples_are_those_of_all_pairs(path: Path, tmp_path: Path) -> None:
+    parts = ingest(path, ModelStore(tmp_path)).load_model().parts
+    for relation in RELATIONS:
+        assert_like_all_pairs(parts, relation)
+
+
+def assert_like_all_pairs(parts: Sequence[Part], relation: str) -> None:
+    """Each kind of part against each, and all against all."""
+    kinds = [[one for one in parts if one.kind == kind] for kind in dict.fromkeys(one.kind for one in parts)]
+    nearby = Nearby(parts)
+    for found, holders in [*itertools.product(kinds, kinds), (parts, parts)]:
+        own = [one.id for one in related(found, relation, holders, nearby)]
+        assert own == [one.id for one in of_all_pairs(found, relation, holders)], (found[0].kind, holders[0].kind)
+
+
+def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) -> list[Part]:  # noqa: C901, PLR0911
+    """Part by part and place by place, whatever lies where."""
+
+    def those(holds: Callable[[Part, Part], bool], some: Sequence[Part] = found) -> list[Part]:
+        return [p for p in some if any(holds(p, h) for h in holders)]
+
+    ids = {h.id for h in holders}
+    raised = ("boss", "protrusion", "elevation", "prism", "rib", "body")
+
+    def made_of(p: Part, h: Part) -> bool:
+        standing = p.kind in (*raised, "cylinder") and h.kind in raised[:-1]
+        return relation == "on" and standing and set(p.faces) <= set(h.faces)
+
+    def held() -> list[Part]:
+        if carried := those(lambda p, h: carries(h, p) and not made_of(p, h)):
+            return carried
+        standing = [p for p in found if relation == "on" and p.kind in (*raised, "cylinder")]
+        if on := those(lambda p, h: touches(p, h) and not is_inside(p, h), standing):
+            return on
+        inside = those(lambda p, h: is_inside(p, h) or (p.kind == "pattern" and h.id in p.children))
+        return inside if inside or not all(p.kind in raised for p in found) else next_to()
+
+    def next_to(some: Sequence[Part] = found) -> list[Part]:
+        return those(lambda p, h: h.id != p.id and touches(p, h), some)
+
+    match relation:
+        case "with":
+            return those(lambda p, h: h.id != p.id and is_inside(h, p)) or next_to()
+        case "near":
+            return next_to()
+        case "between":
+            apart = [p for p in found if p.id not in ids and lies_between(p, holders)]
+            return [p for p in apart if lies_between(p, holders, whole=True)] or apart
+        case "around":
+            return those(encloses) or next_to([p for p in found if p.kind in ("fillet", "round", "chamfer")])
+        case "left":
+            return those(lambda p, h: h.id != p.id and h.center[0] - p.center[0] > 5e-5)
+        case "opposite":
+            return those(lambda p, h: bool(p.normal and h.normal) and dot(p.normal, h.normal) < -0.9)  # type: ignore[arg-type]
+        case "through":
+            return held() or those(touches)
+        case "":
+            return held() or those(lambda p, h: coaxial(p, h) and touches(p, h)) or next_to()
+        case _:
+            return held() or those(lambda p, h: h.id in p.children)
+
+
+def lies_between(one: Part, others: Sequence[Part], whole: bool = False) -> bool:
+    for a, b in itertools.combinations(others, 2):
+        apart, ahead = sub(b.center, a.center), sub(one.center, a.center)
+        length = norm(apart)
+        reach = sum(e * abs(c) for e, c in zip(one.extents, apart, strict=True))
+        if length < TOUCH_M or not 0.0 < dot(ahead, apart) < length**2 or (whole and reach > length**2):
+            continue
+        if all(
+            min(a.center[i] - a.extents[i] / 2, b.center[i] - b.extents[i] / 2) - TOUCH_M
+            <= one.center[i]
+            <= max(a.center[i] + a.extents[i] / 2, b.center[i] + b.extents[i] / 2) + TOUCH_M
+            for i in range(3)
+        ):
+            return True
+    return False
+
+
+@pytest.mark.parametrize("whole", [False, True])
+def test_what_lies_between_many_is_what_lies_between_two_of_them(whole: bool) -> None:
+    for seed, step in itertools.product(range(3), (0.0, 0.01)):
+        places = scattered(seed, step)
+        walls = [one.model_copy(update={"extents": (0.05, 0.002, 0.05)}) for one in scattered(seed + 10, step, 0.07)]
+        own = {one.id for one in lying_between(walls, places, whole)}
+        assert own == {one.id for one in walls if lies_between(one, places, whole)}
+        assert 0 < len(own) < len(walls)
+
+
+def test_the_nearest_place_is_the_nearest_of_all() -> None:
+    parts, places = scattered(1), scattered(2)
+    nearest = to_nearest(places)
+    assert [nearest(one) for one in parts] == [min(norm(sub(one.center, p.center)) for p in places) for one in parts]
+
+
+@cache
+def scattered(seed: int, step: float = 0.005, reach: float = 0.05) -> tuple[Part, ...]:
+    """Boxes of many sizes, with centres on a grid where there is a step, so that some only just meet."""
+    of = random.Random(seed)
+    kinds = ("hole", "boss", "slot", "pattern", "cylinder", "rib", "body", "fillet")
+
+    def at() -> tuple[float, float, float]:
+        x, y, z = (of.uniform(-reach, reach) for _ in range(3))
+        return (round(x / step) * step, round(y / step) * step, round(z / step) * step) if step else (x, y, z)
+
+    parts = []
+    for number in range(SOME):
+        radius = of.choice((None, 0.002, 0.003, 0.005))
+        center, axis = at(), of.choice(((1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)))
+        parts.append(
+            part(
+                f"{of.choice(kinds)}-{number}",
+                center,
+                extents=tuple(of.choice((0.0, 0.005, 0.01, 0.03)) for _ in range(3)),
+                faces=tuple(sorted(of.sample(range(60), of.choice((0, 1, 1, 2, 20)) if number % 9 == 0 else 1))),
+                children=tuple(f"hole-{of.randrange(SOME)}" for _ in range(of.choice((0, 0, 0, 3)))),
+                opening=of.choice((None, at())),
+                axis=axis,
+                normal=axis,
+                radius=radius,
+            )
+        )
+    return tuple(parts)
+
+
+def test_a_query_is_grounded_once_a_model(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[PartQuery] = []
+    grounds = grounding._ways
+
+    def counted(known: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
+        made.append(query)
+        return grounds(known, query, depth)
+
+    monkeypatch.setattr(grounding, "_ways", counted)
+    plate = inventory(*(part(f"hole-{number}", (0.01 * number, 0.0, 0.0)) for number in range(3)))
+    asked = PartQuery(noun="hole", words=("hole",), plural=True, places=(Place(relation="in", what=SLOT),))
+    first = ground(plate, asked)
+    again = asked.model_copy(update={"words": (), "sense": 2})  # as a program asks
+    assert ground(plate, again) == first
+    assert ground(plate, asked, limit=1) == first[:1]
+    assert [query.noun for query in made] == ["hole", "slot"]
+    assert ground(Inventory(plate.parts), asked) == first
+    assert len(made) == 4  # another model is another one
+    for count in range(2 * KEPT):
+        ground(plate, asked.model_copy(update={"count": count, "places": ()}))
+    assert len(plate.grounded) == KEPT
+
+
+SLOT = PartQuery(noun="slot", words=("slot",), definite=True)
