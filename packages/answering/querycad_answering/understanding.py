@@ -9,7 +9,6 @@ from functools import cached_property
 
 from querycad_contracts import (
     Alternative,
-    AnswerType,
     Expectation,
     Failure,
     Grounded,

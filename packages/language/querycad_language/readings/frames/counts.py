@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import Count, Exists
@@ -124,27 +125,34 @@ def exists(question: Question) -> Iterator[Draft]:
             continue
         if span.start > 0 and text.find(span.start - 1, "count", "ask", "noun", "scale"):
             continue
-        for index, mention in enumerate([m for m in question.mentions if m.start >= span.start][:2]):
-            if mention.query is not None:
-                features = {"exists": 1.0, "count_far": float(index)}
-                yield Draft(Exists(mention.query), features, set(span.tokens) | mention.used)
-    said = (at for at in range(*question.asking) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
-    start = next(said, question.asking[0])
-    leads = text.find(start, "do", "have") is not None or text.is_word(start, "any")
-    for at in sorted(text.at_words("whether", "if")):  # '… whether the lever has a rib'
-        if question.in_question(at) and (verbs := [i for i in range(at, question.asking[1]) if text.find(i, "have")]):
-            start, leads = verbs[0], True
-    owned = [m for m in question.mentions if leads and m.start >= start]
+        named = [m for m in question.mentions if m.start >= span.start]
+        yield from _existing(named[:2], set(span.tokens))
+    start = _having(question)
+    owned = [m for m in question.mentions if start is not None and m.start >= start]
+    yield from _existing(owned[:2], {start or 0})
+    for owner, mention in pairwise(owned[:2]):
+        if owner.query is not None and mention.query is not None:
+            places = (*mention.query.places, Place(relation="of", what=owner.query))
+            placed = Exists(replace_fields(mention.query, places=places))
+            yield Draft(placed, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
-    if present and text.find(question.asking[0], "be") and present[0].query is not None:  # 'Is a rib present?'
-        yield Draft(Exists(present[0].query), {"exists": 1.0}, {question.asking[0], *present[0].used})
-    for index, mention in enumerate(owned[:2]):
-        if mention.query is None:
-            continue
-        used = {start} | mention.used
-        yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, used)
-        if index == 1 and (owner := owned[0]).query is not None:
-            query = replace_fields(
-                mention.query, places=(*mention.query.places, Place(relation="of", what=owner.query))
-            )
-            yield Draft(Exists(query), {"exists": 1.0, "owner_before": 1.0}, used | owner.used)
+    if text.find(question.asking[0], "be"):  # 'Is a rib present?'
+        yield from _existing(present[:1], {question.asking[0]})
+
+
+def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
+    """Whether there is the first of them, or less likely the second."""
+    for index, mention in enumerate(mentions):
+        if mention.query is not None:
+            yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, used | mention.used)
+
+
+def _having(question: Question) -> int | None:
+    """Where a clause begins that asks what something has: 'does it have', '… whether the lever has', 'any'."""
+    text, (start, end) = question.text, question.asking
+    whether = next((at for at in range(start, end) if text.is_word(at, "whether", "if")), None)
+    if whether is not None and (verbs := [i for i in range(whether, end) if text.find(i, "have")]):
+        return verbs[0]
+    said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
+    first = next(said, start)
+    return first if text.find(first, "do", "have") or text.is_word(first, "any") else None

@@ -163,9 +163,7 @@ def _verb_start(question: Question) -> int | None:
     text, (start, end) = question.text, question.asking
     if question.claims:
         return start
-    if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))):
-        return start
-    if text.is_word(len(text) - 1, "?") and text.is_word(len(text) - 2, "y/n"):
+    if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or text.has("y/n"):
         return start
     if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
