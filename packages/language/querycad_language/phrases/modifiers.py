@@ -79,7 +79,8 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
-    for read in (_through, _ranked, _fitted, _stated_size):
+    own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else it is said of the noun around it
+    for read in (_through, _ranked, _fitted, _stated_size) if own else (_ranked, _fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -87,11 +88,17 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
             return end
     negated = text.is_word(at, "not")
     adjective = text.find(at + negated, "adjective")
-    compound = adjective and not negated and draft.nouns and _compound(text, adjective, draft.nouns[-1])
+    compound = (
+        adjective
+        and not negated
+        and draft.nouns
+        and not text.find(at, "place")
+        and _compound(text, adjective, draft.nouns[-1])
+    )
     if compound:
         draft.nouns[-1] = compound
         return compound.end
-    if adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
+    if own and adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
         (draft.lacking if negated else draft.adjectives).append(adjective.value.name)
         return adjective.end
     if (end := placed(phrases, at, draft, depth)) > at:
@@ -102,9 +109,9 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
 
 
 def _compound(text: Text, adjective: Span, noun: Span) -> Span | None:
-    """'faces that are cylindrical' are cylindrical faces, where the lexicon has those."""
+    """'faces that are cylindrical' are cylindrical faces: a noun of its own."""
     said = " ".join(text.words[adjective.start : adjective.end])
-    found = text.lexicon.nouns.get(f"{said} {noun.value.name}")
+    found = text.lexicon.nouns.get(f"{said} face") if noun.value.name == "face" else None
     return Span(noun.start, adjective.end, "noun", found) if found is not None else None
 
 
@@ -122,10 +129,11 @@ def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
 def _through(text: Text, at: int, draft: Draft) -> int:
     """'that go all the way through', 'do not pass through the part', 'are through'."""
     end = text.skip(at, "passing", "do", "negation")
-    if not text.is_word(end, "through"):
+    if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
         return at
     inner = text.skip(end + 1, "each", "article")
-    if text.find(inner, "whole") or text.is_word(inner, "side", "way", "thickness", "wall"):
+    whole = text.find(inner, "whole") or text.is_word(inner, "side", "way", "thickness", "wall")
+    if whole and not text.is_word(inner + 1, "of"):
         stop = inner + 1
     elif noun_follows(text, end + 1):
         return at  # 'through the lid': a place

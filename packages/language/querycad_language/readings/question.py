@@ -50,7 +50,7 @@ class Question:
             return True
         if any(text.find(i, "ask", "where", "count") or text.is_word(i, *_OPEN) for i in inside):
             return False
-        if any(text.is_word(i, "whether", "if") and not text.is_word(i + 1, "any", "you") for i in inside):
+        if self.whether is not None:
             return True
         lead = next(
             (
@@ -62,6 +62,16 @@ class Question:
         )
         asks = text.find(lead, "be", "do") is not None or text.is_word(lead, "has", "have")
         return asks and not text.is_word(lead + 1, "you", "we", "i")
+
+    @cached_property
+    def whether(self) -> int | None:
+        """Where the clause begins that is asked for: 'check whether …', 'tell me if …'; none where another follows."""
+        text, (start, end) = self.text, self.asking
+        for at in range(start, end):
+            said = text.is_word(at, "whether") or (text.is_word(at, "if") and text.is_word(at - 1, *_ASKS_IF))
+            if said and not any(text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal") for i in range(at, end)):
+                return at
+        return None
 
     def in_question(self, at: int) -> bool:
         """Is the token in the sentence that asks?"""
@@ -130,6 +140,22 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
 
 _IN_TAGS = ("confirm", "be", "do", "negation", "pronoun", "article", "function", "whole")
 _CLAIMED = ("confirm", "negation")
+_ASKS_IF = (
+    "me",
+    "check",
+    "know",
+    "see",
+    "wonder",
+    "sure",
+    "say",
+    "ask",
+    "confirm",
+    "verify",
+    "out",
+    "us",
+    "test",
+    "look",
+)
 _OPEN = ("or", "give", "possible", "way", "anyone", "anybody")
 """Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""
 

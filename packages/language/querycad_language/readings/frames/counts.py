@@ -150,8 +150,7 @@ def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
 def _having(question: Question) -> int | None:
     """Where a clause begins that asks what something has: 'does it have', '… whether the lever has', 'any'."""
     text, (start, end) = question.text, question.asking
-    whether = next((at for at in range(start, end) if text.is_word(at, "whether", "if")), None)
-    if whether is not None and (verbs := [i for i in range(whether, end) if text.find(i, "have")]):
+    if question.whether is not None and (verbs := [i for i in range(question.whether, end) if text.find(i, "have")]):
         return verbs[0]
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)

@@ -167,8 +167,8 @@ def _verb_start(question: Question) -> int | None:
         return start
     if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
-    if question.closed and (said := [i for i in range(start, end) if text.is_word(i, "whether", "if")]):
-        return said[0]
+    if question.closed and question.whether is not None:
+        return question.whether
     behind = [i + 1 for i in range(start, end - 1) if text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal")]
     if behind and not text.is_word(behind[0] + 1, "there"):
         return behind[0]  # 'Going by the model, is it …?'

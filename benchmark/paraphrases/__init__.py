@@ -1,0 +1,1 @@
+"""Do many ways to ask the same have the same answer?"""
