@@ -61,12 +61,10 @@ def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: 
 def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]], whole: Part) -> Iterable[Candidate]:
     own = list(queries(reading.form))
     each = GROUNDINGS if len(own) < 2 else 3
-    for ways in itertools.product(*(list(enumerate(grounded[query]))[:each] for query in own)):
+    checked = reading.form.among if isinstance(reading.form, Every) else None  # what is to be shown is not left out
+    followed = [[one for one in enumerate(grounded[query]) if query != checked or not _drops(one[1])] for query in own]
+    for ways in itertools.product(*(found[:each] for found in followed)):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
-        if isinstance(reading.form, Every) and any(
-            name.endswith("_dropped") for name in grounds[reading.form.among].features
-        ):
-            continue  # what is to be shown cannot be left unchecked
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
         for option in range(OPTIONS):
             try:
@@ -77,6 +75,11 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
             yield Candidate(reading, grounds, written, features)
             if not written.reads:
                 break
+
+
+def _drops(way: Grounded) -> bool:
+    """Does the grounding leave out a word that restricts?"""
+    return any(name.endswith("_dropped") for name in way.features)
 
 
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:

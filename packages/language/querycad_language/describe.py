@@ -92,7 +92,7 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case Exists(target):
             return f"whether there is {noun_phrase(target)}"
         case Every(target, among):
-            return f"whether {noun_phrase(target)} is {noun_phrase(among)}"
+            return f"whether {noun_phrase(target)} {'are' if target.plural else 'is'} {noun_phrase(among)}"
         case Uniform(get):
             return f"whether the {describe(get)} is the same for all"
         case Parallel(first, second, square):

@@ -325,7 +325,7 @@ def _magnitude(part: Part, round_part: bool) -> list[tuple[str, Grade]]:
         return [("{0}.radius", "own")]
     if part.kind == "chamfer":
         return _chamfer()
-    if part.diameter is not None and (round_part or part.kind in CUT):
+    if part.diameter is not None and (round_part or part.kind in CUT or part.kind == "pattern"):
         return [("{0}.diameter", "own"), ("{0}.extents", "derived")]
     flat: list[tuple[str, Grade]] = [("[*{0}.local_size[:2]]", "own")] if part.kind in CUT else []  # of a window
     return [("{0}.extents", "own"), *flat, ("max({0}.extents)", "derived")]

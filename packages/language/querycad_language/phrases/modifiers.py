@@ -80,7 +80,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
     own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else it is said of the noun around it
-    for read in (_through, _ranked, _fitted, _stated_size) if own else (_ranked, _fitted, _stated_size):
+    for read in (_through, _ranked, _fitted, _stated_size) if own else (_fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -169,8 +169,12 @@ def _fitted(text: Text, at: int, draft: Draft) -> int:
 
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:
-    """'with the smallest diameter'."""
+    """'with the smallest diameter', 'is the largest'."""
     place = text.find(at, "place")
+    alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
+    if alone is not None and not noun_follows(text, alone.end):
+        draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
+        return alone.end
     if place is None or place.value not in ("with", "of"):
         return at
     start = text.skip(place.end, "article")
@@ -185,11 +189,11 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
 def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
-    place = text.find(at, "place")
-    if place is None or place.value not in ("with", "without"):
+    place, owns = text.find(at, "place"), text.find(at, "have")
+    if (place is None or place.value not in ("with", "without")) and (owns is None or depth):
         return at
-    lacking = place.value == "without"
-    start = place.end
+    lacking = place is not None and place.value == "without"
+    start = place.end if place is not None else owns.end if owns is not None else at
     if text.is_word(start, "no", "any"):
         lacking = lacking or text.is_word(start, "no")
         start += 1
@@ -199,7 +203,7 @@ def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (draft.lacking if lacking else draft.adjectives).append(span.value.name)
         return span.end
-    other = phrases.at(start, depth + 1, False) if depth < MAX_DEPTH else None
+    other = phrases.at(start, depth + 1, False) if depth < MAX_DEPTH and place is not None else None
     if other is None or other.query is None:
         return at
     draft.places.append(Place(relation="with", what=other.query, negated=lacking))

@@ -21,6 +21,9 @@ def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
         sides, end = [view.value], view.end
     else:
         sides, end = _sides(text, start)
+        far = text.is_word(start, "from") and any(text.is_word(i, "far") for i in range(at))
+        if far and seeing is None:  # 'how far is the hole from the left side': a plane
+            return at
     if not sides or (negated and seeing is None):
         return at
     if text.is_word(end, "of") and (other := phrases.at(end + 1, depth + 1)) and depth < MAX_DEPTH:
@@ -111,7 +114,7 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
-    longer = text.find(at, "measure", "contact")  # 'across flats', 'in contact with'
+    longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
     if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end):
         return at
     start = span.end

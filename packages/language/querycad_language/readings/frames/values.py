@@ -28,6 +28,8 @@ _ALONG = frozenset((
 ))  # fmt: skip
 MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
+_OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL)
+"""What becomes of the values of several parts."""
 _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
 
 
@@ -72,6 +74,13 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     if several and len(asked.measures) == 1 and owner.target is not None and "link_compound" in owner.features:
         owner = owner._replace(target=replace_fields(owner.target, plural=True))  # 'both bore diameters'
     reduce, used = _reduce(question, asked, owner.target)
+    if owner.target is not None and "link_compound" in owner.features:
+        extreme = text.find(min(owner.used) - 1, "most", "least") if owner.used else None
+        if extreme is not None and reduce in (Reduce.ONE, Reduce.EACH):  # 'the minimum bore diameter'
+            reduce = Reduce.LARGEST if extreme.category == "most" else Reduce.SMALLEST
+            used |= set(extreme.tokens)
+        if reduce in _OF_SEVERAL:
+            owner = owner._replace(target=replace_fields(owner.target, plural=True))
     used |= asked.used | owner.used
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:

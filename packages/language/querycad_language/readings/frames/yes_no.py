@@ -131,7 +131,10 @@ def _parallel(
 
 def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
     """'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
-    if (target.adjectives or target.lacking) and _adjective_last(text, mention):
+    any_of = any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
+    if any_of and (target.adjectives or target.lacking):
+        yield Draft(Exists(target), {**base, "predicate": 1.0}, used)
+    elif (target.adjectives or target.lacking) and _adjective_last(text, mention):
         adjectives = target.adjectives[:-1] if not target.lacking else target.adjectives
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
         yield Draft(Every(bare, target), base, used)
@@ -153,7 +156,8 @@ def _predicates(text: Text, mention: Mention, named: Target, base: Features, use
         said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         if text.is_word(at - 1, "not", "non"):
             said = replace_fields(target, lacking=(*target.lacking, span.value.name))
-        form = Every(target, said) if named is not None else Exists(said)
+        any_of = any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
+        form = Every(target, said) if named is not None and not any_of else Exists(said)
         yield Draft(form, {**base, "predicate": 1.0}, used | set(span.tokens))
         return
 
