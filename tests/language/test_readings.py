@@ -6,12 +6,13 @@ from typing import Any
 
 import pytest
 
-from querycad_contracts import Measure, PartQuery, Relation
+from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.describe import describe
 from querycad_language.forms import (
     LONGEST,
     SHORTER,
     Angle,
+    Boundary,
     Check,
     Combine,
     Count,
@@ -343,3 +344,125 @@ def test_a_plural_measure_makes_its_compound_plural() -> None:
 def test_from_one_end_to_another_is_a_distance_though_a_dimension_is_named() -> None:
     found = forms("From the middle of the pin to the back end of the fork, that is the dimension I need.")
     assert any(isinstance(form, Distance) and isinstance(form.second, Plane) for form in found)
+
+
+@pytest.mark.parametrize(
+    "question", ["Tell me how deep the slot is.", "Check how deep this slot is", "I wonder how deep slot 2 is."]
+)
+def test_an_indirect_question_asks_the_same(question: str) -> None:
+    form = best(question).form
+    assert isinstance(form, Get)
+    assert (form.measures, form.target and form.target.noun) == ((Measure.DEPTH,), "slot")
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Check whether the slot is wider than 5 mm.",
+        "Tell me if the slot is wider than 5 mm.",
+        "The slot is wider than 5 mm, isn't it?",
+        "Does the width of the slot exceed 5 mm?",
+    ],
+)
+def test_yes_or_no_is_asked_in_many_forms(question: str) -> None:
+    assert any(isinstance(form, Check) and form.relation is Relation.MORE for form in forms(question))
+    values = [reading for reading in read(question) if isinstance(reading.form, Get)]
+    assert all("value_for_yes_no" in reading.features for reading in values)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Can you check whether there is a slot?",
+        "I wonder whether the lever has a slot.",
+        "Is a slot present?",
+        "Would I find a slot on this part?",
+    ],
+)
+def test_whether_there_is_one_is_asked_in_many_forms(question: str) -> None:
+    assert any(isinstance(form, Exists) and form.target.noun == "slot" for form in forms(question))
+
+
+def test_any_one_is_enough_where_any_is_said() -> None:
+    assert any(
+        isinstance(form, Exists) and form.target.adjectives == ("blind",) for form in forms("Is any slot blind?")
+    )
+    assert not any(isinstance(form, Exists) and form.target.adjectives for form in forms("Is the slot blind?"))
+
+
+@pytest.mark.parametrize(
+    ("question", "adjectives", "lacking"),
+    [
+        ("How many slots go all the way through?", ("through",), ()),
+        ("How many slots pass right through the part?", ("through",), ()),
+        ("How many slots do not go through?", (), ("through",)),
+        ("How many slots are open at both ends?", ("through",), ()),
+        ("How many slots are through?", ("through",), ()),
+        ("How many slots have a counterbore?", ("counterbored",), ()),
+    ],
+)
+def test_what_goes_through_is_said_in_many_ways(
+    question: str, adjectives: tuple[str, ...], lacking: tuple[str, ...]
+) -> None:
+    counted = next(form for form in forms(question) if isinstance(form, Count))
+    assert (counted.target.adjectives, counted.target.lacking) == (adjectives, lacking)
+
+
+def test_what_goes_through_a_lid_lies_in_it() -> None:
+    counted = next(form for form in forms("How many slots go through the lid?") if isinstance(form, Count))
+    assert [place.relation for place in counted.target.places] == ["through"]
+    assert not counted.target.adjectives
+
+
+def test_faces_and_edges_of_the_whole_are_counted_whatever_their_shapes() -> None:
+    assert any(
+        isinstance(form, Count) and form.measure is Measure.EDGE_COUNT
+        for form in forms("How many edges does the part have?")
+    )
+    assert any(isinstance(form, Count) and form.measure is Measure.FACE_COUNT for form in forms("Number of faces?"))
+    counted = best("How many faces are cylindrical?").form
+    assert isinstance(counted, Count)
+    assert counted.target.noun == "cylindrical face"
+
+
+def test_different_values_are_counted_by_the_measure_behind_the_noun() -> None:
+    assert any(
+        isinstance(form, Count) and form.measure is Measure.DIAMETER
+        for form in forms("How many different slot diameters are there?")
+    )
+
+
+@pytest.mark.parametrize(
+    ("question", "reduce"),
+    [
+        ("What is the minimum slot depth?", Reduce.SMALLEST),
+        ("Average slot depth?", Reduce.MEAN),
+        ("maximum slot depth", Reduce.LARGEST),
+    ],
+)
+def test_extremes_and_averages_are_those_of_several(question: str, reduce: Reduce) -> None:
+    assert any(
+        isinstance(form, Get) and form.reduce is reduce and form.target is not None and form.target.plural
+        for form in forms(question)
+    )
+
+
+def test_a_superlative_may_stand_alone() -> None:
+    form = best("Of all the slots, what is the depth of the longest?").form
+    assert isinstance(form, Get)
+    assert form.target is not None
+    assert (form.target.noun, len(form.target.ranks)) == ("slot", 1)
+    shown = next(form for form in forms("Which of the slots is the longest?") if isinstance(form, Parts))
+    assert len(shown.target.ranks) == 1
+
+
+def test_a_side_may_own_parts() -> None:
+    counted = [form for form in forms("How many slots does the top have?") if isinstance(form, Count)]
+    assert any(form.target.sides for form in counted)
+
+
+def test_a_side_that_something_is_far_from_is_a_plane() -> None:
+    distance = best("How far is the slot from the left side?").form
+    assert isinstance(distance, Distance)
+    assert isinstance(distance.second, Boundary)
+    assert distance.second.side is Side.LEFT

@@ -69,6 +69,8 @@ def _opens(text: Text, at: int) -> bool:
 
 def _leads(text: Text, at: int) -> bool:
     """May the word stand between a noun and a modifier of it?"""
+    if text.find(at, "passing") and text.is_word(text.skip(at, "passing"), "through"):
+        return True
     if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
         return False
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")

@@ -52,14 +52,8 @@ class Question:
             return False
         if self.whether is not None:
             return True
-        lead = next(
-            (
-                i
-                for i in inside
-                if not text.find(i, "courtesy", "chatter") and not text.is_word(i, ",", "and", "but", "so")
-            ),
-            start,
-        )
+        leading = (i for i in inside if text.find(i, "be", "do") or not text.find(i, "courtesy", "chatter", "confirm"))
+        lead = next((i for i in leading if not text.is_word(i, ",", "and", "but", "so")), start)
         asks = text.find(lead, "be", "do") is not None or text.is_word(lead, "has", "have")
         return asks and not text.is_word(lead + 1, "you", "we", "i")
 

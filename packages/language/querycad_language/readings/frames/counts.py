@@ -86,7 +86,9 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
     text = question.text
     for word, measure in (("face", Measure.FACE_COUNT), ("surface", Measure.FACE_COUNT), ("edge", Measure.EDGE_COUNT)):
-        if text.is_word(at, word) and all(m.query is None or at in m.used for m in question.mentions):
+        named = [m.query for m in question.mentions if m.query is not None]
+        bare = all(len(one.words) == 1 and not (one.sizes or one.sides or one.places or one.ranks) for one in named)
+        if text.is_word(at, word) and bare and len(named) < 2:
             whole = PartQuery(noun="object", definite=True)
             said = {i for m in question.mentions if m.query is None for i in m.used}
             yield Draft(Count(whole, measure), {"count_next": 1.0, "topology": 1.0}, used | said | {at})
