@@ -409,7 +409,9 @@ def test_what_goes_through_is_said_in_many_ways(
 
 
 def test_what_goes_through_a_lid_lies_in_it() -> None:
-    counted = next(form for form in forms("How many slots go through the lid?") if isinstance(form, Count))
+    counted = next(
+        form for form in forms("How many slots are there that go through the lid?") if isinstance(form, Count)
+    )
     assert [place.relation for place in counted.target.places] == ["through"]
     assert not counted.target.adjectives
 

@@ -69,8 +69,6 @@ def _opens(text: Text, at: int) -> bool:
 
 def _leads(text: Text, at: int) -> bool:
     """May the word stand between a noun and a modifier of it?"""
-    if text.find(at, "passing") and text.is_word(text.skip(at, "passing"), "through"):
-        return True
     if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
         return False
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
@@ -192,7 +190,8 @@ def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
     place, owns = text.find(at, "place"), text.find(at, "have")
-    if (place is None or place.value not in ("with", "without")) and (owns is None or depth):
+    counts = depth == 0 and any(text.find(i, "count") for i in range(at))  # 'how many holes have a thread'
+    if (place is None or place.value not in ("with", "without")) and not (owns and counts):
         return at
     lacking = place is not None and place.value == "without"
     start = place.end if place is not None else owns.end if owns is not None else at
