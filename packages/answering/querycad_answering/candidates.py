@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import Count, Distance, Every, Exists, Form, Get, Reduce, queries
+from querycad_language.forms import Count, Distance, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
 from querycad_language.readings import Reading
@@ -97,7 +97,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     form = reading.form
     if isinstance(form, Get):
         features.update(_of_get(form, grounds, features.get("overall_part", 0.0)))
-    if isinstance(form, Count | Exists):
+    if isinstance(form, Count | Exists | Parts):
         if not grounds[form.target].parts:
             features["counts_none"] = 1.0
         if any(name.endswith("_empties") for name in features):

@@ -53,6 +53,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             material = f" at {density:g} kg/m3" if density else ""
             names = " and ".join(_measure(measure) for measure in measures)
             return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}{material}"
+        case Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT as measure):
+            return f"number of {measure.removesuffix('_count')}s of the whole model"
         case Count(target, measure):
             return (
                 f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"

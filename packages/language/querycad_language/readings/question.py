@@ -46,24 +46,39 @@ class Question:
         """Is yes or no asked for, and nothing else: 'Is …?', 'Check whether …', '…, isn't it?'"""
         text, (start, end) = self.text, self.asking
         inside = range(start, end)
-        if self.claims:
-            return True
         if any(text.find(i, "ask", "where", "count") or text.is_word(i, *_OPEN) for i in inside):
             return False
-        if self.whether is not None:
+        if (
+            self.claims
+            or self.whether is not None
+            or any(text.is_word(i, "y", "yes") and text.is_word(i + 2, "n", "no") for i in range(len(text)))
+        ):
             return True
-        leading = (i for i in inside if text.find(i, "be", "do") or not text.find(i, "courtesy", "chatter", "confirm"))
-        lead = next((i for i in leading if not text.is_word(i, ",", "and", "but", "so")), start)
-        asks = text.find(lead, "be", "do") is not None or text.is_word(lead, "has", "have")
-        return asks and not text.is_word(lead + 1, "you", "we", "i")
+        if text.has("or") and len(text.at_phrases("side")) > 1:
+            return False  # 'on the left or on the right?'
+        begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
+        return any(self._asks_yes_no(begin) for begin in begins)
+
+    def _asks_yes_no(self, begin: int) -> bool:
+        """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""
+        text = self.text
+        leading = (
+            i for i in range(begin, len(text)) if not text.is_word(i, "and", "but", "so", "please", "now", "then")
+        )
+        lead = next(leading, begin)
+        if text.is_word(lead + 1, "i", "we") and text.is_word(lead + 2, *_REQUESTS):
+            return False
+        verb = text.find(lead, "be", "do", "modal") is not None or text.is_word(lead, "has", "have", "go", "goes")
+        return verb and not text.is_word(lead, "be") and not text.is_word(lead + 1, "you", "anyone", "anybody")
 
     @cached_property
     def whether(self) -> int | None:
-        """Where the clause begins that is asked for: 'check whether …', 'tell me if …'; none where another follows."""
+        """Where the clause begins that is asked for: 'check whether …', 'tell me if …'; none where a value is, too."""
         text, (start, end) = self.text, self.asking
         for at in range(start, end):
             said = text.is_word(at, "whether") or (text.is_word(at, "if") and text.is_word(at - 1, *_ASKS_IF))
-            if said and not any(text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal") for i in range(at, end)):
+            apart = any(text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal") for i in range(at, end))
+            if said and not apart and not any(text.find(i, "measure") for i in range(start, at)):
                 return at
         return None
 
@@ -150,7 +165,8 @@ _ASKS_IF = (
     "test",
     "look",
 )
-_OPEN = ("or", "give", "possible", "way", "anyone", "anybody")
+_REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
+_OPEN = ("give", "possible")
 """Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""
 
 
