@@ -61,8 +61,7 @@ def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: 
 def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]], whole: Part) -> Iterable[Candidate]:
     own = list(queries(reading.form))
     each = GROUNDINGS if len(own) < 2 else 3
-    checked = reading.form.among if isinstance(reading.form, Every) else None  # what is to be shown is not left out
-    followed = [[one for one in enumerate(grounded[query]) if query != checked or not _drops(one[1])] for query in own]
+    followed = [[one for one in enumerate(grounded[query]) if not _drops(reading, query, one[1])] for query in own]
     for ways in itertools.product(*(found[:each] for found in followed)):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
@@ -77,9 +76,12 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
                 break
 
 
-def _drops(way: Grounded) -> bool:
-    """Does the grounding leave out a word that restricts?"""
-    return any(name.endswith("_dropped") for name in way.features)
+def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
+    """Does the grounding leave out what is asked for: 'are the holes blind?', 'which holes are wider than 8 mm?'"""
+    if "which" in reading.features:
+        return not _DECIDABLE.isdisjoint(way.features)
+    shown = isinstance(reading.form, Every) and query == reading.form.among
+    return shown and any(name.endswith("_dropped") for name in way.features)
 
 
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
@@ -140,6 +142,7 @@ def _of_steps(form: Form, code: str) -> Features:
     return {}
 
 
+_DECIDABLE = frozenset(("size_dropped", "denied_dropped"))
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
 _ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
 
@@ -185,7 +188,7 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
     listed = value if isinstance(value, list) else [value]
     flat = [round(v, 7) if isinstance(v, float) else repr(v) for v in listed]
     distinct = len(set(flat))
-    if value is None or value == []:
+    if value is None or (value == [] and candidate.written.expects is not AnswerType.PARTS):  # 'none' is an answer
         features["value_none"] = 1.0
     one = isinstance(form, Get | Distance) and form.reduce is Reduce.ONE
     asked = max(len(form.measures), 1 + ("[*" in candidate.written.code)) if isinstance(form, Get) else 1

@@ -76,7 +76,9 @@ def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Va
 
     `untried` are the scores of those that were not run: their share of the probability is nobody's; so is that of none.
     """
-    runs = [one for one in tried if one.value is not None and one.value != []]
+    runs = [
+        one for one in tried if one.value is not None and (one.value != [] or one.written.expects is AnswerType.PARTS)
+    ]
     if not runs:
         return []
     listing = (

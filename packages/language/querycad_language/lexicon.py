@@ -63,6 +63,7 @@ class Adjective:
     loose: bool = False
     unchecked: bool = False
     decided: bool = False  # bodies and models without the tag are not so
+    opposite: tuple[str, ...] = ()  # what has one of these tags is surely not so
 
 
 @dataclass(frozen=True, slots=True)

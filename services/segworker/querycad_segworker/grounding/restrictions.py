@@ -149,6 +149,9 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
         yield way.to((), "adjective_agrees")
     elif not adjective.tags:
         yield way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")
+    elif all(inventory.has(p, adjective.opposite) for p in way.parts):
+        yield way.to((), "denied_empties")
+        yield way.to(way.parts, "denied_dropped", unchecked=f"'{name}'")
     else:
         yield way.to(way.parts, "adjective_loose" if adjective.loose else "adjective_dropped", unchecked=f"'{name}'")
         if not adjective.loose:
