@@ -86,7 +86,8 @@ class Refused:
         said = noun_phrase(query).removeprefix("the ")
         if "unknown_noun" in grounded.features:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
-        return self.not_grounded(grounded.reason or f"the model has no '{said}'")
+        narrowed = any(name.endswith("_empties") for name in grounded.features)
+        return self.not_grounded((not narrowed and grounded.reason) or f"the model has no '{said}'")
 
     def instead_of(self, query: PartQuery, taken: Grounded, least: float) -> float:
         """How probable must it be that something else is meant by a part that the model lacks?"""
