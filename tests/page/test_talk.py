@@ -152,7 +152,7 @@ def test_what_is_no_measure_has_a_label_on_its_part(seen: Opener, flange_model: 
 
 def test_what_cannot_be_answered_says_why_and_what_is_known(seen: Opener, client: Client, flange_model: str) -> None:
     page = seen().model(flange_model)
-    for question in ("Who painted the ceiling?", "How deep is the keyway?"):
+    for question in ("Who wrote this song?", "How deep is the keyway?"):
         card = page.ask(question)
         failure = client.ask(flange_model, question).failure
         assert failure is not None

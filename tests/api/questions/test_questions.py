@@ -129,7 +129,7 @@ def test_a_question_about_an_unreadable_file_fails_as_the_file_did(
 def test_a_question_that_is_not_understood_fails_with_that(
     client: httpx.Client, model: str, redis: Redis, worker: Questions, sandbox: FakeSandbox
 ) -> None:
-    task = task_of(redis, ask(client, model, "Who painted the ceiling?").json()["id"])
+    task = task_of(redis, ask(client, model, "Who wrote this song?").json()["id"])
     worker.answer(task)
     assert client.get(f"/v1/jobs/{task.job}").json()["record"]["failure"]["category"] == "not_understood"
     assert sandbox.runs == 0

@@ -20,7 +20,8 @@ KIN = (
     (*(kind for kind in PartKind if kind.breaks_edge), PartKind.TORUS),
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
-
+PIECES = frozenset((PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE))
+"""Pieces of holes: who says 'the holes' does not mean them."""
 GUESSES = 6
 """So many groups of like parts may be what an unknown noun means."""
 NAMELESS = frozenset(("depression", "elevation"))
@@ -139,6 +140,9 @@ def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator
     if not WHOLE.isdisjoint(own):
         return
     yield Way(tuple(inventory.kinds.get(*own)), {"sense_wide": 1.0})
-    for kind in next((kin for kin in KIN if not set(own).isdisjoint(kin)), ()):
+    kinds = next((kin for kin in KIN if not set(own).isdisjoint(kin)), ())
+    for kind in kinds:
+        if kind in PIECES and PartKind.HOLE in own:
+            continue
         hole = {"kin_hole": 1.0} if kind is PartKind.HOLE else {}
         yield Way(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (f"'{said}', taken for a {kind}",))
