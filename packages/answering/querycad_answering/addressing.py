@@ -92,7 +92,15 @@ def names_all(reading: Reading, ids: frozenset[str]) -> bool:
     form = reading.form
     if isinstance(form, Distance) and form.second == "each other" and len(ids) > 2:
         return False
-    return ids <= {part for query in queries(reading.form) for part in query.ids}
+    return ids <= {part for query in queries(reading.form) for one in _with_places(query) for part in one.ids}
+
+
+def _with_places(query: PartQuery) -> Iterator[PartQuery]:
+    """The query, and those that say where: 'the counterbore at hole 9'."""
+    yield query
+    for place in query.places:
+        if place.what is not None:
+            yield from _with_places(place.what)
 
 
 def is_certain(form: Form) -> bool:
