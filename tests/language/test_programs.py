@@ -29,6 +29,7 @@ from querycad_language.forms import (
     Uniform,
     queries,
 )
+from querycad_language.measures import options
 from querycad_language.programs import Unwritable, write
 from querycad_sandbox.check import TypeChecker
 
@@ -178,3 +179,13 @@ def test_of_many_parts_only_the_closest_two_are_measured_by_their_surfaces() -> 
     assert "closest(" not in code(30, Reduce.LARGEST)
     with pytest.raises(Unwritable):  # sure to be refused, after half a minute of the kernel's
         code(100, Reduce.LARGEST)
+
+
+@pytest.mark.parametrize(
+    ("extents", "grade"), [((0.04, 0.04, 0.12), "own"), ((0.04, 0.04, 0.03), "own"), ((0.17, 0.17, 0.05), "derived")]
+)
+def test_a_round_part_is_as_long_as_its_axis_and_a_disc_hardly_so(
+    extents: tuple[float, float, float], grade: str
+) -> None:
+    found = dict(options(Measure.LENGTH, whole(extents=extents, axis=(0.0, 0.0, 1.0))))
+    assert found["{0}.extents[2]"] == grade

@@ -22,6 +22,8 @@ CUT = frozenset([
     "hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink",
     "spotface", "depression", "dimple", "cavity",
 ])  # fmt: skip
+FLAT = 0.5
+"""What is lower than this share of its diameter is a disc, a flange or a plate, as in docs/measures.md."""
 WHOLE = frozenset(("model", "body"))
 BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))
 
@@ -274,10 +276,12 @@ def _is_plain_tube(part: Part) -> bool:
 
 
 def _axial(part: Part) -> list[tuple[str, Grade]]:
-    """The extent along the axis of what is round: a short gland is wider than it is long."""
+    """The extent along the axis of what is round: a short gland is wider than it is long; a disc has no own length."""
     if part.axis is None:
         return []
-    return [(f"{{0}}.extents[{max(range(3), key=[abs(x) for x in part.axis].__getitem__)}]", "own")]
+    along = max(range(3), key=[abs(x) for x in part.axis].__getitem__)
+    flat = part.extents[along] < FLAT * max(part.extents)
+    return [(f"{{0}}.extents[{along}]", "derived" if flat else "own")]
 
 
 def _chamfer() -> list[tuple[str, Grade]]:
