@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import os
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -156,10 +157,12 @@ def guarded(browser: object, tmp_path_factory: pytest.TempPathFactory) -> Iterat
     """A service that asks for keys, and a key of it."""
     home = tmp_path_factory.mktemp("guarded") / "home"
     home.mkdir()
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("QUERYCAD_")}
+    command = [sys.executable, "-m", "querycad.cli", "keys", "create", "--tenant", "acme", "--name", "page"]
+    environment = {**inherited, "QUERYCAD_HOME": str(home)}  # a service that asks for keys starts where there is one
+    made = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     service = Service(home, QUERYCAD_AUTH="1")
     try:
-        command = [sys.executable, "-m", "querycad.cli", "keys", "create", "--tenant", "acme", "--name", "page"]
-        made = subprocess.run(command, env=service.environment, capture_output=True, text=True, check=True)
         service.wait()
         yield service, next(word for word in made.stdout.split() if word.startswith("qc_"))
     finally:
