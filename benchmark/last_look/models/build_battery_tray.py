@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from build123d import Part, Plane, Polygon, Sketch, Vector, extrude, fillet
 
 from benchmark.kit import Model
+from benchmark.last_look.models.sheet_strip import strip
 from benchmark.shapes import BACK, RIGHT, grid, rod, slot
 
 MODEL = Model("Battery tray", "held_out")
@@ -40,25 +41,6 @@ class P:
     strap_z: float = 38
     cable: float = 22  # in the short wall on +x
     cable_z: float = 20
-
-
-def strip(line: list[tuple[float, float]], sheet: float, bend: float) -> Sketch:
-    """The profile of a sheet to the left of `line`, bends rounded."""
-    pts = [Vector(*q) for q in line]
-    dirs = [(b - a).normalized() for a, b in zip(pts, pts[1:])]
-    left = [Vector(-d.Y, d.X) for d in dirs]
-    far = [pts[0] + left[0] * sheet]
-    for q, u, v in zip(pts[1:-1], left, left[1:]):
-        far.append(q + (u + v) * (sheet / (1 + u.dot(v))))
-    far.append(pts[-1] + left[-1] * sheet)
-    face = Polygon(*[(q.X, q.Y) for q in pts + far[::-1]], align=None)
-    for i in range(1, len(pts) - 1):
-        turn = dirs[i - 1].X * dirs[i].Y - dirs[i - 1].Y * dirs[i].X
-        near, other = (far[i], pts[i]) if turn > 0 else (pts[i], far[i])
-        for q, r in ((near, bend), (other, bend + sheet)):
-            found = [v for v in face.vertices() if math.hypot(v.X - q.X, v.Y - q.Y) < 1e-6]
-            face = fillet(found, r)
-    return face
 
 
 def build(p: P) -> Part:

@@ -142,7 +142,8 @@ def _of_steps(form: Form, code: str) -> Features:
     return {}
 
 
-_DECIDABLE = frozenset(("size_dropped", "denied_dropped"))
+_DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
+"""What a model surely shows, and cannot be left out where it says which parts are asked for."""
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
 _ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
 

@@ -185,21 +185,9 @@ class Towards:
 
 
 Form: TypeAlias = (
-    Get
-    | Count
-    | Distance
-    | Several
-    | Angle
-    | Combine
-    | Check
-    | Exists
-    | Every
-    | Uniform
-    | Parallel
-    | Parts
-    | Towards
+    Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
     | Touching
-)
+)  # fmt: skip
 
 
 def queries(form: object) -> Iterator[PartQuery]:

@@ -79,7 +79,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
-    own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else it is said of the noun around it
+    own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else the noun around it is meant
     for read in (_through, _ranked, _fitted, _stated_size) if own else (_fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
@@ -88,16 +88,9 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
             return end
     negated = text.is_word(at, "not")
     adjective = text.find(at + negated, "adjective")
-    compound = (
-        adjective
-        and not negated
-        and draft.nouns
-        and not text.find(at, "place")
-        and _compound(text, adjective, draft.nouns[-1])
-    )
-    if compound:
-        draft.nouns[-1] = compound
-        return compound.end
+    if adjective and not negated and draft.nouns and (face := _shaped(text, adjective, draft.nouns[-1])):
+        draft.nouns[-1] = face
+        return face.end
     if own and adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
         (draft.lacking if negated else draft.adjectives).append(adjective.value.name)
         return adjective.end
@@ -108,7 +101,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     return at
 
 
-def _compound(text: Text, adjective: Span, noun: Span) -> Span | None:
+def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
     """'faces that are cylindrical' are cylindrical faces: a noun of its own."""
     said = " ".join(text.words[adjective.start : adjective.end])
     found = text.lexicon.nouns.get(f"{said} face") if noun.value.name == "face" else None
@@ -189,12 +182,15 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
 def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
-    place, owns = text.find(at, "place"), text.find(at, "have")
+    place = text.find(at, "place")
+    if place is not None and place.value not in ("with", "without"):
+        place = None
     counts = depth == 0 and any(text.find(i, "count") for i in range(at))  # 'how many holes have a thread'
-    if (place is None or place.value not in ("with", "without")) and not (owns and counts):
+    lead = place or (text.find(at, "have") if counts else None)
+    if lead is None:
         return at
     lacking = place is not None and place.value == "without"
-    start = place.end if place is not None else owns.end if owns is not None else at
+    start = lead.end
     if text.is_word(start, "no", "any"):
         lacking = lacking or text.is_word(start, "no")
         start += 1

@@ -48,16 +48,18 @@ class Question:
         inside = range(start, end)
         if any(text.find(i, "ask", "where", "count") or text.is_word(i, *_OPEN) for i in inside):
             return False
-        if (
-            self.claims
-            or self.whether is not None
-            or any(text.is_word(i, "y", "yes") and text.is_word(i + 2, "n", "no") for i in range(len(text)))
-        ):
+        if self.claims or self.whether is not None or self.offers_yes_no:
             return True
         if text.has("or") and len(text.at_phrases("side")) > 1:
             return False  # 'on the left or on the right?'
         begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
         return any(self._asks_yes_no(begin) for begin in begins)
+
+    @property
+    def offers_yes_no(self) -> bool:
+        """'keyway full length, y/n', 'yes or no?'"""
+        text = self.text
+        return any(text.is_word(i, "y", "yes") and text.is_word(i + 2, "n", "no") for i in range(len(text)))
 
     def _asks_yes_no(self, begin: int) -> bool:
         """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""
@@ -150,21 +152,9 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
 _IN_TAGS = ("confirm", "be", "do", "negation", "pronoun", "article", "function", "whole")
 _CLAIMED = ("confirm", "negation")
 _ASKS_IF = (
-    "me",
-    "check",
-    "know",
-    "see",
-    "wonder",
-    "sure",
-    "say",
-    "ask",
-    "confirm",
-    "verify",
-    "out",
-    "us",
-    "test",
-    "look",
-)
+    "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
+)  # fmt: skip
+"""Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
 _REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
 _OPEN = ("give", "possible")
 """Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""

@@ -13,6 +13,7 @@ from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
 _LEADING = ("courtesy", "chatter")
+_TOPOLOGY = {"face": Measure.FACE_COUNT, "surface": Measure.FACE_COUNT, "edge": Measure.EDGE_COUNT}
 _PRESENT = ("present", "included", "there", "available")
 
 
@@ -84,14 +85,13 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
 
 def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
-    text = question.text
-    for word, measure in (("face", Measure.FACE_COUNT), ("surface", Measure.FACE_COUNT), ("edge", Measure.EDGE_COUNT)):
-        named = [m.query for m in question.mentions if m.query is not None]
-        bare = all(len(one.words) == 1 and not (one.sizes or one.sides or one.places or one.ranks) for one in named)
-        if text.is_word(at, word) and bare and len(named) < 2:
-            whole = PartQuery(noun="object", definite=True)
-            said = {i for m in question.mentions if m.query is None for i in m.used}
-            yield Draft(Count(whole, measure), {"count_next": 1.0, "topology": 1.0}, used | said | {at})
+    measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
+    named = [m.query for m in question.mentions if m.query is not None]
+    bare = all(len(one.words) == 1 and not (one.sizes or one.sides or one.places or one.ranks) for one in named)
+    if measure is not None and bare and len(named) < 2:
+        said = {i for m in question.mentions if m.query is None for i in m.used}
+        whole = Count(PartQuery(noun="object", definite=True), measure)
+        yield Draft(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
@@ -152,8 +152,11 @@ def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
 def _having(question: Question) -> int | None:
     """Where a clause begins that asks what something has: 'does it have', '… whether the lever has', 'any'."""
     text, (start, end) = question.text, question.asking
-    if question.whether is not None and (verbs := [i for i in range(question.whether, end) if text.find(i, "have")]):
-        return verbs[0]
+    if question.whether is not None:  # 'there' stands before what there is
+        inside = range(question.whether, end)
+        verb = next((i for i in inside if text.find(i, "have") or text.is_word(i, "there")), None)
+        if verb is not None:
+            return verb
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)
     return first if text.find(first, "do", "have") or text.is_word(first, "any") else None

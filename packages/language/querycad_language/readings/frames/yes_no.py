@@ -131,8 +131,7 @@ def _parallel(
 
 def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
     """'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
-    any_of = any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
-    if any_of and (target.adjectives or target.lacking):
+    if _any_of(text, mention) and (target.adjectives or target.lacking):
         yield Draft(Exists(target), {**base, "predicate": 1.0}, used)
     elif (target.adjectives or target.lacking) and _adjective_last(text, mention):
         adjectives = target.adjectives[:-1] if not target.lacking else target.adjectives
@@ -142,6 +141,11 @@ def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features,
         yield Draft(Every(replace_fields(target, threads=()), target), base, used)
     if target.sides:
         yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
+
+
+def _any_of(text: Text, mention: Mention) -> bool:
+    """Is one enough: 'any of the holes'?"""
+    return any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
 
 
 def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
@@ -156,8 +160,7 @@ def _predicates(text: Text, mention: Mention, named: Target, base: Features, use
         said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         if text.is_word(at - 1, "not", "non"):
             said = replace_fields(target, lacking=(*target.lacking, span.value.name))
-        any_of = any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
-        form = Every(target, said) if named is not None and not any_of else Exists(said)
+        form = Every(target, said) if named is not None and not _any_of(text, mention) else Exists(said)
         yield Draft(form, {**base, "predicate": 1.0}, used | set(span.tokens))
         return
 
@@ -167,7 +170,7 @@ def _verb_start(question: Question) -> int | None:
     text, (start, end) = question.text, question.asking
     if question.claims:
         return start
-    if any(text.is_word(i, "y", "yes") and text.is_word(i + 1, "/", "or") for i in range(len(text))) or text.has("y/n"):
+    if question.offers_yes_no:
         return start
     if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
