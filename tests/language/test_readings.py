@@ -468,3 +468,8 @@ def test_a_side_that_something_is_far_from_is_a_plane() -> None:
     assert isinstance(distance, Distance)
     assert isinstance(distance.second, Boundary)
     assert distance.second.side is Side.LEFT
+
+
+def test_a_colour_behind_the_verb_says_which() -> None:
+    shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
+    assert shown.target.colors == ("red",)

@@ -80,7 +80,7 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
     own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else the noun around it is meant
-    for read in (_through, _ranked, _fitted, _stated_size) if own else (_fitted, _stated_size):
+    for read in (_through, _colored, _ranked, _fitted, _stated_size) if own else (_fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -135,6 +135,15 @@ def _through(text: Text, at: int, draft: Draft) -> int:
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     (draft.lacking if negated else draft.adjectives).append("through")
     return stop
+
+
+def _colored(text: Text, at: int, draft: Draft) -> int:
+    """'which bodies are red'."""
+    color = text.find(at, "color")
+    if color is None or not text.find(at - 1, "be") or is_noun(text, color.end):
+        return at
+    draft.colors.append(color.value)
+    return color.end
 
 
 def _stated_size(text: Text, at: int, draft: Draft) -> int:
