@@ -473,3 +473,4 @@ def test_a_side_that_something_is_far_from_is_a_plane() -> None:
 def test_a_colour_behind_the_verb_says_which() -> None:
     shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
     assert shown.target.colors == ("red",)
+    assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))

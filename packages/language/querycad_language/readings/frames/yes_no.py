@@ -149,19 +149,23 @@ def _any_of(text: Text, mention: Mention) -> bool:
 
 
 def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
-    """'Are the ports really round?': what is said of them behind the noun."""
+    """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
     target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
-        span = text.find(at, "adjective")
-        if span is None or at in used or not span.value.tags:
+        color, span = text.find(at, "color"), text.find(at, "adjective")
+        if at in used or (color is None and (span is None or not span.value.tags)):
             continue
-        if named is None and not span.value.decided:  # the whole has no other tags
-            return
-        said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-        if text.is_word(at - 1, "not", "non"):
-            said = replace_fields(target, lacking=(*target.lacking, span.value.name))
+        if color is not None:
+            said, used = replace_fields(target, colors=(*target.colors, color.value)), used | set(color.tokens)
+        elif span is not None:
+            if named is None and not span.value.decided:  # the whole has no other tags
+                return
+            used = used | set(span.tokens)
+            said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
+            if text.is_word(at - 1, "not", "non"):
+                said = replace_fields(target, lacking=(*target.lacking, span.value.name))
         form = Every(target, said) if named is not None and not _any_of(text, mention) else Exists(said)
-        yield Draft(form, {**base, "predicate": 1.0}, used | set(span.tokens))
+        yield Draft(form, {**base, "predicate": 1.0}, used)
         return
 
 
