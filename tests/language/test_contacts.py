@@ -46,7 +46,8 @@ def test_holes_are_told_by_the_screws_that_they_take(question: str) -> None:
 
 
 def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
-    sums, totals = (first(f"What is the {said} the diameters of the pins?") for said in ("sum of", "total of"))
+    sums = first("What is the sum of the diameters of the pins?")
+    totals = first("What is the total diameter of the pins?")
     assert isinstance(sums, Get)
     assert sums.reduce == "total"
     assert isinstance(totals, Get)

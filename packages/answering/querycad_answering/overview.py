@@ -17,7 +17,7 @@ from .understanding import ModelView
 
 _AROUND = (
     "ask", "article", "be", "chatter", "courtesy", "do", "each", "function", "have", "imperative", "modal", "pronoun",
-    "quantifier", "whole_adjective",
+    "quantifier", "side_preposition", "whole_adjective",
 )  # fmt: skip
 """Classes of words that name no part and no measure."""
 _YES_OR_NO = ("be", "do", "have")
@@ -29,6 +29,10 @@ def asks_for_overview(question: str) -> bool:
     'What is this part?' 'Describe the model.' It is where no word of it says anything else.
     """
     text = Text(question)
+    if len(text.sentences) > 1:  # 'This file came without a word. What sort of part is it?'
+        start = text.sentences[-1][0]
+        last = Text(" ".join(token.raw for token in text.tokens[start:]))
+        text = last if last.at_phrases("overview") and last.at_phrases("whole", "pronoun") else text
     if any(token.kind not in (Kind.WORD, Kind.SYMBOL) for token in text.tokens):
         return False
     words = [at for at, token in enumerate(text.tokens) if token.kind is Kind.WORD]
@@ -37,7 +41,8 @@ def asks_for_overview(question: str) -> bool:
     topics = text.at_phrases("overview")
     if not all(at in topics or text.find(at, "whole", *_AROUND) for at in words):
         return False
-    if text.find(words[-1], "whole", "pronoun") is None or "do" in text.words:  # 'what do you think of it?'
+    told = text.find(words[-1], "whole", "pronoun") or text.is_word(words[-1], "is")  # '… what this part is'
+    if not told or "do" in text.words:  # 'what do you think of it?'
         return bool(topics)
     return bool(topics) or text.is_word(words[0], "what", "tell", "show")
 

@@ -26,6 +26,7 @@ from .forms import (
     Touching,
     Towards,
     Uniform,
+    Within,
 )
 
 _MEASURES = {
@@ -104,6 +105,10 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return noun_phrase(target)
         case Touching(target, other, held):
             return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
+        case Within(target, box):
+            return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
+        case Towards(target, _, True):
+            return f"side that most of {noun_phrase(target)} are seen from"
         case Towards(target, sides):
             return f"side of {noun_phrase(target)}: {', '.join(sides[:-1])} or {sides[-1]}"
 

@@ -145,6 +145,14 @@ class Every:
 
 
 @dataclass(frozen=True, slots=True)
+class Within:
+    """Does the target fit into a box of these three sizes, in metres, by quarter turns?"""
+
+    target: Target
+    box: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
 class Uniform:
     """Do all the parts have the same value?"""
 
@@ -178,15 +186,16 @@ class Touching:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of the sides do the parts lie, or open?"""
+    """Towards which of the sides do the parts lie, or open? `most`: from which are most of them seen?"""
 
     target: PartQuery
     sides: tuple[Side, ...]
+    most: bool = False
 
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Touching
+    | Touching | Within
 )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from .ellipsis import restored
 from .lexicon import Lexicon, Span, lexicon
 from .tokens import Kind, Token, tokenize
 
@@ -27,13 +28,19 @@ class Text:
     def __init__(self, question: str, names: frozenset[str] = frozenset()) -> None:
         self.question = question
         self.names = names
-        self.tokens: tuple[Token, ...] = tokenize(question, names)
-        self.words = [token.word for token in self.tokens]
         self.lexicon: Lexicon = lexicon()
-        self.spans: list[list[Span]] = self.lexicon.spans(self.words)
+        self._tell(tokenize(question, names))
+        moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
+        if moved != self.tokens:
+            self._tell(moved)
         self._all: dict[tuple[str, ...], list[Span]] = {}
         self._begins: dict[tuple[str, ...], frozenset[int]] = {}
         self._content = [self._names_something(at) for at in range(len(self.tokens))]
+
+    def _tell(self, tokens: tuple[Token, ...]) -> None:
+        self.tokens = tokens
+        self.words = [token.word for token in tokens]
+        self.spans: list[list[Span]] = self.lexicon.spans(self.words)
 
     def __len__(self) -> int:
         return len(self.tokens)

@@ -15,6 +15,7 @@ from spellchecker import SpellChecker
 from querycad_contracts import Measure
 
 from .lexicon import lexicon
+from .spoken import written
 
 MAX_CHARS = 2000
 """Longer texts are no question; the rest is not read."""
@@ -35,7 +36,7 @@ _DENSITY = re.compile(
 )
 _TOKEN = re.compile(
     rf"(?P<thread>{_THREAD})"
-    r"|(?P<times>\b\d{1,4}\s?[x×](?![\w.]))"
+    r"|(?P<times>(?<![x×] )(?<![x×])\b\d{1,4}\s?[x×](?![\w.])(?!\s?\d{1,4}(?:\.\d{1,3})?\s?(?:mm\s?)?[x×]\s?\d))"
     rf"|(?P<number>(?<![\w.])(?:{_NUMBER}))"
     r"|(?P<word>[^\W\d_][\w]*(?:['’](?!s\b)\w+)?)"
     r"|(?P<possessive>['’]s?(?!\w))"
@@ -54,6 +55,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
+    (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
     (re.compile(r"\bc['’]bore", re.I), "counterbore"),
     (re.compile(r"\bc['’]sink", re.I), "countersink"),
@@ -61,6 +63,8 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
     (re.compile(r"\b[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
     (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
+    (re.compile(r"\bc/l\b", re.I), "centerline"),
+    (re.compile(r"\bC[oO]?[GM]\b"), "center of mass"),  # a cog is a gear
     (
         re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|d|t|thk)\b)+", re.I),
         lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
@@ -115,7 +119,7 @@ class Token:
 
 def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...]:
     """What are the tokens of a question? `names`: words of product names, which are never taken for misspelt ones."""
-    text = unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS])
+    text = written(unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS]))
     for symbol, words in _SYMBOLS.items():
         text = text.replace(symbol, words)
     text = text[:MAX_CHARS]
@@ -305,7 +309,7 @@ def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
                 joined[-1] = replace(joined[-1], value=token.value * 1e-3, power=1)
             continue
         joined.append(token)
-    for i in range(len(joined) - 2):
+    for i in reversed(range(len(joined) - 2)):
         first, between, second = joined[i : i + 3]
         ranged = between.word in ("to", "and", "-", "or", "±", "x")
         if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:

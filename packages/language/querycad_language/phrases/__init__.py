@@ -3,7 +3,8 @@
 One reader for all: questions, the grounding's free text, and the phrases that language models write.
 """
 
-from .mention import Mention, replace_fields
+from .mention import Mention, bare_of, replace_fields
 from .reader import Phrases, noun_phrase
+from .words import noun_follows
 
-__all__ = ["Mention", "Phrases", "noun_phrase", "replace_fields"]
+__all__ = ["Mention", "Phrases", "bare_of", "noun_follows", "noun_phrase", "replace_fields"]

@@ -119,9 +119,8 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'second largest', 'deepest', 'topmost'."""
     if (ordinal := text.find(at, "ordinal")) and (scale := superlative(text, ordinal.end)):
         return _rank(scale, draft, ordinal.value)
-    alone = text.is_word(at - 1, "the") and text.is_word(at - 2, "of", "for", "between", "to", "from", "than")
-    if (scale := superlative(text, at)) and (alone or noun_follows(text, scale.end)):
-        return _rank(scale, draft, 1)  # 'of the largest'
+    if (scale := superlative(text, at)) and (text.is_word(at - 1, "the") or noun_follows(text, scale.end)):
+        return _rank(scale, draft, 1)  # 'does the largest have'
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
         draft.ranks.append(Rank(side=extreme.value, count=draft.count or 1))
         return extreme.end

@@ -94,7 +94,7 @@ def mention_of(text: Text, start: int, end: int, draft: Draft) -> Mention:
         threads=tuple(draft.threads),
         colors=tuple(draft.colors),
         count=draft.count,
-        plural=plural or (draft.count or 1) > 1,
+        plural=plural or draft.each or (draft.count or 1) > 1,
         definite=draft.definite,
         sample=draft.sample,
         ranks=tuple(draft.ranks),

@@ -74,3 +74,9 @@ class NounPhrases(Protocol):
 def replace_fields(query: PartQuery, **fields: object) -> PartQuery:
     """The query with other values of some fields."""
     return query.model_copy(update=fields)
+
+
+def bare_of(query: PartQuery, *nouns: str) -> bool:
+    """Is it one of the nouns and nothing that restricts it: 'the surfaces', 'all faces'?"""
+    plain = query.model_copy(update={"plural": False, "definite": False, "sense": 0})
+    return query.noun in nouns and plain == PartQuery(noun=query.noun, words=query.words) and len(query.words) == 1

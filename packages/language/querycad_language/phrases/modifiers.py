@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Place, Rank
+from querycad_contracts import Measure, Place, Rank
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -39,7 +39,7 @@ def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
                 return start
             at += 1
             continue
-        if text.tokens[at].kind is Kind.SYMBOL:
+        if text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         if (after := _one_modifier(phrases, at, draft, depth, joined)) > at:
             draft.used.update(range(start, after))
@@ -122,6 +122,8 @@ def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
 def _through(text: Text, at: int, draft: Draft) -> int:
     """'that go all the way through', 'do not pass through the part', 'are through'."""
     end = text.skip(at, "passing", "do", "negation")
+    if (out := text.find(end, "emerging")) or text.find(end, "stopping"):
+        return _ending(text, at, end, draft, "through" if out else "blind")
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -134,6 +136,24 @@ def _through(text: Text, at: int, draft: Draft) -> int:
         stop = end + 1
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     (draft.lacking if negated else draft.adjectives).append("through")
+    return stop
+
+
+def _ending(text: Text, at: int, verb: int, draft: Draft, tag: str) -> int:
+    """'that come out on the other side', 'that stop inside the material'."""
+    end = text.skip(verb, "emerging", "stopping")
+    place = text.skip(end, "place", "side_preposition", "article")
+    if place == end and not text.is_word(end, "to"):
+        return at
+    if text.is_word(place, "to", "other", "far", "opposite", "back"):
+        across = next((i for i in range(place, min(len(text), place + 5)) if text.find(i, "side_noun")), None)
+        stop = None if across is None or tag == "blind" else across + 1
+    else:
+        stop = place + 1 if tag == "blind" and text.find(place, "stuff", "whole") else None
+    if stop is None:
+        return at
+    negated = any(text.find(i, "negation") for i in range(at, verb)) or text.is_word(at - 1, "not")
+    (draft.lacking if negated else draft.adjectives).append(tag)
     return stop
 
 
@@ -172,12 +192,16 @@ def _fitted(text: Text, at: int, draft: Draft) -> int:
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'with the smallest diameter', 'is the largest'."""
-    place = text.find(at, "place")
+    place = text.find(at, "place", "have")
     alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
     if alone is not None and not noun_follows(text, alone.end):
         draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
         return alone.end
-    if place is None or place.value not in ("with", "of"):
+    nth = text.find(text.skip(at, "be"), "ordinal")
+    if nth is not None and text.is_word(nth.end, "in", "by") and text.find(nth.end + 1, "measure", "scale"):
+        draft.ranks.append(Rank(measure=Measure.MAGNITUDE, most=True, nth=nth.value))  # 'is second in size'
+        return nth.end + 2
+    if place is None or place.value not in ("with", "of", "have"):
         return at
     start = text.skip(place.end, "article")
     span = text.find(start, "most", "least") or superlative(text, start)

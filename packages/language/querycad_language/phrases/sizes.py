@@ -57,7 +57,7 @@ def size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         ):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         if scale := text.find(at, "scale"):
-            if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than"):
+            if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
                 return None
             measure = scale.value.measure if scale.value.measure is not Measure.MAGNITUDE else measure
             relation, at = _COMPARISONS.get(scale.value.degree, Relation.EQUAL), scale.end + 1

@@ -410,3 +410,11 @@ def towards(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
         draft.lines.append(f"{side.value} = {sign}sum({share} for p in {name})")
     found = ", ".join(f'({side.value}, "{side.value}")' for side in sides)
     return f"max({found})[1]"
+
+
+def most_seen(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
+    """The side that most of the parts are seen from; all of as many."""
+    name = draft.parts(target)
+    sides_named = ", ".join(f'"{side.value}"' for side in sides)
+    draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in [{sides_named}]}}")
+    return '", ".join(side for side in seen if seen[side] == max(seen.values()))'.replace('"', "'")

@@ -23,10 +23,11 @@ from querycad_language.forms import (
     Touching,
     Towards,
     Uniform,
+    Within,
 )
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import SLACK, angle_between, directions, distance, overlapping, several, touching, towards
+from .distances import SLACK, angle_between, directions, distance, most_seen, overlapping, several, touching, towards
 from .draft import Draft, Grounds, Unwritable, Written
 
 _KNOWN = ("width", "depth", "height", "center_of_mass")
@@ -72,8 +73,12 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             return draft.parts(target), AnswerType.PARTS
         case Touching():
             return touching(draft, form), AnswerType.PARTS
-        case Towards(target, sides):
-            return towards(draft, target, sides), AnswerType.TEXT
+        case Towards(target, sides, most):
+            return (most_seen if most else towards)(draft, target, sides), AnswerType.TEXT
+        case Within(target, box):
+            found = "[shape]" if target is None else draft.parts(target)
+            fits = f"all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r}))"
+            return f"all({fits} for p in {found})", AnswerType.BOOLEAN
         case Distance():
             return distance(draft, form)
         case Several(forms):

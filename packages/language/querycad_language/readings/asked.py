@@ -18,6 +18,8 @@ UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOL
 """What a unit is of, by its power of lengths."""
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
+_WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
+"""Measures that narrower ones are of: the position of the tip, the size of the diameter."""
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -94,6 +96,8 @@ def _how(text: Text, at: int) -> Asked | None:
         )
         measure = Measure.THICKNESS if near else Measure.VOLUME
         return Asked(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
+    if text.is_word(at + 1, "much") and text.is_word(at + 2, "surface"):
+        return Asked(at, at + 2, (Measure.AREA,), "how", used=frozenset((at, at + 1, at + 2)))
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)
@@ -129,7 +133,19 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
         return None  # 'along the screw axis' says how a length is taken
     if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
         return None
-    return _joined_measures(text, span, taken)
+    return _of_measure(text, span, taken) or _joined_measures(text, span, taken)
+
+
+def _of_measure(text: Text, span: Span, taken: set[int]) -> Asked | None:
+    """'position of the center of mass', 'center of mass position': the narrower of two measures is asked for."""
+    of = text.is_word(span.end, "of")
+    other = text.find(text.skip(span.end + of, "article") if of else span.end, "measure")
+    if other is None or other.start in taken or span.value is other.value:
+        return None
+    wide, narrow = (span, other) if of else (other, span)
+    if wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value):
+        return None
+    return Asked(span.start, other.end, (narrow.value,), "noun", used=frozenset(range(span.start, other.end)))
 
 
 def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import Target
-from querycad_language.phrases import Mention, replace_fields
+from querycad_language.phrases import Mention, noun_follows, replace_fields
 from querycad_language.tokens import Kind
 
 from .asked import Asked
@@ -36,7 +36,9 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
     linked = [(mention, _link(question, asked, mention)) for mention in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
-    pronoun = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
+    each = any(text.is_word(at, "each") and not noun_follows(text, at + 1) for at in range(len(text)))
+    named = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
+    pronoun = named or each  # 'the holes and the diameter of each'
     owned = any(link in STRONG and not m.pronoun for m, link in linked)
     nearest = 0
     for mention, link in sorted(linked, key=lambda pair: abs(pair[0].head - asked.start)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from querycad_language.forms import Check, Every, Exists, Parallel, Uniform
+from querycad_language.forms import Check, Every, Exists, Parallel, Uniform, Within
 from querycad_language.tokens import Kind
 
 from .drafts import Draft, Reading
@@ -27,7 +27,7 @@ _CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-CLOSED = Check | Every | Exists | Parallel | Uniform
+CLOSED = Check | Every | Exists | Parallel | Uniform | Within
 """Forms whose answer is yes or no."""
 
 

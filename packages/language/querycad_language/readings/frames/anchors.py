@@ -11,6 +11,7 @@ from querycad_language.lexicon import lexicon
 from querycad_language.phrases import replace_fields
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
+from querycad_language.tokens import Kind
 
 
 def without(query: PartQuery, place: Place) -> PartQuery:
@@ -96,7 +97,9 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if ground := text.find(at, "ground"):
         return Spot(at, Boundary(ground.value), set(ground.tokens))
     side = text.find(at, "side")
-    if side and text.find(at - 1, "article", "side_preposition", "place"):
+    led = text.find(at - 1, "article", "side_preposition", "place") or at == 0
+    owned = at > 0 and text.tokens[at - 1].kind is Kind.POSSESSIVE  # 'the part's left side'
+    if side and (led or owned):
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 

@@ -14,7 +14,7 @@ from querycad_language.readings.question import Question
 
 _LEADING = ("courtesy", "chatter")
 _TOPOLOGY = {"face": Measure.FACE_COUNT, "surface": Measure.FACE_COUNT, "edge": Measure.EDGE_COUNT}
-_PRESENT = ("present", "included", "there", "available")
+_PRESENT = ("present", "included", "there", "available", "exist", "exists", "found")
 
 
 def counts(question: Question) -> Iterator[Draft]:
@@ -63,6 +63,8 @@ def _counts(question: Question, span: Span) -> bool:
     text = question.text
     if question.unit(span.end) is not None and not text.find(span.end, "noun"):  # feet are both
         return False
+    if text.find(span.start - 1, "most", "least", "scale"):
+        return False  # 'which side has the largest number of holes'
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
 
@@ -98,6 +100,7 @@ def _different_counts(question: Question, used: set[int], measure: Span) -> Iter
     for mention in question.mentions:
         whole = PartQuery(noun="object") if measure.value is Measure.MIRROR_PLANES else None
         if (query := mention.query or whole) is not None and mention.start >= measure.end:
+            query = replace_fields(query, plural=True)
             yield Draft(Count(query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
 
 
@@ -137,9 +140,12 @@ def exists(question: Question) -> Iterator[Draft]:
             places = (*mention.query.places, Place(relation="of", what=owner.query))
             placed = Exists(replace_fields(mention.query, places=places))
             yield Draft(placed, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
+    said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
-    if text.find(question.asking[0], "be"):  # 'Is a rib present?'
-        yield from _existing(present[:1], {question.asking[0]})
+    if question.closed and said:  # 'Is a rib present?', 'Can any slots be found?'
+        yield from _existing(present[:1] or question.mentions[:1], said)
+    elif question.offers_yes_no and len(question.mentions) == 1:  # 'slots, yes or no?'
+        yield from _existing(question.mentions, set())
 
 
 def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:

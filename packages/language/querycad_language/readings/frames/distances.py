@@ -86,7 +86,8 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     """'hole center to hole center', 'from the pin to the edge': neither a distance nor a measure is named."""
     text = question.text
     measures = [span for i in range(*question.asking) if (span := text.find(i, "measure"))]
-    if any(map(question.in_question, text.at_phrases("distance", "gap", "count"))):
+    counts = (span.start for span in text.all("count") if question.unit(span.end) is None)
+    if any(map(question.in_question, (*text.at_phrases("distance", "gap"), *counts))):
         return
     joining = text.at_words("to", "above", "from")
     points = {Measure.POSITION, Measure.AXIS} | ({Measure.SIZE} if len(joining) > 1 else set())
@@ -95,7 +96,7 @@ def _unnamed(question: Question) -> Iterator[_Words]:
         return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
-    several = len(question.mentions) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
+    several = len(anchors_of(question)) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
     if centred or (joining - {0, len(text) - 1} and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
 

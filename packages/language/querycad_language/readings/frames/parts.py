@@ -24,6 +24,7 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text) - 1) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
+    yield from _most_seen(question)
     for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= start][:3]):
         query = mention.query
         assert query is not None
@@ -54,6 +55,27 @@ def parts(question: Question) -> Iterator[Draft]:
             yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
+
+
+def _most_seen(question: Question) -> Iterator[Draft]:
+    """'Which side has the most holes?', 'Name the side with the largest number of holes.'"""
+    text = question.text
+    faces = {i for i in range(*question.asking) if text.is_word(i, "side", "face")}
+    most = {
+        i for i in range(*question.asking) if text.is_word(i, "most") or text.find(i, "most") or _superlative(text, i)
+    }
+    numbers = {i for i in range(*question.asking) if text.find(i, "count") and most & {i - 1, i - 2}}
+    counted = {i for i in most if text.is_word(i, "most")} | numbers
+    several = [m for m in question.mentions if m.query is not None and not m.pronoun and not m.used & faces]
+    if faces and counted and several and several[0].query is not None:
+        target = replace_fields(several[0].query, plural=True, ranks=())
+        used = faces | most | {i for at in numbers for i in (at, at + 1)} | several[0].used
+        yield Draft(Towards(target, tuple(Side), most=True), {"which_side": 1.0, "side_of_most": 1.0}, used)
+
+
+def _superlative(text: Text, at: int) -> bool:
+    span = text.find(at, "scale")
+    return span is not None and span.value.degree == "most"
 
 
 def _held(question: Question, mention: Mention) -> Mention | None:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import bare_of, replace_fields
 from querycad_language.readings.asked import EXTENTS, Asked, asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
@@ -42,6 +42,7 @@ def values(question: Question) -> Iterator[Draft]:
             continue
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
+            yield from _surface(draft)
             get = draft.form
             assert isinstance(get, Get)
             if asked not in asked_for:
@@ -79,8 +80,10 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
         if extreme is not None and reduce in (Reduce.ONE, Reduce.EACH):  # 'the minimum bore diameter'
             reduce = Reduce.LARGEST if extreme.category == "most" else Reduce.SMALLEST
             used |= set(extreme.tokens)
-        if reduce in _OF_SEVERAL:
-            owner = owner._replace(target=replace_fields(owner.target, plural=True))
+    if owner.target is not None and (
+        reduce is Reduce.MEAN or ("link_compound" in owner.features and reduce in _OF_SEVERAL)
+    ):
+        owner = owner._replace(target=replace_fields(owner.target, plural=True))
     used |= asked.used | owner.used
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
@@ -96,6 +99,15 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
             density = text.tokens[stated[0]].value if stated else named[0].value
             used |= {*stated, *(i for span in (*text.all("density"), *named) for i in span.tokens)}
     return Draft(Get(asked.measures, owner.target, reduce, density), features, used | overall)
+
+
+def _surface(draft: Draft) -> Iterator[Draft]:
+    """'How large is the surface of the part?', 'the total area of all faces': of the whole model."""
+    get = draft.form
+    assert isinstance(get, Get)
+    area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
+    if area and get.target is not None and bare_of(get.target, "surface", "face"):
+        yield Draft(Get((Measure.AREA,), None), {**draft.features, "topology": 1.0}, draft.used)
 
 
 def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
@@ -129,7 +141,7 @@ def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
 def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, set[int]]:
     """What becomes of the values: one each, the shared one, the different ones, their sum, …?"""
     text = question.text
-    plural = target is not None and target.plural
+    plural = target is not None and (target.plural or bool(text.at_phrases("sum")))
     if asked.reduce is not None:
         adds = asked.measures[0] in ADDITIVE | _STACKED or bool(text.at_phrases("sum"))
         if asked.reduce is not Reduce.TOTAL or (plural and adds):
@@ -139,7 +151,8 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     for category, meaning in (("different", Reduce.DIFFERENT), ("mean", Reduce.MEAN), ("total", Reduce.TOTAL)):
         for at in sorted(text.at_phrases(category)):
             span = text.find(at, category)
-            if span is None or not start <= at < end or text.is_word(at - 1, "i", "we", "you"):
+            meant = category == "mean" and text.is_word(at - 1, "i", "we", "you")
+            if span is None or not start <= at < end or meant:
                 continue
             adds = asked.measures[0] in ADDITIVE or text.find(at, "sum") is not None
             if meaning is Reduce.TOTAL and not (plural and adds):

@@ -4,9 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
-from querycad_language.forms import Check, Distance, Every, Exists, Get, Parallel, Reduce, Target, Uniform, mapped
+from querycad_contracts import Measure, PartQuery, Relation, Side, SizeFilter
+from querycad_language.forms import (
+    Check,
+    Distance,
+    Every,
+    Exists,
+    Get,
+    Parallel,
+    Reduce,
+    Target,
+    Uniform,
+    Within,
+    mapped,
+)
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft, Features
@@ -25,20 +38,22 @@ def yes_no(question: Question) -> Iterator[Draft]:
     if start is None:
         return
     yield from _apart(question, start)
+    asked = [one for one in asked_in(question) if one.start >= start]
+    parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
+    yield from _alike(text, start, parts[:1], asked)
     if text.is_word(start + 1, "there"):
         return
-    asked = [one for one in asked_in(question) if one.start > start]
-    parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
     if len(parts) > 1 and parts[0].query and parts[1].query and text.is_word(parts[1].start, "a", "an"):
         said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
         yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
     yield from _fits(question, start)
+    if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'length > 100 mm?'
+        yield from _checked(text, None, found[0], asked, {"check": 1.0}, {start} | found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
         base: Features = {"check": 1.0, "count_far": float(index)}
         used = {start} | mention.used
         target = mention.query
         if target is not None:
-            yield from _alike(text, start, target, asked, base, used)
             yield from _parallel(text, start, mention, parts, base, used)
             if target.sizes:
                 bare = replace_fields(target, sizes=target.sizes[:-1])
@@ -69,6 +84,18 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
             yield Draft(form, {"check": 1.0}, {start, *used})
         elif said and mode == "overlap":
             yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
+
+
+def within(question: Question) -> Iterator[Draft]:
+    """'Does the part fit into a box of 200 x 100 x 50 mm?'"""
+    text = question.text
+    verbs = {i for span in text.all("fits", "boxes") for i in span.tokens}
+    sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
+    joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
+    if verbs and len(sizes) == len(Side) / 2 and joined:
+        low, middle, high = (text.tokens[i].value for i in sizes)
+        within = Within(None, (low, middle, high))
+        yield Draft(within, {"check": 1.0, "whole_box": 1.0}, {*verbs, *range(sizes[0], sizes[-1] + 1)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Draft]:
@@ -105,15 +132,15 @@ def _placed(query: PartQuery | None) -> Iterator[PartQuery]:
             yield from _placed(place.what)
 
 
-def _alike(
-    text: Text, start: int, target: PartQuery, asked: Sequence[Asked], base: Features, used: set[int]
-) -> Iterator[Draft]:
-    """'Are the holes all the same size?'"""
+def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Asked]) -> Iterator[Draft]:
+    """'Are the holes all the same size?', 'Is there only one size of hole?'"""
     same = {i for i in range(start, len(text)) if text.find(i, "same")}
-    if same:
+    for mention in parts if same else ():
         for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
-            get = Get(one.measures, replace_fields(target, plural=True))
-            yield Draft(Uniform(get), base, used | same | one.used)
+            measures = (Measure.MAGNITUDE,) if one.measures == (Measure.SIZE,) else one.measures
+            if mention.query is not None:
+                get = Get(measures, replace_fields(mention.query, plural=True))
+                yield Draft(Uniform(get), {"check": 1.0}, {start} | mention.used | same | one.used)
 
 
 def _parallel(

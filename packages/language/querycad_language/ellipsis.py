@@ -1,0 +1,70 @@
+"""What a clause has elsewhere: 'Of the holes, how many are blind?', 'The bores, are they alike?', 'wider than that'."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from .tokens import Kind, Token
+
+Finds = Callable[[int, str], bool]
+"""Does a phrase of the category begin at the token?"""
+
+_LONGEST = 12
+"""Tokens of a topic; longer ones are clauses of their own."""
+_COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
+_PRONOUNS = ("it", "they", "them")
+_VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "relation")
+
+
+def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
+    return _sizes(_topics(tokens, finds))
+
+
+def _sizes(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """'My cutter is 5 mm. How many slots are wider than that?'"""
+    stated = [at for at, token in enumerate(tokens) if token.kind is Kind.QUANTITY and token.power == 1]
+    found = list(tokens)
+    for at in range(1, len(tokens)):
+        last = at + 1 == len(tokens) or tokens[at + 1].kind is Kind.SYMBOL
+        before = [one for one in stated if one < at]
+        if before and last and tokens[at].word in ("that", "this") and tokens[at - 1].word in _COMPARING:
+            found[at] = tokens[before[-1]]
+    return tuple(found)
+
+
+def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    for comma, token in enumerate(tokens):
+        if token.word not in (",", ":"):
+            continue
+        start = max((at + 1 for at in range(comma) if tokens[at].word in (".", "?", "!", ";", ":", ",")), default=0)
+        topic = tokens[start:comma]
+        verbal = any(finds(at, category) for at in range(start, comma) for category in _VERBS if category != "relation")
+        if not topic or len(topic) > _LONGEST or verbal or not any(finds(at, "noun") for at in range(start, comma)):
+            continue
+        begin = comma + 1 + (tokens[comma + 1 : comma + 2] != () and tokens[comma + 1].word == "and")
+        gap = _gap(tokens, begin, finds)
+        if gap is not None:
+            at, end = gap
+            bare = tokens[at].word in _PRONOUNS or topic[0].word != "of"
+            whole = topic[1:] if bare and topic[0].word in ("of", "for", "with", "about", "regarding") else topic
+            return (*tokens[:start], *tokens[begin:at], *whole, *tokens[end:])
+    return tokens
+
+
+def _gap(tokens: Sequence[Token], begin: int, finds: Finds) -> tuple[int, int] | None:
+    """Where the topic belongs, and where what it replaces ends."""
+    words = [token.word for token in tokens]
+    for at in range(begin, len(words)):
+        if words[at] in (",", ".", "?", "!", ";", ":") or (finds(at, "noun") and words[at] not in ("one", "ones")):
+            return None
+        if words[at] in _PRONOUNS:
+            return at, at + 1
+        asks = 2 if words[at : at + 2] == ["how", "many"] else int(words[at] == "which")
+        if asks == 1 and any(finds(later, "ask") for later in range(at + 1, len(words))):
+            return None  # 'the screws, which are M5, how long are they?'
+        if asks:
+            end = at + asks + (at + asks < len(words) and words[at + asks] in ("one", "ones"))
+            if end < len(words) and any(finds(end, category) for category in _VERBS):
+                return at + asks, end
+    return None
