@@ -50,15 +50,42 @@ def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: 
         asked += [query for query in queries(reading.form) if query not in asked]
     grounded = dict(zip(asked, ground(asked), strict=True)) if asked else {}
     best: dict[str, Candidate] = {}
+    told = _told(readings, grounded)
     for reading in readings:
-        for candidate in _of_reading(reading, grounded, whole):
+        for candidate in _of_reading(reading, grounded, whole, told):
             known = best.get(candidate.written.code)
             if known is None or candidate.score > known.score:
                 best[candidate.written.code] = candidate
     return sorted(best.values(), key=lambda one: one.score, reverse=True)[:limit]
 
 
-def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]], whole: Part) -> Iterable[Candidate]:
+def _told(
+    readings: Sequence[Reading], grounded: dict[PartQuery, Sequence[Grounded]]
+) -> list[tuple[frozenset[int], bool]]:
+    """The words of readings about parts that the model has by that very name, and whether they speak of several."""
+    found: list[tuple[frozenset[int], bool]] = []
+    for reading in readings:
+        target = reading.form.target if isinstance(reading.form, Get | Count | Exists | Parts) else None
+        best = grounded[target][0] if target is not None and grounded[target] else None
+        if target is not None and best is not None and best.parts and not any(map(best.features.get, _STRETCHED)):
+            found.append((reading.used, target.plural))
+    return found
+
+
+def _passing(reading: Reading, told: Sequence[tuple[frozenset[int], bool]]) -> Features:
+    """Does the whole answer, where parts that the model has are named?"""
+    if not isinstance(reading.form, Get) or reading.form.target is not None:
+        return {}
+    passed = {plural for used, plural in told if used - reading.used}
+    return {f"whole_passes_{'several' if plural else 'one'}": 1.0 for plural in passed}
+
+
+def _of_reading(
+    reading: Reading,
+    grounded: dict[PartQuery, Sequence[Grounded]],
+    whole: Part,
+    told: Sequence[tuple[frozenset[int], bool]],
+) -> Iterable[Candidate]:
     own = list(queries(reading.form))
     each = GROUNDINGS if len(own) < 2 else 3
     followed = [[one for one in enumerate(grounded[query]) if not _drops(reading, query, one[1])] for query in own]
@@ -70,7 +97,7 @@ def _of_reading(reading: Reading, grounded: dict[PartQuery, Sequence[Grounded]],
                 written = write(reading.form, senses, whole, option)
             except Unwritable:
                 continue
-            features = _features(reading, grounds, written)
+            features = _features(reading, grounds, written) | _passing(reading, told)
             yield Candidate(reading, grounds, written, features)
             if not written.reads:
                 break
@@ -144,6 +171,8 @@ def _of_steps(form: Form, code: str) -> Features:
 
 _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
+_STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "whole_sense"))
+"""Groundings of a noun that is no name of the parts' kind."""
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
 _ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
 

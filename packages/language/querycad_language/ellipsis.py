@@ -18,7 +18,28 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _sizes(_topics(tokens, finds))
+    return _sides(_sizes(_topics(_without_having(tokens), finds)), finds)
+
+
+def _without_having(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """'What slots do we have that are …': what is said of the noun stands right behind it."""
+    words = [token.word for token in tokens]
+    for at in range(1, len(words)):
+        end = at + 2 if words[at : at + 2] == ["are", "there"] else at + 3
+        having = end == at + 2 or (words[at] in ("do", "does") and words[at + 2 : end] in (["have"], ["see"]))
+        if having and words[end : end + 1] in (["that"], ["which"], ["whose"]):
+            return (*tokens[:at], *tokens[end:])
+    return tokens
+
+
+def _sides(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """'The top is next. How many slots are on that side?'"""
+    for at in range(1, len(tokens) - 1):
+        if tokens[at].word in ("that", "this") and tokens[at + 1].word in ("side", "face"):
+            before = [one for one in range(at - 1) if finds(one, "side")]
+            if before:
+                return (*tokens[:at], tokens[before[-1]], *tokens[at + 1 :])
+    return tokens
 
 
 def _sizes(tokens: tuple[Token, ...]) -> tuple[Token, ...]:

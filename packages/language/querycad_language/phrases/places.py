@@ -85,9 +85,14 @@ def central(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
-    if span is None:
+    inner = text.skip(at + 1, "article")
+    exact = inner + text.is_word(inner, "very", "exact", "dead", "geometric", "precise")
+    if span is not None:
+        end = span.end
+    elif text.is_word(at, "in", "at") and exact > inner and text.is_word(exact, "center", "middle"):
+        end = exact + 1
+    else:
         return _in_corner(phrases, at, draft, depth)
-    end = span.end
     if (text.is_word(end, "of") or text.is_word(end - 1, "of")) and depth < MAX_DEPTH:
         other = phrases.at(end + text.is_word(end, "of"), depth + 1, False)
         if other is not None:

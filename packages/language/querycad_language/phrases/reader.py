@@ -101,6 +101,8 @@ class Phrases:
         inner = self.text.skip(at, "article")
         if end == at and inner > at and (side := self.text.find(inner, "side")):
             owner = self.text.skip(side.end, "side_noun")
+            whole = self.text.skip(owner + 1, "article") if self.text.is_word(owner, "of") else owner
+            owner = self.text.skip(whole, "whole")  # 'the top of the part has …'
             if self.text.find(owner, "have") or self.text.find(at - 1, "have"):  # 'does the top have?'
                 draft.sides.append(side.value)
                 end = owner

@@ -115,6 +115,8 @@ def _link_behind(question: Question, asked: Asked, mention: Mention) -> str:
     others = [other for other in question.mentions if not other.pronoun]
     if any(asked.end <= other.start and other.end <= mention.start for other in others):
         return "far"
+    if asked.measures == (Measure.VOLUME,) and text.at_phrases("removal") and mention.query is not None:
+        return "of"  # 'the volume of material removed by the holes'
     if any(text.is_content(i) for i in between):
         return "far"
     if between and text.is_word(between[0], "of", "for") and not text.is_word(between[0] - 1, "out"):

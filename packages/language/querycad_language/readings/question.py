@@ -79,7 +79,9 @@ class Question:
         lead = next(leading, begin)
         if text.is_word(lead + 1, "i", "we") and text.is_word(lead + 2, *_REQUESTS):
             return False
-        verb = text.find(lead, "be", "do", "modal") is not None or text.is_word(lead, "has", "have", "go", "goes")
+        verb = text.find(lead, "be", "do", "modal") is not None or text.is_word(
+            lead, "has", "have", "go", "goes", "exist", "exists"
+        )
         return verb and not text.is_word(lead, "be") and not text.is_word(lead + 1, "you", "anyone", "anybody")
 
     @cached_property
@@ -140,6 +142,8 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     """
     best: tuple[int, tuple[int, int]] = (-1, (0, len(text)))
     for index, (start, end) in enumerate(text.sentences):
+        if start > 0 and all(text.is_word(i, *_YES_OR_NO) for i in range(start, end)):
+            continue  # 'slots: yes or no?'
         score = 0
         if end < len(text) and text.is_word(end, "?"):
             score += 4
@@ -167,6 +171,7 @@ _ASKS_IF = (
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
 _REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
+_YES_OR_NO = ("yes", "no", "true", "false", "y", "n", "or", "/")
 _OPEN = ("give", "possible")
 """Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""
 

@@ -144,8 +144,8 @@ def exists(question: Question) -> Iterator[Draft]:
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
     if question.closed and said:  # 'Is a rib present?', 'Can any slots be found?'
         yield from _existing(present[:1] or question.mentions[:1], said)
-    elif question.offers_yes_no and len(question.mentions) == 1:  # 'slots, yes or no?'
-        yield from _existing(question.mentions, set())
+    elif question.offers_yes_no and len(question.mentions) == 1:  # 'slots, yes or no?', 'has_slot: true or false?'
+        yield from _existing(question.mentions, set(text.at_phrases("have")))
 
 
 def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:

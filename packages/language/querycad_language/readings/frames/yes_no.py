@@ -171,8 +171,9 @@ def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features,
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
-    """Is one enough: 'any of the holes'?"""
-    return any(text.is_word(i, "any", "one", "some") for i in range(mention.start - 2, mention.head))
+    """Is one enough: 'any of the holes', 'a hole'?"""
+    before = range(mention.start - 2, mention.head)
+    return text.is_word(mention.start, "a", "an") or any(text.is_word(i, "any", "one", "some") for i in before)
 
 
 def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
