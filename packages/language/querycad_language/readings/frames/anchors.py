@@ -19,12 +19,15 @@ def without(query: PartQuery, place: Place) -> PartQuery:
     return replace_fields(query, places=tuple(one for one in query.places if one is not place))
 
 
-def ends_between(query: PartQuery) -> Iterator[tuple[PartQuery, PartQuery | Literal["each other"]]]:
+def ends_between(query: PartQuery) -> Iterator[tuple[PartQuery, PartQuery | Boundary | Literal["each other"]]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
     for place in query.places:
         if place.relation == "between" and place.what is not None:
             first, *others = place.what, *place.what.also
-            yield replace_fields(first, also=(), plural=first.plural or not others), next(iter(others), "each other")
+            second = next(iter(others), None)
+            edge = second is not None and _is_edge(second)
+            end: PartQuery | Boundary | Literal["each other"] = Boundary(None) if edge else second or "each other"
+            yield replace_fields(first, also=(), plural=first.plural or not others), end
 
 
 class Spot(NamedTuple):
@@ -50,7 +53,7 @@ def anchors_of(question: Question) -> list[Spot]:
             if place.what is not None and place.relation in ("", "of") and _is_pattern(text, mention.query.noun):
                 inner = replace_fields(place.what, plural=True)
                 found.append(Spot(mention.head, inner, set(mention.used), plural=True))
-        if (cut := floored(mention.query)) is not None:
+        if (cut := floored(mention.query) or rimmed(mention.query)) is not None:
             found.append(Spot(mention.head, cut, set(mention.used)))
         if plane := plane_of(mention.query):
             found.append(Spot(mention.head, plane, set(mention.used)))
@@ -70,7 +73,7 @@ def floored(query: PartQuery) -> PartQuery | None:
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
     """Of 'the top face of the flange', 'the left face', 'the hub's end face': the outer plane that is meant."""
     sides = (*query.ends, *query.sides)
-    if any(category == "edge" for category, _ in lexicon().phrases.get(query.noun, ())):
+    if _is_edge(query):
         return Boundary(None)
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
@@ -80,6 +83,18 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
     if holder is None and query.noun in ("end", "end face") and not (query.adjectives or query.unknown or query.ranks):
         holder = PartQuery(noun="object", words=("object",))
     return Plane(None, holder) if holder is not None else None
+
+
+def _is_edge(query: PartQuery) -> bool:
+    """'the edge', but no edge of a part."""
+    return not query.places and any(category == "edge" for category, _ in lexicon().phrases.get(query.noun, ()))
+
+
+def rimmed(query: PartQuery) -> PartQuery | None:
+    """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
+    if query.noun not in ("rim", "edge", "border", "wall", "outline"):
+        return None
+    return next((p.what for p in query.places if p.what is not None and p.relation == "of"), None)
 
 
 def _is_pattern(text: Text, noun: str) -> bool:

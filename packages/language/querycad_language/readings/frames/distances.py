@@ -97,7 +97,8 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
     several = len(anchors_of(question)) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
-    if centred or (joining - {0, len(text) - 1} and several):
+    inside = joining - {0, len(text) - 1} or joining & text.at_words("between")
+    if centred or (inside and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
 
 
