@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from .tokens import Kind, Token
 
+_MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 Finds = Callable[[int, str], bool]
 """Does a phrase of the category begin at the token?"""
 
@@ -86,6 +87,6 @@ def _gap(tokens: Sequence[Token], begin: int, finds: Finds) -> tuple[int, int] |
             return None  # 'the screws, which are M5, how long are they?'
         if asks:
             end = at + asks + (at + asks < len(words) and words[at + asks] in ("one", "ones"))
-            if end < len(words) and any(finds(end, category) for category in _VERBS):
+            if end < len(words) and any(finds(end, category) for category in (*_VERBS, *_MAIN_VERBS)):
                 return at + asks, end
     return None

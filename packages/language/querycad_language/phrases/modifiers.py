@@ -124,6 +124,13 @@ def _through(text: Text, at: int, draft: Draft) -> int:
     end = text.skip(at, "passing", "do", "negation")
     if (out := text.find(end, "emerging")) or text.find(end, "stopping"):
         return _ending(text, at, end, draft, "through" if out else "blind")
+    negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
+    tags = draft.lacking if negated else draft.adjectives
+    if end > at and text.is_word(end, "from") and text.is_word(end + 1, "one") and text.find(end + 2, "side_noun"):
+        ahead = range(end + 3, min(len(text), end + 10))  # 'that go from one side of the part out to the other'
+        if other := next((i for i in ahead if text.is_word(i, "other", "opposite")), 0):
+            tags.append("through")
+            return other + 1
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -134,8 +141,7 @@ def _through(text: Text, at: int, draft: Draft) -> int:
         return at  # 'through the lid': a place
     else:
         stop = end + 1
-    negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
-    (draft.lacking if negated else draft.adjectives).append("through")
+    tags.append("through")
     return stop
 
 

@@ -105,7 +105,10 @@ def single(request: Request, way: Way) -> Iterator[Way]:
         query = request.query
         # Nothing checks the 'vent' of a vent slot; a tag checks the 'blind' of a blind hole.
         noun = lexicon().nouns.get(query.noun)
-        loose = noun is not None and " " in query.noun and not any((*noun.senses[0].tags, *noun.senses[0].any))
+        flat = noun is not None and noun.senses[0].kind == ("face",)  # planes, which 'flat face' says
+        loose = (
+            noun is not None and " " in query.noun and not (flat or any((*noun.senses[0].tags, *noun.senses[0].any)))
+        )
         told = way.unchecked or query.unknown or loose or any(not place.relation for place in query.places)
         if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
             return  # 'the holes' are all of them, 'the grip studs' may be those of one size

@@ -47,6 +47,9 @@ def counts(question: Question) -> Iterator[Draft]:
         yield from _topology(question, at, used)
         after = [m for m in named if m.head >= at and not m.pronoun]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
+        before = [
+            m for m in before if m.end < span.start or not (m.query and m.query.ranks)
+        ]  # 'the highest hole count'
         for index, mention in enumerate(after[:3]):
             link = (
                 "count_next"

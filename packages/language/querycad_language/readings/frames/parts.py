@@ -61,17 +61,16 @@ def parts(question: Question) -> Iterator[Draft]:
 
 def _most_seen(question: Question) -> Iterator[Draft]:
     """'Which side has the most holes?', 'Name the side with the largest number of holes.'"""
-    text = question.text
-    faces = {i for i in range(*question.asking) if text.is_word(i, "side", "face")}
-    most = {
-        i for i in range(*question.asking) if text.is_word(i, "most") or text.find(i, "most") or _superlative(text, i)
-    }
-    numbers = {i for i in range(*question.asking) if text.find(i, "count") and most & {i - 1, i - 2}}
-    counted = {i for i in most if text.is_word(i, "most")} | numbers
+    text, asking = question.text, range(*question.asking)
+    faces = {i for i in asking if text.is_word(i, "side", "face")}
+    most = {i for i in asking if text.is_word(i, "most") or text.find(i, "most") or _superlative(text, i)}
+    more = {i for i in asking if text.is_word(i, "more") and any(text.is_word(j, "any", "anywhere") for j in asking)}
+    numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
+    counted = {i for i in most if text.is_word(i, "most")} | numbers | more
     several = [m for m in question.mentions if m.query is not None and not m.pronoun and not m.used & faces]
     if faces and counted and several and several[0].query is not None:
         target = replace_fields(several[0].query, plural=True, ranks=())
-        used = faces | most | {i for at in numbers for i in (at, at + 1)} | several[0].used
+        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | several[0].used
         yield Draft(Towards(target, tuple(Side), most=True), {"which_side": 1.0, "side_of_most": 1.0}, used)
 
 

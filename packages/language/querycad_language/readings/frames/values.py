@@ -74,6 +74,10 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
     if several and len(asked.measures) == 1 and owner.target is not None and "link_compound" in owner.features:
         owner = owner._replace(target=replace_fields(owner.target, plural=True))  # 'both bore diameters'
+    if owner.target is not None and "link_compound" in owner.features and "total" in owner.target.adjectives:
+        left = tuple(name for name in owner.target.adjectives if name != "total")  # 'total hole volume'
+        owner = owner._replace(target=replace_fields(owner.target, adjectives=left, plural=True))
+        asked = replace(asked, reduce=Reduce.TOTAL)
     reduce, used = _reduce(question, asked, owner.target)
     if owner.target is not None and "link_compound" in owner.features:
         extreme = text.find(min(owner.used) - 1, "most", "least") if owner.used else None
