@@ -70,7 +70,15 @@ def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:
     if text.is_word(at, "how"):
         unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
         return _how_many(text, at, *unit) if unit is not None else _how(text, at)
-    return _said(text, at, taken) or _named(text, at, taken)
+    return _said(text, at, taken) or _named(text, at, taken) or _bare_scale(text, at)
+
+
+def _bare_scale(text: Text, at: int) -> Asked | None:
+    """'pocket, DEEP?'"""
+    scale = text.find(at, "scale") if text.is_word(at - 1, ",", ":") else None
+    if scale is None or scale.value.degree != "positive" or not (scale.end == len(text) or text.is_break(scale.end)):
+        return None
+    return Asked(at, scale.end, (scale.value.measure,), "noun", used=frozenset(scale.tokens))
 
 
 def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
@@ -112,8 +120,12 @@ def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
     if (verb := text.find(at, "verbs")) and at not in taken:
         ways = {i for i in text.at_words("way") if text.find(i - 1, "ask")}
+        ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value is Measure.DIRECTION and ways):  # 'which way does the port face'
             return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
+    if text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure"):
+        if any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):  # 'what does the part measure'
+            return Asked(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
@@ -127,9 +139,8 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
     before = range(max(0, at - 4), at)
-    if span.value is Measure.AXIS and any(
-        text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before
-    ):
+    led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before)
+    if span.value is Measure.AXIS and led and not text.find(at - 1, "ask"):
         return None  # 'along the screw axis' says how a length is taken
     if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
         return None

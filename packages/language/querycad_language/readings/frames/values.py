@@ -121,7 +121,7 @@ def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
     get = draft.form
     assert isinstance(get, Get)
     axes, listed = axes_listed(question)
-    if len(axes) > 1 and max(axes) < LONGEST and get.measures == (Measure.SIZE,):
+    if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in (Measure.SIZE, Measure.MAGNITUDE):
         extents = replace(get, measures=tuple(EXTENTS[one] for one in axes))
         yield Draft(extents, {**draft.features, "along_axis": 1.0}, draft.used | listed)
     if axis is not None and axis < LONGEST and len(get.measures) == 1:
