@@ -173,7 +173,7 @@ def _groove(part: Part, unit: LengthUnit, known: Known) -> str:
     told = [across, f"{length(part.width, unit)} wide"]
     if part.depth:
         told.append(f"depth {length(part.depth, unit)}")
-    return _joined(_noun(part).removeprefix("blind "), ", ".join(told))
+    return _joined(_noun(part), ", ".join(told))
 
 
 def _round_piece(part: Part, unit: LengthUnit, known: Known) -> str:

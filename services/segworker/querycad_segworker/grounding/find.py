@@ -10,6 +10,7 @@ from querycad_language.phrases import noun_phrase
 
 from .ground import ground, score
 from .inventory import Inventory
+from .printed import WHOLES, key
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
 """Features of a grounding whose noun nothing is known of."""
@@ -33,6 +34,7 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
     if isinstance(asked, str):
         ways = [way for way in ways if "guessed" not in way.features] or ways  # programs are not guessed for
     way = ways[min(query.sense, len(ways) - 1)]
+    way = _printed(inventory, asked, way, sides) if isinstance(asked, str) else way
     unknown = [name for name in UNDERSTOOD_NOT if name in way.features]
     message = way.reason
     if unknown and not message:
@@ -52,9 +54,22 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         nearest=() if way.parts else present(inventory),
         message="" if way.parts else message,
         warnings=warnings,
-        ignored=() if {"unknown_named", "unknown_is_file"} & way.features.keys() else query.unknown,
+        ignored=() if {"unknown_named", "unknown_is_file", "printed"} & way.features.keys() else query.unknown,
         unchecked=tuple(dict.fromkeys(way.unchecked)),
     )
+
+
+def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Side] | None) -> Grounded:
+    """What is printed of parts means these; but a word that means bodies, or parts of the kind it names, means them."""
+    said = key(asked)
+    parts = inventory.printed.get(said, ())
+    bodies = "unknown_whole" not in way.features and any(part.kind in WHOLES for part in way.parts)
+    if not parts or any(part.kind == said for part in way.parts):
+        return way
+    if bodies and "," not in asked and parts[0].kind not in WHOLES:
+        return way
+    seen = [part for part in parts if sides is None or set(sides) & set(part.sides)]
+    return Grounded(parts=tuple(seen), features={"printed": 1.0})
 
 
 def _by_score(way: Grounded) -> tuple[float, float]:

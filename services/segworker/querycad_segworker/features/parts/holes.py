@@ -27,7 +27,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
     kind = "groove" if hole.is_ring else "hole"
     adjective = next((tag for tag in _HOLE_ADJECTIVES if tag in hole.tags), None)
     form = {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(hole.bottom, "blind")
-    words = " ".join(word for word in (adjective, form, kind) if word)
+    words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)
     widest = max((hole.opening_radius, hole.radius, *hole.steps))
     box = faces_box(brep, hole.faces)
     width = widest - hole.core_radius if hole.core_radius is not None else 2 * widest
@@ -155,9 +155,9 @@ def dimple_part(brep: Brep, found: Dimple, number: int) -> Part:
 
 _PATTERN_NAMES = {
     PatternKind.CIRCLE: "bolt circle",
-    PatternKind.ROW: "row",
-    PatternKind.GRID: "grid",
-    PatternKind.RECTANGLE: "rectangle",
+    PatternKind.ROW: "linear pattern",
+    PatternKind.GRID: "grid pattern",
+    PatternKind.RECTANGLE: "rectangular pattern",
 }
 
 
