@@ -18,6 +18,7 @@ UNITS = {0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOL
 """What a unit is of, by its power of lengths."""
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
+_WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -107,8 +108,8 @@ def _how(text: Text, at: int) -> Asked | None:
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
     if (verb := text.find(at, "verbs")) and at not in taken:
-        ways = {i for i in text.at_words("way") if text.find(i - 1, "ask")}
-        if verb.value in _BY_VERB or (verb.value is Measure.DIRECTION and ways):  # 'which way does the port face'
+        ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
+        if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
             return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
@@ -129,6 +130,11 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
         return None  # 'along the screw axis' says how a length is taken
     if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
         return None
+    verbs = [verb for verb in text.all("verbs") if verb.value in _WHICH_WAY]
+    if span.value is Measure.DIRECTION and verbs and all(verb.value is Measure.APPROACH for verb in verbs):
+        # 'from which direction is it drilled'
+        used = frozenset({*span.tokens, *(i for verb in verbs for i in verb.tokens)})
+        return Asked(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
     return _joined_measures(text, span, taken)
 
 

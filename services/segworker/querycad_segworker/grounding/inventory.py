@@ -251,7 +251,9 @@ def values_of(part: Part, measure: Measure | None) -> list[float]:
         Measure.DEPTH: [part.depth],
         Measure.HEIGHT: [part.height],
         Measure.WIDTH: [part.width, *(steps if part.kind == "hole" else ())],
-        Measure.LENGTH: [part.length, part.depth if part.kind == "hole" else part.height],
+        Measure.LENGTH: [part.nominal_length]
+        if part.nominal_length
+        else [part.length, part.depth if part.kind == "hole" else part.height],
         Measure.THICKNESS: [part.thickness, part.height],
         Measure.ANGLE: [part.angle],
         Measure.AREA: [part.area],

@@ -39,7 +39,9 @@ def parts(question: Question) -> Iterator[Draft]:
             features = {"which_side": 1.0, "sides_offered": float(bool(offered)), "count_far": float(index)}
             yield Draft(Towards(target, offered or tuple(Side)), features, used)
         lead = range(start, mention.start + 1)
-        if any(text.is_word(i, "which", "list", "name") or text.find(i, "showing") for i in lead) and index == 0:
+        way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
+        lists = any(text.is_word(i, "which", "list", "name") or text.find(i, "showing") for i in lead)
+        if lists and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
