@@ -72,6 +72,11 @@ def test_every_form_is_among_the_readings_of_its_question(question: str, kind: t
         ("By how much does the bore lean?", (Measure.INCLINATION,), "bore"),
         ("How deep is the cell inside?", (Measure.DEPTH,), "cell"),
         ("What size hex key do the screws need?", (Measure.ACROSS_FLATS,), "screw"),
+        ("Which way are the bolts inserted?", (Measure.APPROACH,), "bolt"),
+        ("From which direction is the pin pushed in?", (Measure.APPROACH,), "pin"),
+        ("In what direction is the port drilled?", (Measure.APPROACH,), "port"),
+        ("Direction of approach of the bore?", (Measure.APPROACH,), "bore"),
+        ("Which way does the port point?", (Measure.DIRECTION,), "port"),
         ("How much material stays under the bolt head?", (Measure.BOTTOM_THICKNESS,), "bolt head"),
         ("Which piece carries the slot?", (Measure.NAME,), "piece"),
         ("How wide is the groove round the rim?", (Measure.WIDTH,), "groove"),
@@ -474,3 +479,32 @@ def test_a_colour_behind_the_verb_says_which() -> None:
     shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
     assert shown.target.colors == ("red",)
     assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))
+
+
+@pytest.mark.parametrize(
+    ("question", "overall"),
+    [
+        ("How long are the bolts?", False),
+        ("How long is the bolt below its head?", False),
+        ("Overall length of the bolt?", True),
+        ("How long is the bolt from end to end?", True),
+        ("Length of the bolt, head included?", True),
+        ("All over length of bolt, from head top to the tip?", True),
+    ],
+)
+def test_a_length_over_all_is_told_from_that_of_the_standard(question: str, overall: bool) -> None:
+    get = next(form for form in forms(question) if isinstance(form, Get) and form.measures == (Measure.LENGTH,))
+    assert get.overall is overall
+
+
+@pytest.mark.parametrize(
+    ("question", "reduce"),
+    [
+        ("range of the slot widths", Reduce.RANGE),
+        ("What is the range of the depths of the bores?", Reduce.RANGE),
+        ("What is the depth of the bores in the range of 4 to 6 mm?", Reduce.EACH),
+    ],
+)
+def test_a_range_is_the_smallest_and_the_largest_value(question: str, reduce: Reduce) -> None:
+    get = next(form for form in forms(question) if isinstance(form, Get) and form.target is not None)
+    assert get.reduce is reduce

@@ -48,7 +48,12 @@ def test_a_range_shares_its_unit() -> None:
 
 @pytest.mark.parametrize(
     ("text", "kind", "word"),
-    [("M6x1", Kind.THREAD, "m6x1"), ("1/4-20", Kind.THREAD, "1/4-20"), ("4x", Kind.TIMES, "x")]
+    [
+        ("M6x1", Kind.THREAD, "m6x1"),
+        ("M5x16", Kind.THREAD, "m5x16"),
+        ("1/4-20", Kind.THREAD, "1/4-20"),
+        ("4x", Kind.TIMES, "x"),
+    ]
     + [
         (text, Kind.THREAD, word)
         for text, word in (

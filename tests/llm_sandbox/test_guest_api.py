@@ -78,6 +78,7 @@ def full_part() -> Part:
         height=1.0,
         width=1.0,
         length=1.0,
+        nominal_length=1.0,
         thickness=1.0,
         local_size=UP,
         bottom="through",

@@ -102,4 +102,4 @@ def test_the_view_says_in_words_what_it_shows(seen: Opener, flange_model: str) -
     page.ask(QUESTION)
     view = page.page.locator("#view canvas")
     expect(view).to_have_attribute("aria-label", re.compile(r"flange\.step in 3D; lit: 27 faces"))
-    expect(page.page.locator("#announcer")).to_contain_text("8 x 16 mm")
+    expect(page.page.locator("#announcer")).to_contain_text("16 mm (each of 8)")

@@ -203,7 +203,7 @@ def test_distances_of_three_parts_are_not_answered_with_one(capsys: pytest.Captu
 def test_questions_follow_one_another(capsys: pytest.CaptureFixture[str]) -> None:
     first = ["--context", "How many counterbored holes are there?"]
     out = run(capsys, FLANGE, "And how deep are they?", *first)[1]
-    assert out.startswith("8 x 22 mm\n")
+    assert out.startswith("22 mm (each of 8)\n")
     assert "depth of hole-1..3, hole-5, hole-7..10" in out
     out = run(capsys, FLANGE, "the same in inches", *first, "--context", "And how deep are they?")[1]
     assert out.splitlines()[0].endswith("0.866142 in")

@@ -128,7 +128,7 @@ def test_an_agent_solves_ten_tasks(transport: Transport, home: Path) -> None:  #
             # 3. A follow-up.
             holes = await agent.call("ask", model=model, question="How many counterbored holes are there?")
             deep = await agent.call("ask", model=model, question="And how deep are they?", context=[holes_of(holes)])
-            assert deep["text"] == "8 x 22 mm"
+            assert deep["text"] == "22 mm (each of 8)"
 
             # 4. See what an answer rests on.
             marked = await agent.look(model=model, answer=holes["answer"])

@@ -177,7 +177,7 @@ def test_a_question_that_has_no_answer_is_a_reply_too(either: Model) -> None:
 
 def test_what_is_said_of_a_question_counts(either: Model) -> None:
     before = ["How many counterbored holes are there?"]
-    assert either.ask("And how deep are they?", context=before).text == "8 x 22 mm"
+    assert either.ask("And how deep are they?", context=before).text == "22 mm (each of 8)"
     assert either.ask("What is its diameter?", select=["hole-4"]).value == pytest.approx(0.0085)
     assert either.ask("What is its diameter?", select=[either.part("hole-4")]).value == pytest.approx(0.0085)
     assert either.ask("How many holes are there?", least_confidence=1.0).status is Status.UNSURE

@@ -50,7 +50,7 @@ def test_a_length_is_in_the_unit_that_is_asked_for(runtime: EmbeddedRuntime, uni
 def test_several_values_are_no_one_value(runtime: EmbeddedRuntime) -> None:
     found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the holes?"})
     assert found.status == "unsure"
-    assert "there are several: 4 x 9 mm" in found.reason
+    assert "there are several: 9 mm (each of 4)" in found.reason
 
 
 def test_what_is_not_there_has_a_reason(runtime: EmbeddedRuntime) -> None:

@@ -28,7 +28,7 @@ def test_like_parts_are_one_group_with_what_all_of_them_share(tmp_path: Path) ->
         (4, "blind hole, diameter 4 mm, depth 8 mm"),
     ]
     assert holes[0].sides == (Side.TOP, Side.BOTTOM)
-    assert (holes[1].sides, holes[1].layout) == ((Side.TOP,), "rectangle of 4, pitch 20 mm")
+    assert (holes[1].sides, holes[1].layout) == ((Side.TOP,), "rectangular pattern of 4, pitch 20 mm")
     assert "blind" in holes[1].tags
     assert not any(group.hidden for group in groups)
 

@@ -20,7 +20,7 @@ from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
 from querycad_language.text import Text
 
-from .drawing.callouts import ids_text
+from .drawing.callouts import callouts, carried_sections, ids_text
 from .drawing.describing import SURFACES
 
 T = TypeVar("T")
@@ -42,6 +42,9 @@ _JOINED = re.compile(r"⟦(\d+)⟧((?:(?:\s*,\s*(?:and |or )?|\s+and\s+|\s*&\s*)
 _MARK = re.compile(r"⟦(\d+)⟧")
 _APART = re.compile(r"(⟦\d+⟧) in\b")
 """A name before 'in inches' is no number of inches."""
+_CALLOUT = re.compile(
+    r"Ø\d|\d x \d|\d (?:thick|across flats|wide)\b|\b(?:depth|height|pitch|length|[CR])\s?\d", re.IGNORECASE
+)
 _FACES = ("face", "faces", "surface", "surfaces")
 _NO_NOUN = (PartKind.MODEL, PartKind.REGION)
 
@@ -125,13 +128,13 @@ _RESTRICTS = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "p
 
 def may_name_parts(question: str) -> bool:
     """Does the question hold anything that could be an id? Only then are all parts of the model asked for."""
-    return bool(_ID.search(question) or _NUMBER.search(question))
+    return bool(_CALLOUT.search(question) or _ID.search(question) or _NUMBER.search(question))
 
 
 def address(question: str, parts: Sequence[Part]) -> Addressed:
     """Which parts does the question name by their ids?"""
     finder = _Finder(parts)
-    marked = finder.products(question)
+    marked = finder.products(finder.callouts(question))
     marked = _ID.sub(finder.full, marked)
     marked = finder.numbered(marked)
     if finder.missing:
@@ -158,6 +161,22 @@ class _Finder:
         self.found: list[tuple[str, ...]] = []
         self.notes: list[str] = []
         self.missing = ""
+
+    def callouts(self, text: str) -> str:
+        """What lists print of like parts: '8x Ø16 THRU, counterbore Ø26 depth 8', with or without the number before."""
+        if not _CALLOUT.search(text):
+            return text
+        told = [part for part in self._parts.values() if part.kind not in (*SURFACES, *_NO_NOUN, PartKind.BODY)]
+        carried = carried_sections(told)  # lists leave these out
+        groups: dict[str, tuple[str, ...]] = {}
+        for parts in ([part for part in told if part.id not in carried], told):
+            for one in callouts(parts, known=self._parts):
+                groups.setdefault(re.sub(r"^\d+x ", "", one.text), one.ids)
+        for said in sorted((one for one in groups if " " in one or one.startswith("C")), key=len, reverse=True):
+            noun = r"(?: holes?\b)?" if " " in said else r" chamfers?\b"
+            mark = re.compile(rf"(?<![\w.])(?:\d+ ?x )?{re.escape(said)}{noun}(?!\w|[.,]\d)", re.IGNORECASE)
+            text = mark.sub(lambda _, ids=groups[said]: self._mark(ids), text)  # type: ignore[misc]
+        return text
 
     def products(self, text: str) -> str:
         """Names of bodies in full that end in a number, which only one body has: 'Hexagonal screw M6 2'."""

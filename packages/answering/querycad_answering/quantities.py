@@ -123,7 +123,8 @@ def _assigned(code: str) -> dict[str, ast.expr]:
 
 
 _LENGTHS = (
-    "radius", "diameter", "radii", "depth", "height", "width", "length", "thickness", "pitch", "outer_diameter",
+    "radius", "diameter", "radii", "depth", "height", "width", "length", "nominal_length", "thickness", "pitch",
+    "outer_diameter",
     "inner_diameter", "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius",
     "mouth_length", "mouth_width", "bottom_length", "bottom_width",
     "bottom_thickness", "wall_distance", "developed_length",

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Failure, Grounded, Measure, PartQuery
-from querycad_language.describe import describe, noun_phrase
+from querycad_language.describe import describe, none_such, noun_phrase
 from querycad_language.forms import Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
@@ -86,6 +86,8 @@ class Refused:
         said = noun_phrase(query).removeprefix("the ")
         if "unknown_noun" in grounded.features:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
+        if "nothing" not in grounded.features and (none := none_such(query)):
+            return Failure(category="not_grounded", message=none)
         narrowed = any(name.endswith("_empties") for name in grounded.features)
         return self.not_grounded((not narrowed and grounded.reason) or f"the model has no '{said}'")
 

@@ -218,7 +218,7 @@ def _shown(value: Any) -> str:
 
 
 def _text(value: Any, kind: AnswerType, unit: LengthUnit) -> str:
-    """The answer as a person reads it; equal values of a list are written once: '4 x 1.25 mm'."""
+    """The answer as a person reads it; equal values of a list are written once: '1.25 mm (each of 4)'."""
     if kind in _SCALAR_OF or (kind is AnswerType.PARTS and isinstance(value, list)):
         texts = [_scalar_text(item, _SCALAR_OF.get(kind, kind), unit) for item in value]
         return _joined(texts) if texts else "none"
@@ -226,7 +226,7 @@ def _text(value: Any, kind: AnswerType, unit: LengthUnit) -> str:
 
 
 def _joined(texts: Sequence[str]) -> str:
-    return ", ".join(text if count == 1 else f"{count} x {text}" for text, count in Counter(texts).items())
+    return ", ".join(text if count == 1 else f"{text} (each of {count})" for text, count in Counter(texts).items())
 
 
 def _scalar_text(value: Any, kind: AnswerType, unit: LengthUnit) -> str:

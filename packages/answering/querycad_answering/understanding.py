@@ -9,6 +9,7 @@ from functools import cached_property
 
 from querycad_contracts import (
     Alternative,
+    AnswerType,
     Expectation,
     Failure,
     Grounded,
@@ -22,12 +23,13 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
-from querycad_language.forms import Count, Exists, Get
+from querycad_language.forms import Count, Exists, Get, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
 
 from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
+from .beside import beside, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
 from .judging import Verdict, judge
@@ -166,7 +168,13 @@ class Understanding:
                 if (missing := self._missing(best, least)) is not None:
                     return Understood(verdict=Verdict(failure=missing))
                 rest = [one for i, one in enumerate(found) if i != index]
-                return self._understood(best, verdict, self._others(best.candidate, rest, unit))
+                others = self._others(best.candidate, rest, unit)
+                notes = [*beside(best.candidate, unit)]
+                if (other := self._standing(best.candidate, run, unit)) is not None:
+                    others, notes = (other[0], *others)[:SHOWN], [*notes, other[1]]
+                return self._understood(best, verdict, others, notes)
+            if best.candidate.value == [] and best.candidate.written.expects is AnswerType.PARTS:
+                break  # that none is so is likelier than the other readings
         if not tried:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
@@ -229,16 +237,39 @@ class Understanding:
         if verdict.answer is not None and isinstance(form, Get) and form.measures == (Measure.MASS,):
             text = f"{verdict.answer.text} kg"
             return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
+        if verdict.answer is not None and isinstance(form, Get) and form.reduce is Reduce.RANGE:
+            text = verdict.answer.text.replace(f" {unit.value}, ", " to ").replace(", ", " to ")
+            return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
         return verdict
 
-    def _understood(self, best: Value, verdict: Verdict, others: tuple[Alternative, ...]) -> Understood:
+    def _standing(self, candidate: Candidate, run: Run, unit: LengthUnit) -> tuple[Alternative, str] | None:
+        """The height along the axis that the model stands on, where that is not the file's; with a note."""
+        if self._view.contents is None or not reads_height(candidate, len(self._view.contents()[0].shape.bodies) < 2):
+            return None
+        found = standing(self._asked.reader.text, *self._view.contents())
+        if found is None:
+            return None
+        code = candidate.written.code.replace(".extents[2]", f".extents[{found.axis}]").replace(
+            "shape.height", f"shape.extents[{found.axis}]"
+        )
+        program = _program(candidate).model_copy(update={"code": code})
+        answer = judge(program, run(program), unit, self._expect).answer
+        if answer is None:
+            return None
+        note = of_height(found, answer.text)
+        meaning = f"height along {'xyz'[found.axis]} of the whole model"
+        return Alternative(codegen="parser", code=code, answer=answer, understood_as=meaning), note
+
+    def _understood(
+        self, best: Value, verdict: Verdict, others: tuple[Alternative, ...], notes: Sequence[str]
+    ) -> Understood:
         candidate = best.candidate
         return Understood(
             program=_program(candidate, best.confidence),
             verdict=verdict,
             confidence=round(best.confidence, 3),
             understood_as=meant(candidate),
-            notes=(*self.addressed.notes, *self._taken_for_whole(candidate)),
+            notes=(*self.addressed.notes, *self._taken_for_whole(candidate), *notes),
             ignored=tuple(dict.fromkeys((*skipped(candidate), *unchecked(candidate)))),
             others=others,
         )

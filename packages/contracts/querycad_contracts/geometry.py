@@ -335,6 +335,9 @@ class Part(Weighed):
     height: float | None = Field(None, description="Along the part's own axis for what protrudes; else the z extent.")
     width: float | None = None
     length: float | None = None
+    nominal_length: float | None = Field(
+        None, description="Of a screw as its standard says: under the head; a countersunk one's head counts."
+    )
     thickness: float | None = None
     opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
     tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes.")

@@ -146,6 +146,8 @@ class Part:
     width: float
     """In its own frame; of a body along x."""
     length: float
+    nominal_length: float
+    """Of screws, under the head."""
     thickness: float
     """Of sheets, plates, fins; else the least dimension. None of what has an opening and no thickness."""
     local_size: Vector

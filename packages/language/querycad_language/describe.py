@@ -43,6 +43,12 @@ _RELATIONS = {
 _REDUCES = {
     Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ",
     Reduce.LARGEST: "largest ", Reduce.SMALLEST: "smallest ", Reduce.EACH: "", Reduce.ONE: "",
+    Reduce.RANGE: "smallest and largest ",
+}  # fmt: skip
+_COMPARATIVES = {
+    Measure.DEPTH: ("deeper", "shallower"), Measure.HEIGHT: ("higher", "lower"), Measure.WIDTH: ("wider", "narrower"),
+    Measure.LENGTH: ("longer", "shorter"), Measure.THICKNESS: ("thicker", "thinner"),
+    Measure.MAGNITUDE: ("larger", "smaller"),
 }  # fmt: skip
 _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
 
@@ -50,10 +56,10 @@ _OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compa
 def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a form
     """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
     match form:
-        case Get(measures, target, reduce, density):
+        case Get(measures, target, reduce, density, overall):
             material = f" at {density:g} kg/m3" if density else ""
             names = " and ".join(_measure(measure) for measure in measures)
-            return f"{_REDUCES[reduce]}{names} of {noun_phrase(target)}{material}"
+            return f"{_REDUCES[reduce]}{'overall ' if overall else ''}{names} of {noun_phrase(target)}{material}"
         case Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT as measure):
             return f"number of {measure.removesuffix('_count')}s of the whole model"
         case Count(target, measure):
@@ -158,6 +164,22 @@ def noun_phrase(query: PartQuery | None) -> str:
     tail += [f"except {noun_phrase(other)}" for other in query.excluded]
     tail += [f"and {noun_phrase(other)}" for other in query.also]
     return " ".join(["the", *words, *tail])
+
+
+def none_such(query: PartQuery) -> str:
+    """What is said where parts are there and none is as asked: 'no hole is wider than 80 mm'; nothing restricts: ''."""
+    said = [*query.colors, *map(_compared, query.sizes)]
+    left = {"colors": (), "sizes": (), "plural": False, "count": None, "ranks": ()}
+    if not said:
+        said, left = list(query.adjectives), {**left, "adjectives": ()}
+    noun = noun_phrase(query.model_copy(update=left)).removeprefix("the ")
+    return f"no {noun} is {' and '.join(said)}" if said else ""
+
+
+def _compared(size: SizeFilter) -> str:
+    more, less = _COMPARATIVES.get(size.measure or Measure.MAGNITUDE, ("", ""))
+    word = {Relation.MORE: more, Relation.LESS: less}.get(size.relation)
+    return f"{word} than {_length(size.low)}" if word else _size(size)
 
 
 def _rank(rank: Rank) -> str:

@@ -21,6 +21,8 @@ class Reduce(StrEnum):
     MEAN = "mean"
     LARGEST = "largest"
     SMALLEST = "smallest"
+    RANGE = "range"
+    """The smallest and the largest value."""
 
 
 Target: TypeAlias = PartQuery | None
@@ -65,6 +67,8 @@ class Get:
     reduce: Reduce = Reduce.ONE
     density: float | None = None
     """kg/m3, of a mass."""
+    overall: bool = False
+    """A length over all, with the head of a screw."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,8 +67,13 @@ def is_length(measure: Measure) -> bool:
     return measure not in _TYPES
 
 
-def options(measure: Measure, part: Part) -> list[tuple[str, Grade]]:
-    """The expressions, '{0}' for the part, that a measure can mean of a part like this one, the usual one first."""
+def options(measure: Measure, part: Part, overall: bool = False) -> list[tuple[str, Grade]]:
+    """The expressions, '{0}' for the part, that a measure can mean of a part like this one, the usual one first.
+
+    `overall`: of a screw the length with its head, which is none of its standard.
+    """
+    if measure is Measure.LENGTH and part.nominal_length is not None and not overall:
+        return [("{0}.nominal_length", "own"), ("{0}.length", "derived")]
     found = [(expression, grade) for expression, grade in _options(measure, part) if _has(part, expression)]
     unique: list[tuple[str, Grade]] = []
     for expression, grade in found:

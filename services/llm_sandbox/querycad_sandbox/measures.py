@@ -71,6 +71,7 @@ def part_measures(part: Part) -> Measures:
             "height": _first(part.height, z if part.tip is None else None),
             "width": _first(part.width, x if part.kind == "body" else width),
             "length": _first(part.length, part.height if part.kind == "boss" else length),
+            "nominal_length": part.nominal_length,
             "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
             "local_size": part.local_size,
             "bottom": part.bottom,

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
 
 from querycad_contracts import ModelSummary, Part, PartGroup, PartKind
 
+from .grounding.printed import group_label
 from .model import Model
 
 BODIES_LISTED = 100
@@ -15,8 +15,6 @@ BODIES_LISTED = 100
 TERMS_LISTED = 30
 """Rarer names of parts help nobody to find out what the model is."""
 GROUPS_LISTED = 60
-_OF_WHICH = re.compile(r" of \w+ \d+(?=,|$)| \d+$")
-"""'chamfer of boss 10', 'tooth 3': which one is no matter to a group."""
 
 
 def summary(model: Model) -> ModelSummary:
@@ -48,7 +46,7 @@ def _groups(parts: Sequence[Part]) -> tuple[PartGroup, ...]:
     for part in parts:
         if part.kind.is_feature or (several and part.kind is PartKind.BODY):
             size = tuple(round(extent, 5) for extent in sorted(part.extents)) if part.kind is PartKind.BODY else ()
-            alike[part.kind, _OF_WHICH.sub("", part.label), part.color, size].append(part)
+            alike[part.kind, group_label(part), part.color, size].append(part)
     ranked = sorted(alike.values(), key=lambda group: (_rank(group[0].kind), -max(group[0].extents)))
     return tuple(_group(group, layouts) for group in ranked)
 
@@ -64,7 +62,7 @@ def _group(parts: Sequence[Part], layouts: dict[str, str]) -> PartGroup:
     return PartGroup(
         count=len(parts),
         kind=first.kind,
-        label=_OF_WHICH.sub("", first.label),
+        label=group_label(first),
         tags=tuple(tag for tag in first.tags if all(tag in part.tags for part in parts)),
         sides=tuple(side for side in first.sides if all(side in part.sides for part in parts)),
         hidden=not any(part.sides for part in parts),

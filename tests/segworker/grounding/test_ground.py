@@ -256,3 +256,30 @@ def test_a_body_without_the_tag_is_surely_not_symmetric() -> None:
     assert ids(best(bodies, inventory(one, other))) == {"body-1"}
     (only,) = ground(inventory(other, body(3, "top", tags=("solid",))), bodies)
     assert (only.parts, only.unchecked) == ((), ())
+
+
+def test_that_nothing_is_so_large_is_sure_and_said() -> None:
+    """A size is left out only where it may be a nominal one, or where the parts do not have it."""
+    wide = asked(sizes=(SizeFilter(measure=Measure.WIDTH, relation=Relation.MORE, low=0.08),))
+    made = inventory(*(hole(n, 20 * n, width=0.005) for n in (1, 2)))
+    assert [way.parts for way in ground(made, wide)] == [()]
+    assert find(made, wide).message == "no hole is wider than 80 mm; they have 5 mm"
+    exact = asked(sizes=(SizeFilter(measure=Measure.DIAMETER, low=0.08),))
+    assert any("size_dropped" in way.features for way in ground(PLATE, exact))
+
+
+@pytest.mark.parametrize(
+    ("query", "says"),
+    [
+        (asked(colors=("red",)), "no hole is red"),
+        (asked(adjectives=("conical",)), "no hole is conical"),
+        (asked(adjectives=("blind",), sizes=(SizeFilter(measure=Measure.DEPTH, relation=Relation.MORE, low=0.02),)),
+         "no blind hole is deeper than 20 mm; they have 10 mm"),
+        (asked(noun="gear", words=("gear",), colors=("red",)), "the model has no 'gear'"),
+    ],
+)  # fmt: skip
+def test_what_restricts_is_named_where_nothing_is_so(query: PartQuery, says: str) -> None:
+    none = next(number for number, way in enumerate(ground(PLATE, query)) if not way.parts)
+    found = find(PLATE, query.model_copy(update={"sense": none}))
+    assert not found.parts
+    assert found.message == says

@@ -62,19 +62,6 @@ def ids_text(ids: Sequence[str], most: int = 8) -> str:
     return ", ".join(texts[:most]) + more
 
 
-def screw_length(part: Part, known: Known) -> float | None:
-    """How long is a screw as its standard says, under the head, metres? A countersunk one's head counts (ISO 7721)."""
-    if "screw" not in part.tags or "countersunk" in part.tags:
-        return part.length if "screw" in part.tags else None
-    faces = set(part.faces)
-    shanks = (
-        other.height
-        for other in known.values()
-        if "shank" in other.tags and other.height and other.faces and set(other.faces) <= faces
-    )
-    return max(shanks, default=None)
-
-
 def carried_sections(parts: Sequence[Part]) -> frozenset[str]:
     """Ids of counterbores, countersinks, spot faces and chamfers that the callout of their hole tells of."""
     sections = {part.id for part in parts if part.kind in _SECTIONS}
@@ -173,7 +160,7 @@ def _groove(part: Part, unit: LengthUnit, known: Known) -> str:
     told = [across, f"{length(part.width, unit)} wide"]
     if part.depth:
         told.append(f"depth {length(part.depth, unit)}")
-    return _joined(_noun(part).removeprefix("blind "), ", ".join(told))
+    return _joined(_noun(part), ", ".join(told))
 
 
 def _round_piece(part: Part, unit: LengthUnit, known: Known) -> str:
@@ -219,10 +206,10 @@ def _pattern(part: Part, unit: LengthUnit, known: Known) -> str:
     return f"{_joined(name, size)}: {what}"
 
 
-def _body(part: Part, unit: LengthUnit, known: Known) -> str:
+def _body(part: Part, unit: LengthUnit, _known: Known) -> str:
     size = " x ".join(length(extent, unit) for extent in part.extents)
     told = [size]
-    if (long := screw_length(part, known)) and part.length and long < part.length - SAME:
+    if (long := part.nominal_length) and part.length and long < part.length - SAME:
         told = [f"length {length(long, unit)}", f"overall {length(part.length, unit)}"]
     return f"{part.name or part.label} ({', '.join(told)})"
 

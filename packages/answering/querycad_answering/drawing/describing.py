@@ -62,7 +62,7 @@ def describe(
         faces=shape.face_count,
         declared_units=summary.units,
         drawn_in=_drawn_in(parts),
-        stands_along=_stands_along(parts),
+        stands_along=stands_along(parts),
         material_thickness=shape.thickness,
         features=features,
         patterns=patterns,
@@ -160,7 +160,7 @@ def _drawn_in(parts: Sequence[Part]) -> str:
     return best if shares[best] >= ROUND_SHARE and shares[best] > shares[other] else ""
 
 
-def _stands_along(parts: Sequence[Part]) -> str:
+def stands_along(parts: Sequence[Part]) -> str:
     """Along which axis of the file does it likely stand? Its axis of rotation, else square to its largest flat face."""
     whole = next((part for part in parts if part.kind is PartKind.MODEL), None)
     faces = [part for part in parts if part.kind is PartKind.FACE and part.normal and part.local_size]
@@ -246,4 +246,4 @@ _OF_KIND: dict[PartKind, tuple[str, Callable[[Part], float | None]]] = {
 }
 """A question on the measure that each kind is known by; {0} is the plural's s, {1} the verb."""
 
-__all__ = ["SURFACES", "describe", "listing"]
+__all__ = ["SURFACES", "describe", "listing", "stands_along"]

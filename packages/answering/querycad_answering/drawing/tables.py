@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from querycad_contracts import Column, LengthUnit, Part, PartKind, Quantity, Table, TableKind, Vector
 from querycad_contracts.drawings import Cell
 
-from .callouts import Known, callout, carried_sections, ids_text, screw_length
+from .callouts import Known, callout, carried_sections, ids_text
 from .numbers import direction
 from .threads import suits, thread_name
 
@@ -279,7 +279,7 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _NAME,
         _text("type", lambda part: next((tag for tag in FASTENER_TAGS if tag in part.tags), None)),
         _size("diameter", lambda part: part.diameter),
-        (Column(name="length", quantity=Quantity.LENGTH), lambda row: screw_length(row.first, row.known)),
+        (Column(name="length", quantity=Quantity.LENGTH), lambda row: row.first.nominal_length),
         _size("overall length", lambda part: part.length if "screw" in part.tags else max(part.extents)),
         _size("across flats", lambda part: part.across_flats),
         _COLOR,

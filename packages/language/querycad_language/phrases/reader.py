@@ -52,7 +52,15 @@ class Phrases:
             else:
                 measure = self.text.find(at, "measure")  # 'width across flats' names no flats
                 at = measure.end if measure is not None else at + 1
-        return found
+        return [self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)]
+
+    def _shared(self, mention: Mention, after: list[Mention]) -> Mention:
+        """'the largest and the smallest hole': of the noun that both share."""
+        query, other = mention.query, after[0].query if after else None
+        joined = self.text.is_word(mention.end, "and", "or", "to", "&") and after and after[0].start == mention.end + 1
+        if query is None or query.noun or query.ids or not joined or other is None or not other.noun:
+            return mention
+        return replace(mention, query=replace_fields(query, noun=other.noun, known=other.known, words=other.words))
 
     def _owned(self, mention: Mention, depth: int, joined: bool) -> Mention:
         """'the cover's holes': the holes of the cover."""

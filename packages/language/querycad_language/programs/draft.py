@@ -47,6 +47,7 @@ class Draft:
         self.grounds = grounds
         self.whole = whole
         self.option = option
+        self.overall = False
         self.lines: list[str] = []
         self.names: dict[PartQuery, str] = {}
         self.reads: list[Read] = []
@@ -74,7 +75,9 @@ class Draft:
         usual = max(counts, key=lambda kind: counts[kind])
         sample = next(part for part in parts if part.kind == usual)
         known = [
-            one for one in options(measure, sample) if not (scalar and (one[0][0] == "[" or one[0].endswith(_VECTORS)))
+            one
+            for one in options(measure, sample, self.overall)
+            if not (scalar and (one[0][0] == "[" or one[0].endswith(_VECTORS)))
         ]
         if self.option >= len(known):
             raise Unwritable

@@ -54,6 +54,7 @@ def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written
 def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911, PLR0912 - one case a form
     match form:
         case Get():
+            draft.overall = form.overall
             return _get(draft, form)
         case Count(target, None):
             return f"len({draft.parts(target)})", AnswerType.COUNT
@@ -86,8 +87,10 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
         case Angle(first, second):
             return angle_between(draft, first, second), AnswerType.ANGLE
         case Combine():
+            draft.overall = form.left.overall
             return _combine(draft, form)
         case Check():
+            draft.overall = isinstance(form.left, Get) and form.left.overall
             return _check(draft, form), AnswerType.BOOLEAN
         case Every(target, among):
             found, kept = draft.parts(target), draft.parts(among)
@@ -149,7 +152,7 @@ def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
             raise Unwritable
         return f"[{expression.format('p')} for p in {name}][0]", AnswerType.LENGTHS
     values = f"[{expression.format('p')} for p in {name}]"
-    if form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST):
+    if form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE):
         values = _steps(measure, parts, expression, name) or values
     return _reduced(draft, values, form.reduce, kind)
 
@@ -185,9 +188,14 @@ def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tup
             return f"max({values})", kind
         case Reduce.SMALLEST if scalar:
             return f"min({values})", kind
+        case Reduce.RANGE if scalar:
+            draft.lines.append(f"values = {values}")
+            return "[min(values), max(values)]", many
         case _:
             draft.lines.append(f"values = {values}")
             same = "len(different(values, 1e-05)) == 1" if scalar else "len(values) == 1"
+            if kind is AnswerType.DIRECTION and "approach" not in values:  # one way each
+                same = "all(abs(a - b) < 1e-06 for v in values for a, b in zip(v, values[0]))"
             return f"values[0] if {same} else values", kind
 
 

@@ -20,6 +20,7 @@ EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
 _WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
 """Measures that narrower ones are of: the position of the tip, the size of the diameter."""
+_WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 _REDUCES = (
     ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
     ("total", Reduce.TOTAL),
@@ -119,9 +120,9 @@ def _how(text: Text, at: int) -> Asked | None:
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
     if (verb := text.find(at, "verbs")) and at not in taken:
-        ways = {i for i in text.at_words("way") if text.find(i - 1, "ask")}
+        ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
-        if verb.value in _BY_VERB or (verb.value is Measure.DIRECTION and ways):  # 'which way does the port face'
+        if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
             return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
     if text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure"):
         if any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):  # 'what does the part measure'
@@ -144,6 +145,11 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
         return None  # 'along the screw axis' says how a length is taken
     if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
         return None
+    verbs = [verb for verb in text.all("verbs") if verb.value in _WHICH_WAY]
+    if span.value is Measure.DIRECTION and verbs and all(verb.value is Measure.APPROACH for verb in verbs):
+        # 'from which direction is it drilled'
+        used = frozenset({*span.tokens, *(i for verb in verbs for i in verb.tokens)})
+        return Asked(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
     return _of_measure(text, span, taken) or _joined_measures(text, span, taken)
 
 

@@ -6,10 +6,12 @@ from collections import Counter
 from collections.abc import Sequence
 
 from querycad_contracts import Grounded, Grounding, Part, PartQuery, Side
+from querycad_language.describe import none_such
 from querycad_language.phrases import noun_phrase
 
 from .ground import ground, score
-from .inventory import Inventory
+from .inventory import Inventory, values_of
+from .printed import WHOLES, key
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
 """Features of a grounding whose noun nothing is known of."""
@@ -33,6 +35,7 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
     if isinstance(asked, str):
         ways = [way for way in ways if "guessed" not in way.features] or ways  # programs are not guessed for
     way = ways[min(query.sense, len(ways) - 1)]
+    way = _printed(inventory, asked, way, sides) if isinstance(asked, str) else way
     unknown = [name for name in UNDERSTOOD_NOT if name in way.features]
     message = way.reason
     if unknown and not message:
@@ -43,18 +46,46 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         if elsewhere:
             hidden = f"none visible from {' or '.join(query.sides)}"
             message = f"the model has {len(elsewhere)} x '{said.removeprefix('the ')}', but {hidden}"
+    if not way.parts and (none := _none_such(inventory, query)):
+        message = none
     warnings = tuple(f"not checked: {what}" for what in dict.fromkeys(way.unchecked)) if way.parts else ()
     return Grounding(
         description=said,
         sides=query.sides or None,
         parts=tuple(sorted(way.parts, key=_order)),
         understood=not unknown,
-        nearest=() if way.parts else present(inventory),
+        nearest=() if way.parts or message.startswith("no ") else present(inventory),
         message="" if way.parts else message,
         warnings=warnings,
-        ignored=() if {"unknown_named", "unknown_is_file"} & way.features.keys() else query.unknown,
+        ignored=() if {"unknown_named", "unknown_is_file", "printed"} & way.features.keys() else query.unknown,
         unchecked=tuple(dict.fromkeys(way.unchecked)),
     )
+
+
+def _none_such(inventory: Inventory, query: PartQuery) -> str:
+    """Why none is left of parts that are there: 'no hole is wider than 80 mm; they have 5 to 26 mm'."""
+    plain = query.model_copy(update={"sizes": (), "colors": (), "sides": (), "plural": True})
+    there = ground(inventory, plain)[0]
+    if not there.parts:
+        there = ground(inventory, plain.model_copy(update={"adjectives": ()}))[0]
+    if not there.parts or "nothing" in there.features or not (said := none_such(query)):
+        return ""
+    values = sorted(v for size in query.sizes[:1] for part in there.parts for v in values_of(part, size.measure))
+    texts = dict.fromkeys(f"{value * 1e3:.4g}" for value in (*values[:1], *values[-1:]))
+    return said + (f"; they have {' to '.join(texts)} mm" if texts else "")
+
+
+def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Side] | None) -> Grounded:
+    """What is printed of parts means these; but a word that means bodies, or parts of the kind it names, means them."""
+    said = key(asked)
+    parts = inventory.printed.get(said, ())
+    bodies = "unknown_whole" not in way.features and any(part.kind in WHOLES for part in way.parts)
+    if not parts or any(part.kind == said for part in way.parts):
+        return way
+    if bodies and "," not in asked and parts[0].kind not in WHOLES:
+        return way
+    seen = [part for part in parts if sides is None or set(sides) & set(part.sides)]
+    return Grounded(parts=tuple(seen), features={"printed": 1.0})
 
 
 def _by_score(way: Grounded) -> tuple[float, float]:

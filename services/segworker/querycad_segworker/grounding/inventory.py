@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
@@ -13,6 +13,7 @@ from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 from .names import all_words, holds, share, vocabulary
 from .nearby import Nearby
+from .printed import printed_labels
 from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
@@ -59,6 +60,11 @@ class Inventory:
     def nearby(self) -> Nearby:
         """What is near to each part."""
         return Nearby(self.parts)
+
+    @cached_property
+    def printed(self) -> Mapping[str, tuple[Part, ...]]:
+        """What is printed of the parts, folded, to the parts that it is printed of."""
+        return printed_labels(self.parts, self.alone)
 
     @cached_property
     def alike(self) -> list[list[Part]]:
@@ -245,7 +251,9 @@ def values_of(part: Part, measure: Measure | None) -> list[float]:
         Measure.DEPTH: [part.depth],
         Measure.HEIGHT: [part.height],
         Measure.WIDTH: [part.width, *(steps if part.kind == "hole" else ())],
-        Measure.LENGTH: [part.length, part.depth if part.kind == "hole" else part.height],
+        Measure.LENGTH: [part.nominal_length]
+        if part.nominal_length
+        else [part.length, part.depth if part.kind == "hole" else part.height],
         Measure.THICKNESS: [part.thickness, part.height],
         Measure.ANGLE: [part.angle],
         Measure.AREA: [part.area],

@@ -19,6 +19,7 @@ SURFACES = ("cylinder", "cone", "sphere", "torus", "arc")
 """Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
+_COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -169,6 +170,9 @@ def sized(request: Request, way: Way) -> Iterator[Way]:
 def _of_size(way: Way, size: SizeFilter) -> Iterator[Way]:
     said = f"'{size.low * 1e3:.4g} mm'"
     exact = [p for p in way.parts if any(compares(v, size) for v in values_of(p, size.measure))]
+    if not exact and size.relation in _COMPARED and all(values_of(p, size.measure) for p in way.parts) and way.parts:
+        yield way.to((), "size_agrees")  # that no hole is wider than 80 mm is sure
+        return
     if exact or size.relation not in (Relation.EQUAL, Relation.ABOUT):
         yield from kept(way, exact, "size", said)
         return

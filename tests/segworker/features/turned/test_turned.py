@@ -188,6 +188,36 @@ def test_a_head_on_a_shank_is_a_screw(shape: TopoDS_Shape, form: str, degrees: f
     assert shank.kind == "boss"
 
 
+def test_a_screw_is_as_long_as_its_standard_says_and_goes_in_from_its_head() -> None:
+    """Under the head (ISO 4014, ISO 4762); a countersunk one with its head (ISO 7046)."""
+    countersunk = fuse(cone(3, 6, 3), cylinder(3, 17, (0, 0, 0), DOWN))
+    lengths = {
+        "hexagon": (hexagon_screw(), 40, 46.4),
+        "socket": (socket_screw(), 20, 26),
+        "sunk": (countersunk, 20, 20),
+    }
+    for shape, nominal, overall in lengths.values():
+        screw = body(shape)
+        assert [screw.nominal_length, screw.length] == near(nominal, overall)
+        assert screw.approach == (pytest.approx((0, 0, -1)),)
+    assert body(cylinder(3, 20)).nominal_length is None
+
+
+def test_a_pin_goes_in_as_its_hole_is_reached() -> None:
+    block = box((40, 40, 30))
+    blind, through = cylinder(4, 20, (20, 20, 10)), cylinder(4, 30, (20, 20, 0))
+    pin = cylinder(4, 40, (20, 20, 10))
+
+    def ways(shape: TopoDS_Shape) -> list[tuple[float, ...]]:
+        (found,) = [part for part in find(shape).of("body") if part.tips]
+        return [tuple(round(c) for c in way) for way in found.approach]
+
+    assert ways(compound(cut(block, blind), pin)) == [(0, 0, -1)]
+    assert sorted(ways(compound(cut(block, through), pin))) == [(0, 0, -1), (0, 0, 1)]
+    assert ways(compound(block, cylinder(4, 40, (100, 20, 10)))) == []  # in no hole
+    assert ways(compound(cut(block, cylinder(8, 20, (20, 20, 10))), pin)) == []  # in one that is twice as wide
+
+
 def test_a_hexagon_with_a_bore_is_a_nut() -> None:
     nut = body(cut(extruded(hexagon(16), 0, 8.4), cylinder(5, 8.4)))
     assert "nut" in nut.tags

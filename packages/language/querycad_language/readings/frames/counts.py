@@ -44,7 +44,10 @@ def counts(question: Question) -> Iterator[Draft]:
         else:
             named = question.mentions
         yield from _treated(question, at, used)
-        yield from _topology(question, at, used)
+        whole = list(_topology(question, at, used))
+        yield from whole
+        if whole:
+            continue  # 'how many faces' are all of them, whatever part they belong to
         after = [m for m in named if m.head >= at and not m.pronoun]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
         before = [

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
@@ -18,6 +19,9 @@ from .anchors import Spot, anchors_of, ends_between, plane_of, without
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
+_EXTREMES = (Reduce.LARGEST, Reduce.SMALLEST)
+_FAR_APART = ("furthest", "farthest", "distant")
+_CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = frozenset((
     Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
@@ -52,6 +56,8 @@ def distances(question: Question) -> Iterator[Draft]:
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
         for first, second, more, features in _pairs(question, start):
+            if second == "each other" and reduce in _EXTREMES and isinstance(first, PartQuery):
+                first = replace_fields(first, count=None, ranks=(), plural=True)  # 'the two holes furthest apart'
             form = Distance(first, second, mode, axis, reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Draft(form, features, used | more | along | extreme | centred)
@@ -147,6 +153,11 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
             return Reduce.LARGEST, {at}
         if text.find(at, "least"):
             return Reduce.SMALLEST, {at}
+    pair = {i for i in range(*question.asking) if text.is_word(i, "pair", "two", "apart", "pairs", "any")}
+    for words, reduce in ((_FAR_APART, Reduce.LARGEST), (_CLOSE, Reduce.SMALLEST)):
+        said = {i for i in range(*question.asking) if text.is_word(i, *words)}
+        if pair and len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said):
+            return reduce, said  # 'the two closest holes', 'the pair of holes furthest apart'
     each = {i for i in range(*question.asking) if text.find(i, "different")}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 

@@ -40,9 +40,10 @@ def parts(question: Question) -> Iterator[Draft]:
             features = {"which_side": 1.0, "sides_offered": float(bool(offered)), "count_far": float(index)}
             yield Draft(Towards(target, offered or tuple(Side)), features, used)
         lead = range(start, mention.start + 1)
+        way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
         led = any(text.is_word(i, "which", "name") or text.find(i, "showing") for i in lead)
-        if (listed or led) and index == 0:
+        if (listed or led) and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)

@@ -56,5 +56,5 @@ def less(question: Question, get: Get, features: Features, used: set[int]) -> It
             target = replace_fields(target, places=kept, excluded=())
         owned = used | set(range(span.start, other.end))
         part = Measure.HEIGHT if span.category == "place" else get.measures[0]
-        combine = Combine("minus", replace(get, target=target), Get((part,), other.query))
+        combine = Combine("minus", replace(get, target=target, overall=True), Get((part,), other.query))
         yield Draft(combine, {**features, "less_part": 1.0}, owned)

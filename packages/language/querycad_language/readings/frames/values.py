@@ -28,7 +28,7 @@ _ALONG = frozenset((
 ))  # fmt: skip
 MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
-_OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL)
+_OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
 
@@ -43,6 +43,7 @@ def values(question: Question) -> Iterator[Draft]:
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
             yield from _surface(draft)
+            yield from _extremes(question, draft)
             get = draft.form
             assert isinstance(get, Get)
             if asked not in asked_for:
@@ -95,6 +96,8 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *_OVERALL)}
     if overall or text.is_word(asked.start, "overall", "total"):
         features["overall_whole" if owner.target is None else "overall_part"] = 1.0
+    with_head = text.has("head") and text.has("incl", "included", "including") and not text.has("not")
+    over_all = asked.measures == (Measure.LENGTH,) and bool(overall or with_head or text.at_phrases("over_all"))
     density = None
     if {Measure.MASS, Measure.INERTIA} & set(asked.measures):
         stated = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == DENSITY]
@@ -102,7 +105,25 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
         if stated or named:
             density = text.tokens[stated[0]].value if stated else named[0].value
             used |= {*stated, *(i for span in (*text.all("density"), *named) for i in span.tokens)}
-    return Draft(Get(asked.measures, owner.target, reduce, density), features, used | overall)
+    return Draft(Get(asked.measures, owner.target, reduce, density, over_all), features, used | overall)
+
+
+def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
+    """'the diameters of the largest and the smallest hole', 'min and max depth of the slots'."""
+    get, text = draft.form, question.text
+    assert isinstance(get, Get)
+    ends: dict[str, int] = {}
+    for at in range(*question.asking):
+        span = text.find(at, "most", "least", "scale")
+        degree = None if span is None else span.value.degree if span.category == "scale" else span.category
+        if degree in ("most", "least"):
+            ends.setdefault(degree, at)
+    first, last = (min(ends.values()), max(ends.values())) if len(ends) == 2 else (0, 0)
+    joined = any(text.is_word(i, "and", "to", "&", "/", ",") for i in range(first + 1, last))
+    named = get.target is not None and get.target.noun
+    if get.target is not None and named and joined and len(get.measures) == 1 and is_length(get.measures[0]):
+        both = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
+        yield Draft(both, {**draft.features, "both_extremes": 1.0}, draft.used | set(ends.values()))
 
 
 def _surface(draft: Draft) -> Iterator[Draft]:
@@ -152,13 +173,22 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
             return asked.reduce, set()
     used: set[int] = set()
     start, end = question.asking
-    for category, meaning in (("different", Reduce.DIFFERENT), ("mean", Reduce.MEAN), ("total", Reduce.TOTAL)):
+    for category, meaning in (
+        ("different", Reduce.DIFFERENT),
+        ("mean", Reduce.MEAN),
+        ("range", Reduce.RANGE),
+        ("total", Reduce.TOTAL),
+    ):
         for at in sorted(text.at_phrases(category)):
             span = text.find(at, category)
             meant = category == "mean" and text.is_word(at - 1, "i", "we", "you")
             if span is None or not start <= at < end or meant:
                 continue
             adds = asked.measures[0] in ADDITIVE or text.find(at, "sum") is not None
+            if meaning is Reduce.RANGE and (
+                not plural or any(text.is_word(i, "in", "within") for i in (at - 2, at - 1))
+            ):
+                continue
             if meaning is Reduce.TOTAL and not (plural and adds):
                 used |= set(range(at, span.end))
                 continue

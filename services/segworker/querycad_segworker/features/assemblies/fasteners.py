@@ -70,7 +70,7 @@ def fasteners(parts: Sequence[Part], brep: Brep) -> dict[str, Fastened]:
             if _share(steps, body, brep) <= WHOLE:
                 refuse("screw", (*head.faces, *shank.faces), "head and shank are not most of the body")
             else:
-                measures = _screw_measures(head, shank, owner[body], brep)
+                measures = _screw_measures(head, shank, face, owner[body], brep)
                 found[owner[body].id] = Fastened(("screw", _head_form(head)), measures)
         for prism in members:
             bore = _nut_bore(prism, members)
@@ -133,10 +133,11 @@ def _caps(head: Part, shank: Part) -> bool:
     )
 
 
-def _screw_measures(head: Part, shank: Part, body: Part, brep: Brep) -> dict[str, object]:
+def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep: Brep) -> dict[str, object]:
     """A screw is as thick as its shank and as long as its body reaches along it, edge breaks and domed head included.
 
-    Its tip is the end of the shank away from the head.
+    Its tip is the end of the shank away from the head. Its nominal length is that below the head and the washer face
+    under it (ISO 4014, ISO 4762), of a countersunk one all of it (ISO 7046).
     """
     assert shank.axis is not None
     assert shank.radius is not None
@@ -148,11 +149,15 @@ def _screw_measures(head: Part, shank: Part, body: Part, brep: Brep) -> dict[str
     reach = [dot(sub(point, shank.center), axis) for point in (*points, *ends)]
     tip = add(shank.center, scale(axis, max(reach)))
     length = max(reach) - min(reach)
+    under = (
+        dot(sub(head.center, shank.center), axis) + (head.height or 0.0) / 2 + ((face.height or 0.0) if face else 0.0)
+    )
     return {
         "axis": axis,
         "radius": shank.radius,
         "diameter": 2 * shank.radius,
         "length": length,
+        "nominal_length": length if "conical" in head.tags else max(reach) - under,
         "height": length,
         "tip": tip,
         "tips": (tip,),

@@ -107,7 +107,7 @@ def bent_arc_part(brep: Brep, found: BentArc, number: int) -> Part:
     middle = (inner.radius + outer.radius) / 2
     length = max(inner.height, outer.height) if found.is_bend else middle * outer.sweep
     tags = ("sheet", "bent") if found.is_bend else ("bent", "arc", *(("semicircular",) if half else ()))
-    name = "bend of sheet" if found.is_bend else "half ring" if half else "sector of a ring"
+    name = "sheet bend" if found.is_bend else "half ring" if half else "sector of a ring"
     radius = inner.radius if found.is_bend else middle
     return Part(
         id=f"sheet-bend-{number}" if found.is_bend else f"ring-sector-{number}",

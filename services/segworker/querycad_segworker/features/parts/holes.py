@@ -27,10 +27,11 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
     kind = "groove" if hole.is_ring else "hole"
     adjective = next((tag for tag in _HOLE_ADJECTIVES if tag in hole.tags), None)
     form = {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(hole.bottom, "blind")
-    words = " ".join(word for word in (adjective, form, kind) if word)
+    words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)
     widest = max((hole.opening_radius, hole.radius, *hole.steps))
     box = faces_box(brep, hole.faces)
     width = widest - hole.core_radius if hole.core_radius is not None else 2 * widest
+    sunk = [section for section in hole.sections if section.kind is SectionKind.COUNTERSINK]
     ends = {Bottom.THROUGH: "open at both ends", Bottom.BORE: "ending in another bore"}
     return Part(
         id=f"{kind}-{number}",
@@ -53,6 +54,8 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
         bottom=hole.bottom.value,
         pitch=hole.pitch,
         local_size=(2 * widest, 2 * widest, hole.depth),
+        angle=next((_angle(s, dist(s.start, s.end)) for s in sunk), None),
+        volume=None if hole.is_ring else _volume(hole),
         area=faces_area(brep, hole.faces),
         radii=(hole.steps or (hole.radius,)) + (() if hole.core_radius is None else (hole.core_radius,)),
         edge_distance=edge_distance(brep, hole.faces, hole.opening, hole.normal, hole.opening_radius),
@@ -64,6 +67,16 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
             + ends.get(hole.bottom, "open at one end")
         ),
     )
+
+
+def _volume(hole: Hole) -> float | None:
+    """What was cut out: the frustums of all walls, m3; none where the walls leave gaps, as at split faces."""
+    total, along = 0.0, 0.0
+    for section in hole.sections:
+        height, r, s = dist(section.start, section.end), section.radius, section.end_radius
+        total += math.pi * height * (r * r + r * s + s * s) / 3
+        along += height if section.kind is not SectionKind.DRILL_POINT else 0.0
+    return total if abs(along - hole.depth) < 0.02 * hole.depth else None
 
 
 def hole_section_parts(brep: Brep, hole: Hole, number: int) -> list[Part]:
@@ -155,9 +168,9 @@ def dimple_part(brep: Brep, found: Dimple, number: int) -> Part:
 
 _PATTERN_NAMES = {
     PatternKind.CIRCLE: "bolt circle",
-    PatternKind.ROW: "row",
-    PatternKind.GRID: "grid",
-    PatternKind.RECTANGLE: "rectangle",
+    PatternKind.ROW: "linear pattern",
+    PatternKind.GRID: "grid pattern",
+    PatternKind.RECTANGLE: "rectangular pattern",
 }
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from querycad_contracts import Part, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import OFF_ROUND, dist, line_distance, line_key, scale, sub, unit
+from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
 
 from .hierarchy import carried
 from .turned_pieces import turned_pieces
@@ -23,6 +23,8 @@ UPRIGHT = 0.999
 """Cosine of the angle to the vertical below which an axis counts as upright: 2.5 degrees."""
 ALL_OF_LEG = 0.99
 """A block as long as this share of a foot is the foot itself."""
+FILLS = 0.9
+"""A pin fills a hole that is as wide as it is thick, give or take a tenth: from a press fit to a loose one."""
 DEEP_RATIO = 5.0
 """A hole deeper than five diameters counts as deep in drilling practice."""
 
@@ -56,7 +58,38 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
         if ways := _ways_in(part.model_copy(update=update)):
             update["approach"] = ways
         result.append(part.model_copy(update=update) if update else part)
+    return _with_ways_of_pins(result)
+
+
+def _with_ways_of_pins(parts: Sequence[Part]) -> list[Part]:
+    """The same parts; a round body that fills a hole of another one goes in as the hole is reached, if blind one way.
+
+    One in through holes only goes in from either side.
+    """
+    holes: dict[Vector, list[Part]] = defaultdict(list)
+    for hole in parts:
+        if hole.kind == "hole" and hole.axis is not None and hole.approach:
+            holes[line_key(hole.axis)].append(hole)
+    result = []
+    for part in parts:
+        if part.kind == "body" and part.axis is not None and part.radius and part.tips and not part.approach:
+            own = set(part.faces)
+            filled = [h for h in holes[line_key(part.axis)] if _fills(part, h) and own.isdisjoint(h.faces)]
+            ways = min((hole.approach for hole in filled), key=len, default=())
+            part = part.model_copy(update={"approach": ways}) if ways else part
+        result.append(part)
     return result
+
+
+def _fills(pin: Part, hole: Part) -> bool:
+    """Is it on the hole's axis, as thick as the hole is wide, and in it?"""
+    assert pin.axis is not None
+    if hole.radius is None or not pin.radius or not FILLS <= pin.radius / hole.radius <= 2 - FILLS:
+        return False
+    apart = abs(dot(sub(hole.center, pin.center), pin.axis))
+    x, y, z = pin.axis
+    reach = (dot(pin.extents, (abs(x), abs(y), abs(z))) + (hole.depth or 0.0)) / 2
+    return apart < reach and line_distance(hole.center, pin.center, pin.axis) < (1 - FILLS) * hole.radius
 
 
 def _ways_in(part: Part) -> tuple[Vector, ...]:

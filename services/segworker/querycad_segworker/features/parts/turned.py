@@ -72,7 +72,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
 def _boss_name(boss: Boss) -> str:
     """What would a drawing call it?"""
     if "conical" in boss.tags:
-        return "cone"
+        return "conical boss"
     if boss.hole is not None and "flat" in boss.tags:
         return "flange" if "flange" in boss.tags else "ring" if "raised" in boss.tags else "disc"
     if boss.hole is not None:
@@ -236,7 +236,7 @@ def _bend_part(brep: Brep, bend: Bend, part_id: str, owner: str) -> Part:
         id=part_id,
         kind="bend",
         tags=("outer" if bend.outward > 0 else "inner", "bent"),
-        label=f"bend of a {owner}, radius {millimetres(bend.radius)}",
+        label=f"{owner} bend, radius {millimetres(bend.radius)}",
         faces=(bend.face,),
         center=box_center(box),
         extents=box_extents(box),

@@ -1,0 +1,80 @@
+"""What is said beside a value: the other length of a screw, the other way in, the height along another axis."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from querycad_contracts import LengthUnit, Measure, ModelSummary, Part, PartKind, Side
+from querycad_language.forms import Get
+from querycad_language.text import Text
+
+from .candidates import Candidate
+from .drawing.describing import stands_along
+from .drawing.numbers import length
+
+PROFILE = 2.0
+"""A profile lies along the axis that it is this many times as long along as along any other."""
+_SAME = 1e-6
+_FROM = 1.0 - 1e-6
+_AXES = "xyz"
+
+
+class Standing(NamedTuple):
+    """Another axis that a height may be meant along, and why."""
+
+    axis: int
+    why: str
+
+
+def beside(candidate: Candidate, unit: LengthUnit) -> Iterator[str]:
+    """Notes on the parts whose measure was read."""
+    form = candidate.reading.form
+    parts = [part for grounded in candidate.grounds.values() for part in grounded.parts]
+    read = {read.expression for read in candidate.written.reads}
+    if "{0}.nominal_length" in read:
+        over = [part.length for part in parts if part.length and part.length > (part.nominal_length or 0.0) + _SAME]
+        texts = dict.fromkeys(length(each, unit) for each in over)
+        if texts:
+            yield f"under the head, as standards name screws; overall {', '.join(texts)} {unit.value}"
+    if isinstance(form, Get) and Measure.APPROACH in form.measures:
+        sides = dict.fromkeys(_side(part) for part in parts if part.approach)
+        if len(sides) == 1 and (side := next(iter(sides))) is not None:
+            yield f"that is from the {side.value}"
+        if any(len(part.approach) > 1 for part in parts):
+            yield "what goes through has a second way in, from the other side"
+
+
+def _side(part: Part) -> Side | None:
+    """From which side does one come who goes along the first way in?"""
+    into = part.approach[0]
+    return next((s for s in Side if sum(-a * b for a, b in zip(s.outward, into, strict=True)) > _FROM), None)
+
+
+def reads_height(candidate: Candidate, alone: bool) -> bool:
+    """Is a height along z read of all of the model?"""
+    form = candidate.reading.form
+    whole = all(p.kind is PartKind.MODEL or alone for grounded in candidate.grounds.values() for p in grounded.parts)
+    reads = [(read.measure, read.expression) for read in candidate.written.reads]
+    return isinstance(form, Get) and whole and reads == [(Measure.HEIGHT.value, "{0}.extents[2]")]
+
+
+def standing(text: Text, summary: ModelSummary, parts: Sequence[Part]) -> Standing | None:
+    """Along which other axis may a height be meant: where the model stands on one, or is a profile that lies along z?
+
+    It stands on another axis where that is its axis of rotation, or square to its largest flat face, and where it would
+    hardly stand on its bottom. The words say that it is a profile; then its section has the height.
+    """
+    shape = summary.shape
+    x, y, z = shape.extents
+    if text.at_phrases("profile") and z >= PROFILE * max(x, y) and abs(y - z) > _SAME:
+        return Standing(1, "the profile lies along z, and its section")
+    axis = next((i for i in range(3) if shape.up is not None and shape.up.outward[i]), 2)
+    if axis == 2 or stands_along(parts) != _AXES[axis] or abs(shape.extents[axis] - z) <= _SAME:
+        return None
+    return Standing(axis, f"the model likely stands along {_AXES[axis]}, and then")
+
+
+def of_height(found: Standing, text: str) -> str:
+    """The note on a height along z, with the other value."""
+    return f"the height is along z, the file's axis; {found.why} is {text} high along {_AXES[found.axis]}"
