@@ -147,9 +147,9 @@ class Part:
     """In its own frame; of a body along x."""
     length: float
     nominal_length: float
-    """Of screws, under the head."""
+    """Of screws. Under the head."""
     thickness: float
-    """Of sheets, plates, fins; else the least dimension. None of what has an opening and no thickness."""
+    """Of sheets, plates, fins. Else the least dimension. None of what has an opening and no thickness."""
     local_size: Vector
     bottom: Literal["through", "flat", "conical", "spherical", "open", "bore"]
     """'bore': in another hole."""
