@@ -144,7 +144,7 @@ class Part:
     height: float
     """Base to tip; of what does not protrude along z."""
     width: float
-    """In its own frame; of a body along x."""
+    """In its own frame. Of a body along x."""
     length: float
     nominal_length: float
     """Of screws. Under the head."""
