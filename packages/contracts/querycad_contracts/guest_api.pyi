@@ -135,19 +135,19 @@ class Part:
     normal: Vector
     """That it faces; out of an opening."""
     radius: float
-    """Of a stepped hole: of its narrowest bore."""
+    """Of a stepped hole: the narrowest. Of its bores."""
     diameter: float
     radii: list[float]
     """Of its steps, from the opening inwards."""
     depth: float
     """To the bottom; of what has no opening along y."""
     height: float
-    """Base to tip; of what does not protrude along z."""
+    """Base to tip; else along z. Of what does not protrude."""
     width: float
     """In its own frame; of a body along x."""
     length: float
     nominal_length: float
-    """Of screws, under the head."""
+    """Of a screw. Under the head, as its standard says."""
     thickness: float
     """Of sheets, plates, fins; else the least dimension. None of what has an opening and no thickness."""
     local_size: Vector
@@ -168,7 +168,7 @@ class Part:
     tube_diameter: float
     """Of a torus."""
     across_flats: float
-    """Of a hexagon, octagon, square, two flats."""
+    """Of a hexagon, square, two flats. Of an octagon, too."""
     across_corners: float
     center_length: float
     """Between a slot's centres. Of its round ends."""

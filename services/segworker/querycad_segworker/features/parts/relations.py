@@ -87,7 +87,8 @@ def _fills(pin: Part, hole: Part) -> bool:
     if hole.radius is None or not pin.radius or not FILLS <= pin.radius / hole.radius <= 2 - FILLS:
         return False
     apart = abs(dot(sub(hole.center, pin.center), pin.axis))
-    reach = (abs(dot(pin.extents, tuple(map(abs, pin.axis)))) + (hole.depth or 0.0)) / 2
+    long = sum(abs(along) * extent for along, extent in zip(pin.axis, pin.extents, strict=True))
+    reach = (long + (hole.depth or 0.0)) / 2
     return apart < reach and line_distance(hole.center, pin.center, pin.axis) < (1 - FILLS) * hole.radius
 
 
