@@ -479,32 +479,3 @@ def test_a_colour_behind_the_verb_says_which() -> None:
     shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
     assert shown.target.colors == ("red",)
     assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))
-
-
-@pytest.mark.parametrize(
-    ("question", "overall"),
-    [
-        ("How long are the bolts?", False),
-        ("How long is the bolt below its head?", False),
-        ("Overall length of the bolt?", True),
-        ("How long is the bolt from end to end?", True),
-        ("Length of the bolt, head included?", True),
-        ("All over length of bolt, from head top to the tip?", True),
-    ],
-)
-def test_a_length_over_all_is_told_from_that_of_the_standard(question: str, overall: bool) -> None:
-    get = next(form for form in forms(question) if isinstance(form, Get) and form.measures == (Measure.LENGTH,))
-    assert get.overall is overall
-
-
-@pytest.mark.parametrize(
-    ("question", "reduce"),
-    [
-        ("range of the slot widths", Reduce.RANGE),
-        ("What is the range of the depths of the bores?", Reduce.RANGE),
-        ("What is the depth of the bores in the range of 4 to 6 mm?", Reduce.EACH),
-    ],
-)
-def test_a_range_is_the_smallest_and_the_largest_value(question: str, reduce: Reduce) -> None:
-    get = next(form for form in forms(question) if isinstance(form, Get) and form.target is not None)
-    assert get.reduce is reduce

@@ -206,7 +206,7 @@ def test_questions_follow_one_another(capsys: pytest.CaptureFixture[str]) -> Non
     assert out.startswith("22 mm (each of 8)\n")
     assert "depth of hole-1..3, hole-5, hole-7..10" in out
     out = run(capsys, FLANGE, "the same in inches", *first, "--context", "And how deep are they?")[1]
-    assert out.splitlines()[0].endswith("0.866142 in")
+    assert out.splitlines()[0].startswith("0.866142 in")
 
 
 def test_a_follow_up_is_no_surer_than_the_question_that_it_follows(capsys: pytest.CaptureFixture[str]) -> None:

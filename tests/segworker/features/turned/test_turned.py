@@ -199,7 +199,7 @@ def test_a_screw_is_as_long_as_its_standard_says_and_goes_in_from_its_head() -> 
     for shape, nominal, overall in lengths.values():
         screw = body(shape)
         assert [screw.nominal_length, screw.length] == near(nominal, overall)
-        assert screw.approach == (pytest.approx((0, 0, -1)),)
+        assert screw.approach[0] == pytest.approx((0, 0, -1))
     assert body(cylinder(3, 20)).nominal_length is None
 
 
