@@ -107,6 +107,12 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
     """Does the grounding leave out what is asked for: 'are the holes blind?', 'which holes are wider than 8 mm?'"""
     if "which" in reading.features:
         return not _DECIDABLE.isdisjoint(way.features)
+    if isinstance(reading.form, Count | Exists) and "thread_dropped" in way.features:
+        return True  # how wide holes are is known
+    if isinstance(reading.form, Exists) and "adjective_agrees" not in way.features:
+        ordered = [found for name in query.adjectives if (found := lexicon().adjectives.get(name)) and found.order]
+        if any(found.tags for found in ordered) and way.parts:
+            return True  # the hole nearest to the middle is no central one
     shown = isinstance(reading.form, Every) and query == reading.form.among
     return shown and any(name.endswith("_dropped") for name in way.features)
 

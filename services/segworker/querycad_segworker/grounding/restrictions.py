@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from querycad_contracts import Measure, Part, Relation, SizeFilter
-from querycad_language.lexicon import lexicon
+from querycad_language.lexicon import Adjective, lexicon
 
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
@@ -139,11 +139,7 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
     elif wider:
         yield way.to(wider, "adjective_wider")
     elif adjective.order:
-        ordered = inventory.ordered(way.parts, adjective, count)
-        narrowed = len(ordered) < len(way.parts)
-        yield way.to(ordered, "adjective_order" if narrowed else "adjective_nothing")
-        if narrowed:
-            yield way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
+        yield from _ordered(inventory, way, adjective, count, name)
     elif adjective.lacks:
         yield way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")
     elif adjective.decided and all(p.kind in ("model", "body") for p in way.parts):
@@ -157,6 +153,17 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
         yield way.to(way.parts, "adjective_loose" if adjective.loose else "adjective_dropped", unchecked=f"'{name}'")
         if not adjective.loose:
             yield way.to((), "adjective_empties")
+
+
+def _ordered(inventory: Inventory, way: Way, adjective: Adjective, count: int | None, name: str) -> Iterator[Way]:
+    """Those that are most so: 'the large holes', 'the central hole' where none is in the middle."""
+    ordered = inventory.ordered(way.parts, adjective, count)
+    narrowed = len(ordered) < len(way.parts)
+    yield way.to(ordered, "adjective_order" if narrowed else "adjective_nothing")
+    if narrowed:
+        yield way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'")
+    if adjective.tags:  # 'is there a central hole': the nearest to the middle is none
+        yield way.to((), "adjective_empties")
 
 
 def sized(request: Request, way: Way) -> Iterator[Way]:
