@@ -311,7 +311,7 @@ def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
         joined.append(token)
     for i in reversed(range(len(joined) - 2)):
         first, between, second = joined[i : i + 3]
-        ranged = between.word in ("to", "and", "-", "or", "±", "x")
+        ranged = between.word in ("to", "and", "-", "or", "±", "x", "by")
         if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:
             number = re.match(_NUMBER, second.raw)
             scale = second.value / (_value(number[0]) or 1.0) if number else 1e-3

@@ -1,0 +1,88 @@
+"""Boxes that a part fits into, sides with most parts, extremes that are asked for together, and pairs far apart."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure
+from querycad_language.forms import Count, Distance, Exists, Form, Get, Reduce, Towards, Uniform, Within
+from querycad_language.readings import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Does the lever fit into a box of 200 x 100 x 50 mm?",
+        "200 × 100 × 50 mm carton: is it big enough for the part?",
+        "Can it be packed in a crate that is two hundred by one hundred by fifty millimetres?",
+    ],
+)
+def test_a_box_has_three_sizes(question: str) -> None:
+    assert Within(None, (0.2, 0.1, 0.05)) in forms(question)
+
+
+def test_two_sizes_are_no_box() -> None:
+    assert not any(isinstance(form, Within) for form in forms("Does a 12 x 40 mm bar fit into the slot?"))
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Which side has the most slots?",
+        "Name the side with the largest number of slots.",
+        "On which face are most slots?",
+    ],
+)
+def test_the_side_with_most_parts(question: str) -> None:
+    towards = next(form for form in forms(question) if isinstance(form, Towards) and form.most)
+    assert towards.target.noun == "slot"
+    assert not any(isinstance(form, Count) for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["Diameters of the largest and the smallest bore?", "min and max diameter of the bores"]
+)
+def test_both_extremes_are_a_range(question: str) -> None:
+    get = next(form for form in forms(question) if isinstance(form, Get) and form.reduce is Reduce.RANGE)
+    assert get.target is not None
+    assert get.target.noun == "bore"
+    assert not get.target.ranks
+
+
+@pytest.mark.parametrize(
+    ("question", "reduce"),
+    [
+        ("How far apart are the two slots that are furthest apart?", Reduce.LARGEST),
+        ("What is the distance between the two closest slots?", Reduce.SMALLEST),
+        ("What is the distance between the two largest slots?", Reduce.ONE),
+    ],
+)
+def test_a_pair_is_looked_for_among_all(question: str, reduce: Reduce) -> None:
+    distance = next(form for form in forms(question) if isinstance(form, Distance) and form.second == "each other")
+    assert distance.reduce is reduce
+    count = getattr(distance.first, "count", None)
+    assert (count is None) == (reduce is not Reduce.ONE)
+
+
+@pytest.mark.parametrize(
+    "question", ["ribs, yes or no?", "has_rib: true or false?", "I want to know if ribs exist in it."]
+)
+def test_whether_there_is_one_in_few_words(question: str) -> None:
+    assert any(isinstance(form, Exists) for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["ribs all same size?", "Is there just one size of rib?", "Are all ribs of one size?"]
+)
+def test_one_size_for_all(question: str) -> None:
+    assert any(isinstance(form, Uniform) for form in forms(question))
+
+
+def test_faces_without_a_word_more_are_all_faces() -> None:
+    assert forms("How many faces does it have?")[0] == next(
+        form for form in forms("Number of faces?") if isinstance(form, Count) and form.measure is Measure.FACE_COUNT
+    )
