@@ -211,26 +211,16 @@ def drawn_per_s(service: Service, model: str, sizes: Iterator[int], count: int =
         return count / (time.perf_counter() - start)
 
 
-def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
+Blow = tuple[str, Callable[[], None]]
+"""What is done to the service, by name."""
+
+
+def chaos_under_load(service: Service, model: str, count: int, blows: Sequence[Blow] = ()) -> Chaos:
     """Asks while each process is stopped for some seconds and goes on, then is killed, and the store is restarted.
 
-    `count` questions at least, and as long as it takes.
+    `count` questions at least, and as long as it takes. `blows` are struck instead where any are given.
     """
-    processes = {
-        "segworker": ("querycad_segworker.worker", "segcad"),
-        "sandbox": ("querycad_sandbox.service", ""),
-        "question worker": ("querycad_api.worker", ""),
-        "api": ("querycad_api.app", ""),
-        "store": ("valkey-server", ""),
-    }
-    blows: tuple[tuple[str, Callable[[], None]], ...] = (
-        *((f"{name} stopped for a while", partial(service.pause, *which)) for name, which in processes.items()),
-        ("segworker killed", lambda: service.kill("querycad_segworker.worker", "segcad")),
-        ("sandbox killed", lambda: service.kill("querycad_sandbox.service")),
-        ("question worker killed", lambda: service.kill("querycad_api.worker")),
-        ("api killed", lambda: service.kill("querycad_api.app")),
-        ("store restarted", service.restart_store),
-    )
+    blows = blows or blows_to_each(service)
     start = time.perf_counter()
     asked = 0
     struck = threading.Event()
@@ -273,6 +263,25 @@ def chaos_under_load(service: Service, model: str, count: int) -> Chaos:
         changed=sum(first[job] != second[job] for job in jobs) + _told_twice(service, jobs),
         blows=tuple(name for name, _ in blows),
         seconds=round(time.perf_counter() - start, 1),
+    )
+
+
+def blows_to_each(service: Service) -> tuple[Blow, ...]:
+    """Each process that the service consists of is stopped and killed; the store is restarted."""
+    processes = {
+        "segworker": ("querycad_segworker.worker", "segcad"),
+        "sandbox": ("querycad_sandbox.service", ""),
+        "question worker": ("querycad_api.worker", ""),
+        "api": ("querycad_api.app", ""),
+        "store": ("valkey-server", ""),
+    }
+    return (
+        *((f"{name} stopped for a while", partial(service.pause, *which)) for name, which in processes.items()),
+        ("segworker killed", lambda: service.kill("querycad_segworker.worker", "segcad")),
+        ("sandbox killed", lambda: service.kill("querycad_sandbox.service")),
+        ("question worker killed", lambda: service.kill("querycad_api.worker")),
+        ("api killed", lambda: service.kill("querycad_api.app")),
+        ("store restarted", service.restart_store),
     )
 
 

@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -71,14 +71,19 @@ class Service:
             with contextlib.suppress(psutil.Error):
                 process.resume()
 
+    def inner(self) -> list[psutil.Process]:
+        """What the service's processes have started themselves: tasks' processes, interpreters, the kernel's."""
+        children = psutil.Process(self._process.pid).children()
+        return [process for child in children for process in child.children(recursive=True)]
+
     def restart_store(self) -> None:
         """Ends the store as an operator would; the supervisor starts it again."""
         os.kill(self.pid("valkey-server"), signal.SIGTERM)
 
 
 @contextmanager
-def running(home: Path, workers: int = 1) -> Iterator[Service]:
-    """A service that is ready, until the block ends. Raises ServiceTrouble."""
+def running(home: Path, workers: int = 1, settings: Mapping[str, str] | None = None) -> Iterator[Service]:
+    """A service that is ready, until the block ends; `settings` are variables of it. Raises ServiceTrouble."""
     home.mkdir(parents=True, exist_ok=True)
     environment = {name: value for name, value in os.environ.items() if not name.startswith("QUERYCAD_")}
     command = [sys.executable, "-m", "querycad.cli", "serve", "--port", "0", "--workers", str(workers)]
@@ -86,7 +91,7 @@ def running(home: Path, workers: int = 1) -> Iterator[Service]:
     with said.open("wb") as log:
         process = subprocess.Popen(
             command,
-            env={**environment, "QUERYCAD_HOME": str(home)},
+            env={**environment, **(settings or {}), "QUERYCAD_HOME": str(home)},
             stderr=log,
             preexec_fn=end_with_parent,  # noqa: PLW1509 - no other thread runs when a service is started
         )

@@ -43,7 +43,8 @@ READ_S = 180.0
 SAMPLE_S = 5.0
 WARM = 0.2
 SHARES = {"question": 80, "view": 8, "upload": 5, "list": 5, "no file": 2}
-UNITS = {"memory_mib": "MiB an hour", "handles": "an hour", "processes": "an hour", "home_mib": "MiB an hour"}
+ANSWERS = 1000
+"""Kept of a tenant meanwhile: as many are there after some minutes, and the store is then as large as it gets."""
 
 
 class Soak:
@@ -104,17 +105,33 @@ class Soak:
 
 
 def sample(service: Service, home: Path) -> dict[str, float]:
-    """Memory (shared pages counted once), handles and processes of the whole service, and what lies in its folder."""
-    memory = handles = count = 0
-    for process in psutil.Process(service.main_pid).children(recursive=True):
+    """Memory (shared pages counted once), handles and processes of the whole service, and what lies in its folder.
+
+    Memory is told of each part, too: the store fills until it has as many answers as are kept.
+    """
+    handles = count = 0
+    memory: dict[str, float] = defaultdict(float)
+    for child in psutil.Process(service.main_pid).children():
         with contextlib.suppress(psutil.Error):
-            memory, handles, count = memory + process.memory_full_info().pss, handles + process.num_fds(), count + 1
+            part = f"{part_of(child)}_mib"
+            for process in (child, *child.children(recursive=True)):
+                memory[part] += process.memory_full_info().pss / 2**20
+                handles, count = handles + process.num_fds(), count + 1
     stored = 0
     for folder, _, names in os.walk(home):  # which passes over what is gone meanwhile
         for name in names:
             with contextlib.suppress(OSError):
                 stored += (Path(folder) / name).stat().st_size
-    return {"memory_mib": memory / 2**20, "handles": handles, "processes": count, "home_mib": stored / 2**20}
+    whole = {"memory_mib": sum(memory.values()), "handles": handles, "processes": count, "home_mib": stored / 2**20}
+    return {**whole, **memory}
+
+
+def part_of(process: psutil.Process) -> str:
+    """Which part of the service is this? Its module without the package's name, a segworker by its queues."""
+    line = process.cmdline()
+    module = next((each for each in line if each.startswith("querycad_")), "store")
+    queues = process.environ().get("QUERYCAD_SEGWORKER_QUEUES", "") if "segworker" in module else ""
+    return queues or module.removeprefix("querycad_")
 
 
 def report(soak: Soak, samples: list[tuple[float, dict[str, float]]], minutes: float) -> dict[str, Any]:
@@ -124,10 +141,10 @@ def report(soak: Soak, samples: list[tuple[float, dict[str, float]]], minutes: f
     steady = samples[int(len(samples) * WARM) :]
     at = [when for when, _ in steady]
     slopes = {
-        f"{name}, {UNITS[name]}": round(
-            statistics.linear_regression(at, [one[name] for _, one in steady]).slope * 3600, 1
+        f"{name} an hour": round(
+            statistics.linear_regression(at, [one.get(name, 0.0) for _, one in steady]).slope * 3600, 1
         )
-        for name in UNITS
+        for name in steady[-1][1]
     }
     return {
         "minutes": round(minutes, 1),
@@ -159,7 +176,7 @@ def main() -> None:
     asked = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="querycad-soak-") as folder:
         home = Path(folder) / "home"
-        with running(home) as service:
+        with running(home, settings={"QUERYCAD_TENANT_ANSWERS": str(ANSWERS)}) as service:
             with Client(service.url) as client:
                 models = [(client.upload(file, READ_S).id, file) for file in MODELS]
             start = time.monotonic()

@@ -9,7 +9,8 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -23,10 +24,13 @@ from tests.api.fakes import STEP
 from querycad.client import Client
 from querycad_api.app import make_app
 from querycad_api.settings import ApiSettings
-from querycad_contracts import StorageSettings, file_store
+from querycad_contracts import StorageSettings, file_store, files
 
 EXAMPLE = Path("examples/flange.step")
 END_S = 30.0
+SILENT_S = 40.0
+"""Longer than a request may take."""
+WHOLE = os.environ.get("QUERYCAD_ATTACK") == "whole"
 ROOM_MIB = 4
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are stopped and looked up as on Linux")
@@ -38,12 +42,36 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
         yield service
 
 
-@pytest.mark.skipif(os.environ.get("QUERYCAD_ATTACK") != "whole", reason="takes minutes: `make attack` has it")
+@pytest.mark.skipif(not WHOLE, reason="takes minutes: `make attack` has it")
 def test_what_is_accepted_while_processes_are_stopped_and_killed_is_answered_once(service: Service) -> None:
     """SIGSTOP for three seconds, which no process notices, of each; SIGKILL of each; the store is restarted."""
     with Client(service.url) as client:
         found: Chaos = chaos_under_load(service, known(client, EXAMPLE), 120)
     assert len(found.blows) == 10
+    assert (found.lost, found.changed, found.failed) == (0, 0, 0), found
+    assert found.accepted == found.answered >= 60
+
+
+@pytest.mark.skipif(not WHOLE, reason="takes minutes: `make attack` has it")
+def test_what_processes_have_started_may_be_stopped_and_killed_as_well(service: Service) -> None:
+    """Processes of tasks, interpreters, the kernel's: each as it is then found, stopped for two seconds, or killed."""
+
+    def stop(process: psutil.Process) -> None:
+        with suppress(psutil.Error):
+            process.suspend()
+            time.sleep(2)
+            process.resume()
+
+    def kill(process: psutil.Process) -> None:
+        with suppress(psutil.Error):
+            process.kill()
+
+    with Client(service.url) as client:
+        model = known(client, EXAMPLE)
+        blows = [(f"{each.pid} stopped", partial(stop, each)) for each in service.inner()]
+        blows += [(f"{each.pid} killed", partial(kill, each)) for each in service.inner()]
+        found = chaos_under_load(service, model, 60, blows)
+    assert len(found.blows) >= 12
     assert (found.lost, found.changed, found.failed) == (0, 0, 0), found
     assert found.accepted == found.answered >= 60
 
@@ -105,11 +133,16 @@ def test_an_upload_to_a_full_disk_is_507_leaves_nothing_and_may_be_tried_again(
 
 
 class Bucket(BaseHTTPRequestHandler):
-    """An object store that has `how`: 'dead' (500), 'slow' (a byte a second), 'lying' (half of what it promises)."""
+    """An object store that is `how`: 'dead' (500), 'silent', 'slow' (stops half way), 'lying' (half of its promise)."""
 
     how = "dead"
+    asked = 0
 
     def do_GET(self) -> None:
+        type(self).asked += 1
+        if self.how == "silent":
+            time.sleep(SILENT_S)
+            return
         if self.how == "dead":
             self.send_error(500)
             return
@@ -121,7 +154,7 @@ class Bucket(BaseHTTPRequestHandler):
         self.wfile.write(b"x" * 500)
         self.wfile.flush()
         if self.how == "slow":
-            time.sleep(END_S)
+            time.sleep(SILENT_S)
         self.close_connection = True
 
     do_HEAD = do_PUT = do_GET  # noqa: N815 - names that the library looks for
@@ -130,12 +163,14 @@ class Bucket(BaseHTTPRequestHandler):
         """Nothing."""
 
 
-@pytest.mark.parametrize("how", ["dead", "lying"])
+@pytest.mark.parametrize("how", ["dead", "lying", *(["slow", "silent"] if WHOLE else [])])
 def test_an_object_store_that_fails_or_lies_is_an_error_and_keeps_no_half_a_file(
     how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(Bucket, "how", how)
+    monkeypatch.setattr(Bucket, "asked", 0)
     with ThreadingHTTPServer(("127.0.0.1", 0), Bucket) as server:
+        server.daemon_threads, server.block_on_close = True, False
         threading.Thread(target=server.serve_forever, daemon=True).start()
         for name, value in {
             "AWS_ENDPOINT": f"http://127.0.0.1:{server.server_port}",
@@ -148,5 +183,6 @@ def test_an_object_store_that_fails_or_lies_is_an_error_and_keeps_no_half_a_file
         store = file_store(StorageSettings(home=tmp_path, files_url="s3://bucket"))
         with pytest.raises(OSError, match=r".+"):
             store.fetch("files/ab/abcd")
+        assert 1 <= Bucket.asked <= 2 * (1 + files.RETRIES)
         server.shutdown()
     assert [path for path in tmp_path.rglob("*") if path.is_file()] == []

@@ -7,6 +7,9 @@ from pathlib import Path
 
 import psutil
 import pytest
+from OCP.BRepTools import BRepTools
+from OCP.IGESControl import IGESControl_Writer
+from tests.segworker.shapes import cut, cylinder, plate
 
 from querycad_segworker.errors import UnreadableFile
 from querycad_segworker.ingest import IngestLimits, ingest
@@ -55,6 +58,41 @@ def test_a_number_that_is_none_is_refused_with_its_entity(number: str, entity: s
     (tmp_path / "a.step").write_text(text[: place.start(2)] + number + text[place.end(2) :], encoding="utf-8")
     with pytest.raises(UnreadableFile, match=rf"#{place[1]} holds {re.escape(number)}"):
         ingest(tmp_path / "a.step", ModelStore(tmp_path / "store"))
+
+
+@pytest.fixture(scope="module")
+def others(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """A drilled plate in IGES and BREP."""
+    folder = tmp_path_factory.mktemp("others")
+    shape = cut(plate(), cylinder(5.123456, 30, (0, 0, -25)))
+    BRepTools.Write_s(shape, str(folder / "a.brep"))
+    writer = IGESControl_Writer("MM", 1)
+    writer.AddShape(shape)
+    writer.ComputeModel()
+    assert writer.Write(str(folder / "a.iges"))
+    return {path.suffix: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("number", ["1.E300", "NaN", "INF", "-inf", "1.D+300", "1E400"])
+@pytest.mark.parametrize(("kind", "where"), [(".iges", r"D\d+"), (".brep", r"line \d+")])
+def test_a_number_that_is_none_is_refused_in_other_files_too(
+    kind: str, where: str, number: str, others: dict[str, bytes], tmp_path: Path
+) -> None:
+    """NaN in IGES was read as if nothing were wrong with it; others hung the kernel or crashed it."""
+    text = others[kind]
+    places = list(re.finditer(rb"(?<=,)\d\.\d{5,}(?=,)" if kind == ".iges" else rb"(?<=\d )\d+(?= \d)", text))
+    place = places[len(places) // 2]
+    data = number.encode().ljust(place.end() - place.start())  # lines of IGES have columns
+    path = tmp_path / f"a{kind}"
+    path.write_bytes(text[: place.start()] + data + text[place.end() :])
+    with pytest.raises(UnreadableFile, match=rf"damaged: {where} holds {re.escape(number)}"):
+        ingest(path, ModelStore(tmp_path / "store"))
+
+
+@pytest.mark.parametrize("kind", [".iges", ".brep"])
+def test_numbers_of_a_sound_file_are_fine(kind: str, others: dict[str, bytes], tmp_path: Path) -> None:
+    (tmp_path / f"a{kind}").write_bytes(others[kind])
+    assert ingest(tmp_path / f"a{kind}", ModelStore(tmp_path / "store")).model.is_file()
 
 
 def test_a_measure_beyond_all_bounds_is_refused(tmp_path: Path) -> None:

@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 import math
+import os
 import random
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import pytest
+from tests.api.fakes import BOX
+from tests.made import hole, view
 
+from querycad_answering.answering import answer_question
+from querycad_contracts import AnswerOptions, AnswerRecord, ModelSummary, RunOutcome, RunStatus
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import noun_phrase
 from querycad_language.readings import Reader
 from querycad_language.tokens import MAX_CHARS
 from querycad_language.units import asked_unit
 
+WHOLE = os.environ.get("QUERYCAD_ATTACK") == "whole"
+MAX_ANSWER_CALLS = 800_000
+"""Of all that is done with a question but run its programs, and with one before it."""
 MAX_CALLS = 400_000
 """Function calls in reading one text, some 40 ms. 'hole depth' said 200 times took 26 million."""
 REPEATED = (
@@ -91,6 +100,15 @@ def read(text: str) -> None:
     asked_unit(text)
 
 
+def answer(text: str, context: Sequence[str] = ()) -> AnswerRecord:
+    """What is said of the text, on a plate with two holes, where every program finds nothing."""
+    known = (hole(1), hole(4, 10))
+    summary = ModelSummary(shape=BOX, body_count=1, part_counts={}, warnings=(), timings_ms={})
+    plate = replace(view(*known), contents=lambda: (summary, known))
+    nothing = RunOutcome(status=RunStatus.OK, value=0)
+    return answer_question(text, lambda _: nothing, plate, options=AnswerOptions(context=tuple(context)))
+
+
 def calls(work: Callable[[], object]) -> int:
     """How many functions are called? Steps can be counted on a machine that is busy; seconds cannot."""
     count = 0
@@ -125,6 +143,51 @@ def test_words_of_the_lexicon_at_random_are_read_in_bounded_steps(seed: int) -> 
     few = rng.sample(phrases, rng.choice((1, 2, 3, 5, 50)))
     text = " ".join(rng.choices(few, k=1000))[:MAX_CHARS]
     assert calls(lambda: read(text)) < MAX_CALLS
+
+
+MIXED = 300 if WHOLE else 30
+"""With what is repeated, and the lexicon's words at random, more than 500 texts."""
+
+
+@pytest.mark.parametrize("seed", range(MIXED))
+def test_what_is_repeated_in_turns_is_read_in_bounded_steps(seed: int) -> None:
+    rng = random.Random(seed)
+    few = rng.sample(REPEATED, rng.choice((2, 2, 3, 5)))
+    text = rng.choice(("", "How many ", "What is the ")) + "".join(rng.choices(few, k=2000))
+    assert calls(lambda: read(text[:MAX_CHARS])) < MAX_CALLS
+
+
+LEANING = (
+    "hole 4, ", "mark 1 ", "hole-1+", "⟦1⟧ ", "⟦1⟧, and ", "also , ", "and\t", "it ", "its ", "this hole ",
+    "the same in mm ", "only ", "only the ", "the first one ", "1 ", "1, ", "a_", "holes 1 to 9 ", "hole-1 ", "face 3 ",
+    "how many of them ",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("piece", [*REPEATED, *LEANING], ids=ascii)
+def test_what_a_question_leans_on_is_found_in_bounded_steps(piece: str) -> None:
+    """Ids, what 'it' is, and the questions before are looked for in the text itself."""
+    assert calls(lambda: answer(f"How deep is hole 4{grown(piece, 1900)}?")) < MAX_ANSWER_CALLS
+    assert calls(lambda: answer(grown(piece), ("How deep are the holes?", grown(piece)))) < MAX_ANSWER_CALLS
+
+
+@pytest.mark.parametrize("blanks", [480, 1_900])
+def test_blanks_are_folded_before_all_else(blanks: int) -> None:
+    """480 of them once took 15 s."""
+    said = f"How deep is hole 4{' ' * blanks}?"
+    found = calls(lambda: answer(said, (said,)))
+    assert found < calls(lambda: answer("How deep is hole 4 ?", ("How deep is hole 4 ?",))) + 1000
+
+
+@pytest.mark.parametrize("piece", ["hole 4 ", "a ", "hole-1+", " "])
+def test_a_text_that_is_too_long_is_refused_before_it_is_read(piece: str) -> None:
+    """105,000 characters of 'hole 4' on the command line took minutes."""
+    text = grown(piece, 1_000_000)
+    assert calls(lambda: answer(text)) < 1000
+    record = answer(text)
+    assert record.failure is not None
+    assert record.failure.message == "the question has more than 2,000 characters"
+    assert len(record.question) <= MAX_CHARS
 
 
 @pytest.mark.parametrize("letters", [5, 8, 9, 12, 2000])

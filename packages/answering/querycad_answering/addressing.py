@@ -19,6 +19,7 @@ from querycad_language.forms import Distance, Every, Form, Get, Reduce, mapped, 
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
 from querycad_language.text import Text
+from querycad_language.tokens import MAX_CHARS
 
 from .drawing.callouts import callouts, carried_sections, ids_text
 from .drawing.describing import SURFACES
@@ -37,9 +38,15 @@ _UNIT = (
 )
 _NUMBER = re.compile(rf"(?<![\w.,/+-])#?\d{{1,4}}(?![\w\"”″°×%:+-]|[.,/]\d|\s*(?:{_UNIT})\b|\s?[x×*])", re.IGNORECASE)
 _WORDS = re.compile(r"(?:\b[a-z]+[ _-]){0,2}\b[a-z]+\s*(?:number |no\.? |#)?$", re.IGNORECASE)
-_NEXT = re.compile(r"\s*(?:,\s*(?:and\s+|or\s+)?|\s(?:and|or|to)\s+|\s*&\s*)(?=#?\d)", re.IGNORECASE)
+NAME_CHARS = 120
+"""So far before a number its noun may begin."""
+LISTED = 100
+"""Numbers that are one list at most."""
+_NEXT = re.compile(r" ?(?:, ?(?:and |or )?| (?:and|or|to) |& ?)(?=#?\d)", re.IGNORECASE)
 _JOINED = re.compile(r"⟦(\d+)⟧((?:(?:\s*,\s*(?:and |or )?|\s+and\s+|\s*&\s*)⟦\d+⟧)+)")
 _MARK = re.compile(r"⟦(\d+)⟧")
+_NO_MARKS = str.maketrans("⟦⟧", "[]")
+"""What a question has of them is no mark of ours."""
 _APART = re.compile(r"(⟦\d+⟧) in\b")
 """A name before 'in inches' is no number of inches."""
 _CALLOUT = re.compile(
@@ -126,6 +133,11 @@ def is_restricted(query: PartQuery) -> bool:
 _RESTRICTS = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "places", "sides", "unseen", "excluded")
 
 
+def folded(text: str) -> str:
+    """A question in one line, with single blanks, no longer than is read: what is done with it before all else."""
+    return " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS]
+
+
 def may_name_parts(question: str) -> bool:
     """Does the question hold anything that could be an id? Only then are all parts of the model asked for."""
     return bool(_CALLOUT.search(question) or _ID.search(question) or _NUMBER.search(question))
@@ -134,7 +146,7 @@ def may_name_parts(question: str) -> bool:
 def address(question: str, parts: Sequence[Part]) -> Addressed:
     """Which parts does the question name by their ids?"""
     finder = _Finder(parts)
-    marked = finder.products(finder.callouts(question))
+    marked = finder.products(finder.callouts(question.translate(_NO_MARKS)))
     marked = _ID.sub(finder.full, marked)
     marked = finder.numbered(marked)
     if finder.missing:
@@ -205,7 +217,7 @@ class _Finder:
         for match in _NUMBER.finditer(text):
             if match.start() < at:
                 continue
-            words = _WORDS.search(text, 0, match.start())
+            words = _WORDS.search(text, max(0, match.start() - NAME_CHARS), match.start())
             numbers, end, ways = self._numbers(text, match)
             named = words and words.start() >= at and self._named(words[0], numbers, ways)
             if words and named:
@@ -217,7 +229,9 @@ class _Finder:
     def _numbers(self, text: str, first: re.Match[str]) -> tuple[list[int], int, list[str]]:
         """The numbers of a list, where it ends, and what stands between them."""
         numbers, end, ways = [int(first[0].lstrip("#"))], first.end(), list[str]()
-        while (between := _NEXT.match(text, end)) and (match := _NUMBER.match(text, between.end())):
+        while len(numbers) < LISTED and (between := _NEXT.match(text, end)):
+            if (match := _NUMBER.match(text, between.end())) is None:
+                break
             numbers.append(int(match[0].lstrip("#")))
             ways.append(between[0])
             end = match.end()

@@ -33,8 +33,10 @@ from querycad_contracts import (
     Unit,
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
+from querycad_language.tokens import MAX_CHARS
 from querycad_language.units import asked_unit
 
+from .addressing import folded
 from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.callouts import ids_text
 from .eyes.looking import Place
@@ -76,6 +78,8 @@ def answer_question(
     draws it for eyes, where any are set up.
     """
     clock = _Clock()
+    too_long = len(question) > MAX_CHARS
+    question = folded(question)
     unit = asked_unit(question) or unit
     expect = options.expect or Expectation()
     least = LEAST_CONFIDENCE if options.least_confidence is None else options.least_confidence
@@ -95,8 +99,9 @@ def answer_question(
     if seeing is not None:
         run = seeing.running(run)
         view = seeing.viewing(view) if options.grounding is GroundedBy.EYES else view
-    if not question.strip():
-        return _refused(question, "the question is empty", clock, least)
+    if not question or too_long:
+        why = f"the question has more than {MAX_CHARS:,} characters" if too_long else "the question is empty"
+        return _refused(question, why, clock, least)
     try:
         asked_for, at_most = _stands_alone(question, options, run, view, unit)
     except NotFollowed as error:

@@ -14,7 +14,7 @@ from querycad_contracts import Failure, LengthUnit, Part, PartKind, Selection
 from querycad_language.readings.question import Question
 from querycad_language.units import asked_unit
 
-from .addressing import GROUP
+from .addressing import GROUP, folded
 from .drawing.describing import SURFACES
 
 Parts = Callable[[], Sequence[Part]]
@@ -23,7 +23,7 @@ Before = Callable[[str], Sequence[str] | None]
 """Ids of the parts that a question, which stands alone, is answered by; None where it is about the whole model."""
 
 _UNITS = {LengthUnit.MM: "mm", LengthUnit.CM: "cm", LengthUnit.M: "metres", LengthUnit.IN: "inches"}
-_LEAD = r"(?:(?:and|but|so|ok|okay|now|then|also|what about|how about|what of)[\s,]+)*"
+_LEAD = r"(?:(?:and|but|so|ok|okay|now|then|also|what about|how about|what of)[\s,]{1,4}){0,6}"
 _FOLLOWS = re.compile(r"(?:and|but|so|also|what about|how about|what of)\b", re.IGNORECASE)
 _SAME = frozenset((
     "and", "but", "the", "same", "thing", "question", "answer", "value", "it", "that", "this", "what", "is", "be",
@@ -85,9 +85,9 @@ def stands_alone(
     `context`: the questions asked before, the oldest first. `selection`: what is pointed at now.
     """
     turn: Turn | None = None
-    for earlier in context:
+    for earlier in map(folded, context):
         try:
-            turn = _turn(earlier, turn, (), before) if earlier.strip() else turn
+            turn = _turn(earlier, turn, (), before) if earlier else turn
         except NotFollowed:
             turn = _plain(earlier)
     selected = _selected(selection, question, parts) if selection is not None else ()

@@ -28,7 +28,7 @@ from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
 
-from .addressing import Addressed, address, is_certain, is_restricted, may_name_parts, names_all, reader_of
+from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .beside import beside, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
@@ -88,7 +88,7 @@ class Understanding:
 
     def __init__(self, question: str, view: ModelView, expect: Expectation, at_most: float = 1.0) -> None:
         """No answer is surer than `at_most`."""
-        self.question = question
+        self.question = folded(question)
         self._view = view
         self._expect = expect
         self._at_most = at_most

@@ -10,10 +10,15 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+from datetime import timedelta
 from pathlib import Path
 from typing import Any, Protocol
 
 from .settings import StorageSettings
+
+RETRIES, RETRY_S = 3, 30.0
+"""How often a request to a bucket is repeated, and for how long: as long as the library waits for one answer. A bucket
+that takes connections and says nothing is given up after that, and not after the library's own three minutes."""
 
 
 class FileStore(Protocol):
@@ -95,7 +100,9 @@ class BucketStore:
 
         self.home = home
         self._cache = FolderStore(home)
-        self._bucket: Any = from_url(url)
+        self._bucket: Any = from_url(
+            url, retry_config={"max_retries": RETRIES, "retry_timeout": timedelta(seconds=RETRY_S)}
+        )
 
     def keep(self, name: str, unfinished: Path) -> None:
         """Uploads a finished file, and keeps it in the cache."""

@@ -120,7 +120,7 @@ def _kernel_faces(
     source: Path, kind: FileKind | None, file_name: str, artefacts: Artefacts, clock: _Clock
 ) -> tuple[Brep, Mesh, tuple[str, ...]]:
     """The B-rep of a CAD file as the kernel reads it, its tessellation, and the units that it declares."""
-    if kind not in (FileKind.IGES, FileKind.BREP) and (strange := strange_number(source)):
+    if strange := strange_number(source, kind):
         raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
     content = read_file(source, kind)
     if kind in (FileKind.IGES, FileKind.BREP):  # these have names of entities, not of the model

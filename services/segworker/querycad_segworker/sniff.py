@@ -8,6 +8,7 @@ from pathlib import Path
 
 from querycad_contracts import HEAD_BYTES, FileKind, file_kind, is_3mf
 
+from .archives import opened
 from .errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
 MAX_FILE_BYTES = 512 * 2**20
@@ -25,6 +26,10 @@ _SURFACES = (re.compile(rb"_FACE\w{0,60}\s{0,80}\("), re.compile(rb"SURFACE\w{0,
 _POWER = re.compile(
     rb"[(,]\s{0,20}+([+-]?(?:\d{1,400}+(?:\.\d{0,400}+)?E\+?\d{2,9}+|NAN|INF))\s{0,20}+(?=[,)])", re.IGNORECASE
 )
+_IN_LINE = re.compile(
+    rb"(?<![^,\s])([+-]?(?:\d{1,400}+(?:\.\d{0,400}+)?[ED]\+?\d{2,9}+|NAN|INF(?:INITY)?))(?=[,;\s])", re.IGNORECASE
+)
+"""The same in IGES, which writes a D for the power of doubles, and in BREP, which parts numbers by blanks."""
 LARGEST = 2e100
 """What the kernel takes for infinite, and some programs write for a line without end."""
 
@@ -37,12 +42,12 @@ def check_file(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
 
 
 def kind_of(path: Path) -> FileKind | None:
-    """What kind of file is it? None where it cannot be read."""
+    """What kind of file is it? None where it cannot be read. Raises NotStep for an archive that is not looked into."""
     try:
         with path.open("rb") as file:
             kind = file_kind(file.read(HEAD_BYTES))
         if kind is FileKind.ZIP:
-            with zipfile.ZipFile(path) as archive:
+            with opened(path) as archive:
                 return FileKind.THREE_MF if is_3mf(archive.namelist()) else kind
         return kind
     except zipfile.BadZipFile:
@@ -88,9 +93,11 @@ def check_step(path: Path, max_bytes: int = MAX_FILE_BYTES) -> bytes | None:
     return data[start:] if start else None
 
 
-def strange_number(path: Path) -> str | None:
+def strange_number(path: Path, kind: FileKind | None = FileKind.STEP) -> str | None:
     """Which number of the file is none, or out of all bounds? Its entity and its text; None where all are fine."""
     data = path.read_bytes()
+    if kind in (FileKind.IGES, FileKind.BREP):
+        return _strange_in_line(data, kind)
     if not any(_is_strange(found[1]) for found in _POWER.finditer(data)):
         return None
     data = re.sub(rb"'[^']*'", b"''", data)
@@ -101,8 +108,24 @@ def strange_number(path: Path) -> str | None:
     return None
 
 
+def _strange_in_line(data: bytes, kind: FileKind) -> str | None:
+    """The same of a file in lines. Those of IGES have data in 64 columns, the entity in eight more, then a letter."""
+    for found in _IN_LINE.finditer(data):
+        if not _is_strange(found[1]):
+            continue
+        begin = data.rfind(b"\n", 0, found.start(1)) + 1
+        line = data[begin : begin + 80]
+        said = found[1][:40].decode()
+        if kind is FileKind.BREP:
+            before = data.count(b"\n", 0, begin)
+            return f"line {before + 1} holds {said}"
+        if line[72:73] == b"P" and found.start(1) - begin < 64:
+            return f"D{line[64:72].decode('latin-1').strip()} holds {said}"
+    return None
+
+
 def _is_strange(number: bytes) -> bool:
-    value = float(number)
+    value = float(number.upper().replace(b"D", b"E"))
     return not abs(value) <= LARGEST  # no comparison holds for what is no number
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gzip
-import lzma
 import zipfile
 import zlib
 from collections.abc import Iterator
@@ -12,11 +11,12 @@ from typing import IO
 
 from querycad_contracts import HEAD_BYTES, FileKind, file_kind
 
+from .archives import opened
 from .errors import FileTooLarge, IncompleteFile, NotStep
 
 CHUNK_BYTES = 2**20
 MOST_MEMBERS = 1000
-"""Entries looked at in an archive: the directory of a bomb may have millions."""
+"""Members of an archive that are looked at."""
 
 
 def unpack(path: Path, kind: FileKind, target: Path, max_bytes: int) -> None:
@@ -35,7 +35,7 @@ def unpack(path: Path, kind: FileKind, target: Path, max_bytes: int) -> None:
                 if left < 0:
                     raise FileTooLarge(f"unpacked, the file has more than the {max_bytes / 2**20:.0f} MB that are read")
                 out.write(chunk)
-    except (EOFError, zlib.error, lzma.LZMAError, gzip.BadGzipFile, zipfile.BadZipFile, NotImplementedError) as error:
+    except (EOFError, zlib.error, gzip.BadGzipFile, zipfile.BadZipFile, NotImplementedError) as error:
         raise IncompleteFile(f"the file is compressed with {kind}, and damaged or cut short") from error
     with target.open("rb") as file:
         inner = file_kind(file.read(HEAD_BYTES))
@@ -49,7 +49,7 @@ def _gzip(path: Path) -> Iterator[bytes]:
 
 
 def _zip(path: Path) -> Iterator[bytes]:
-    with zipfile.ZipFile(path) as archive:
+    with opened(path) as archive:
         if len(archive.infolist()) > MOST_MEMBERS:
             raise NotStep(f"the archive holds {len(archive.infolist())} files; pack the CAD file alone")
         found = [each for each in archive.infolist() if not each.is_dir() and _kind(archive, each) is not None]

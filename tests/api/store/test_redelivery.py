@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import json
+from collections.abc import Callable
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +18,10 @@ from tests.api.fakes import MODEL, STEP, FakeSandbox
 from querycad_api.dependencies import Application
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
+from querycad_api.store import keyspace
+from querycad_api.store import state as keeping
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import PENDING, READING, job_key
+from querycad_api.store.keyspace import DAY_S, PENDING, READING, job_key
 from querycad_api.store.redelivery import redeliver_once
 from querycad_api.store.state import AGAIN_S, LOST_S, State
 from querycad_contracts import FolderStore, QuestionTask
@@ -69,6 +73,44 @@ def test_a_lost_question_is_sent_again_and_answered_once(
     worker.answer(task)
     assert sandbox.runs == 1
     assert redis.zscore(PENDING, job) is None
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Callable[[float], None]:
+    """Moves the clock of the process that looks, so many seconds from the true time."""
+
+    def move(seconds: float) -> None:
+        monkeypatch.setattr(keeping, "now", lambda: keyspace.now() + timedelta(seconds=seconds))
+
+    return move
+
+
+@pytest.mark.parametrize("moved_s", [-40 * DAY_S, -DAY_S, -600.0, 600.0, DAY_S])
+def test_a_lost_question_is_found_whatever_becomes_of_the_clock(
+    moved_s: float, settings: ApiSettings, redis: Redis, job: str, worker: Questions, clock: Callable[[float], None]
+) -> None:
+    """A clock that was put back left it until the time had come again."""
+    for passed_s in (0.0, LOST_S + 1, AGAIN_S + 1, 2 * AGAIN_S + 1):
+        clock(moved_s + passed_s)
+        redelivered(settings)
+    assert set(queued(redis, "questions")) == {job}
+    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    for _ in queued(redis, "questions"):
+        worker.answer(task)
+    kinds: Any = redis.xrange(f"querycad:events:{job}")
+    assert [fields["kind"] for _, fields in kinds].count("done") == 1
+    assert redis.zscore(PENDING, job) is None
+
+
+@pytest.mark.parametrize("moved_s", [-40 * DAY_S, -DAY_S, 600.0])
+def test_a_file_that_nobody_reads_is_found_whatever_becomes_of_the_clock(
+    moved_s: float, client: httpx.Client, settings: ApiSettings, redis: Redis, clock: Callable[[float], None]
+) -> None:
+    client.post("/v1/models", files={"file": ("box.step", STEP)})
+    redis.delete("ingest")
+    clock(moved_s)
+    redelivered(settings)
+    assert len(queued(redis, "ingest")) == 1
 
 
 def test_a_question_that_may_be_in_the_queue_is_given_time(

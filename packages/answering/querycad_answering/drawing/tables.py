@@ -14,7 +14,7 @@ from .numbers import direction
 from .threads import suits, thread_name
 
 FASTENER_TAGS = ("screw", "nut", "washer")
-_INSTANCE = re.compile(r"[\s_:.#-]*\d+$")
+_INSTANCE = re.compile(r"[\s_:.#-]{0,8}\d{1,9}$")
 """What counts the instances of one product in their names: 'Dowel pin 2', 'screw_3'."""
 _SIZE_DIGITS, _VOLUME_DIGITS = 6, 4
 """Bodies are instances of one where their sizes are the same to a micrometre and their volumes to four digits."""

@@ -22,7 +22,7 @@ _ROUGH_DIGITS = 5
 
 
 _AMOUNT = re.compile(
-    r"(?<![\w.,/])(\d+(?:[.,]\d+)?)(?=(?:\s*(?:to|and|or|-|–)\s*\d+(?:[.,]\d+)?)*\s*(mm|cm|inch(?:es)?|in\b(?!\s+\w)|\"))"
+    r"(?<![\w.,/])(\d+(?:[.,]\d+)?)(?=(?:\s*(?:to|and|or|-|–)\s*\d+(?:[.,]\d+)?){0,4}\s*(mm|cm|inch(?:es)?|in\b(?!\s+\w)|\"))"
 )
 """A number of the question with its unit, which may stand behind the last number of a range."""
 _METRES = {"mm": 1e-3, "cm": 1e-2}

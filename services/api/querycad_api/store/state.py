@@ -341,7 +341,7 @@ class State:
                 continue
             touched = float(fields.get("touched") or datetime.fromisoformat(fields["created"]).timestamp())
             patience_s = started_s if "started" in fields else AGAIN_S if waiting else LOST_S
-            lost = time - touched >= patience_s
+            lost = abs(time - touched) >= patience_s  # what was touched later than now was so by another clock
             await self._redis.zadd(PENDING, {job: time + (AGAIN_S if lost else LOST_S)}, xx=True)
             if lost:
                 stalled.append(task)
@@ -362,8 +362,12 @@ class State:
         return stalled
 
     async def _due(self, key: str, time: float, at_most: int) -> list[str]:
-        """Members of a sorted set whose time has come."""
-        return cast("list[str]", await self._redis.zrangebyscore(key, 0, time, start=0, num=at_most))
+        """Members of a sorted set whose time has come, or is further away than any is put: the clock was moved."""
+        async with self._redis.pipeline(transaction=False) as pipe:
+            for first, last in ((0.0, time), (time + 2 * AGAIN_S, float("inf"))):
+                pipe.zrangebyscore(key, first, last, start=0, num=at_most)
+            due, moved = await pipe.execute()
+        return [*due, *moved][:at_most]
 
     async def _done(self, stream: str, timeout_s: float) -> bool:
         """Is there an entry in a stream whose one entry tells that something is done?"""

@@ -18,6 +18,7 @@ from xml.parsers import expat
 
 import numpy as np
 
+from querycad_segworker.archives import opened
 from querycad_segworker.errors import FileTooLarge, IncompleteFile, UnreadableFile
 from querycad_segworker.sniff import MAX_FILE_BYTES
 
@@ -60,7 +61,7 @@ class _Object:
 def read_3mf(path: Path) -> tuple[Array, tuple[Named, ...], str]:
     """(T, 3, 3) corners in metres, the objects as they are placed, and the name of the unit."""
     try:
-        with zipfile.ZipFile(path) as archive:
+        with opened(path) as archive:
             reader = _Reader(archive)
             reader.read(_root(reader))
             return reader.placed()

@@ -87,7 +87,7 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
 
 
 def within(question: Question) -> Iterator[Draft]:
-    """'Does the part fit into a box of 200 x 100 x 50 mm?'"""
+    """'Does the part fit into a box of 200 x 100 x 50 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
     verbs = {i for span in text.all("fits", "boxes") for i in span.tokens}
     sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
