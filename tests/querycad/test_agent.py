@@ -160,6 +160,32 @@ def test_a_program_that_measures_nothing_is_doubted(runtime: EmbeddedRuntime, fl
     assert record.answer.value == pytest.approx(0.053)
 
 
+DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
+
+
+@pytest.mark.parametrize(
+    ("replies", "codegen", "value"),
+    [
+        ([DEEPER, DEEPER], "parser", [0.008] * 8),
+        ([DEEPER], "parser", [0.008] * 8),
+        ([DEEPER, LOOK, DEEPER], "agent", [0.022]),
+    ],
+)
+def test_to_say_the_same_again_is_no_reason_against_a_sure_parser_but_a_look_is(
+    runtime: EmbeddedRuntime, flange: Path, replies: list[str], codegen: str, value: object
+) -> None:
+    model = Recorded(replies)
+    record = ask(runtime, flange, "How deep are the counterbores?", model)
+    assert "look first at what shows that the parser is wrong" in model.shown[1][-1]["text"]
+    assert record.answer is not None
+    assert record.codegen == codegen
+    assert record.answer.value == pytest.approx(value)
+    other = [each.codegen for each in record.alternatives]
+    assert ("agent" in other, any("programs disagree" in each for each in record.warnings)) == (
+        codegen == "parser",
+    ) * 2
+
+
 def test_an_answer_that_was_only_doubted_is_kept_when_the_model_goes_away(
     runtime: EmbeddedRuntime, flange: Path
 ) -> None:

@@ -192,6 +192,12 @@ def test_an_agent_is_shown_the_examples_that_a_single_shot_is_shown() -> None:
     assert len(agent_conversation(question, which=PromptExamples.NONE)) == 2
 
 
+def test_an_agent_is_told_the_lengths_of_the_question_in_metres() -> None:
+    asked = agent_conversation("How many holes of 0.415 inch and 5 to 6 mm are there?")[-1].text
+    assert "In metres: 0.415 inch is 0.010541, 5 mm is 0.005, 6 mm is 0.006." in asked
+    assert "In metres" not in agent_conversation("How many holes are there?")[-1].text
+
+
 def test_who_can_say_nothing_but_a_program_is_not_told_to() -> None:
     for only_programs in (False, True):
         system = agent_conversation("How many holes are there?", only_programs=only_programs)[0]

@@ -43,6 +43,8 @@ NEAREST_DIGITS = 8
 PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
 """Of what is shown after a step: as much as a small model reads in a moment."""
 NOTHING = "Nothing was printed, and no part was looked for."
+MEND = "Send another program, which mends this. Only if nothing of it is so, send the same again."
+LOOK_FIRST = "to keep your answer against it, look first at what shows that the parser is wrong"
 REPLY_CHARS = 2000
 """Of a reply that stays in the conversation."""
 _UNSURE = re.compile(r"^\W*unsure\b\W*", re.IGNORECASE)
@@ -75,6 +77,8 @@ class _Course:
     """Those that the last program asked for."""
     codes: set[str] = field(default_factory=set)
     """Those of them that were doubted."""
+    has_looked: bool = False
+    """Since an answer was doubted."""
     said: list[str] = field(default_factory=list)
     """Its replies that led to no answer: their programs, else what was said."""
 
@@ -115,7 +119,7 @@ def work(model: ChatModel, task: Task, codegen: str, limits: Limits, deadline: T
         try:
             reply = model.reply(course.messages, temperature, step, deadline)
         except LlmError:
-            written.candidates += course.answers[-1:]
+            _end(task, course, written)
             raise
         course.tokens += reply.tokens
         attempt = Attempt(codegen=codegen, sample=step, code=None, tokens=reply.tokens)
@@ -126,8 +130,19 @@ def work(model: ChatModel, task: Task, codegen: str, limits: Limits, deadline: T
             break
         is_again = course.goes_on(reply, attempt.code, seen, limits.steps - step)
         temperature = limits.temperature if is_again else 0.0
-    if not written.question and not written.candidates:
+    _end(task, course, written)
+
+
+def _end(task: Task, course: _Course, written: Written) -> None:
+    """The last answer stands where none was settled on. To say the same again is no reason against a sure parser."""
+    if written.question or written.is_unsure:
+        return
+    if not written.candidates:
         written.candidates += course.answers[-1:]
+    answer = written.candidates[-1].verdict.answer if written.candidates else None
+    parsed = task.parsed() if answer is not None and not course.has_looked else None
+    if parsed is not None and answer is not None and parsed.is_sure:
+        written.yields = not same_value(parsed.answer, answer, each_once=True)
 
 
 def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -138,6 +153,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     code = blocks[-1]
     if not _assigns_result(code):
         outcome = task.run(Program(code=f"{code}\n{RESULT} = None", codegen=attempt.codegen))
+        course.has_looked = course.has_looked or (bool(course.codes) and outcome.status is RunStatus.OK)
         drawn = _drawn(task, course, outcome)
         return False, "\n".join((look(outcome), *drawn)), attempt.model_copy(update={"code": code})
     code = program_in(reply.text, reply.cut) or code
@@ -159,7 +175,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     course.codes.add(code)
     noted = "\n".join(f"- {each}" for each in against)
     seen = f"{look(outcome)}\nThe answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
-    return False, f"{seen}\nSend the same program again if it is right, else another one.", attempt
+    return False, f"{seen}\n{MEND}", attempt
 
 
 def _said(course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -275,7 +291,9 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> li
         found += doubts(code, task.question, task.asked, task.summary)
     parsed = task.parsed()
     if parsed is not None and not same_value(parsed.answer, verdict.answer, each_once=True):
-        found.append(f"a parser understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
+        who = "a parser, which is sure," if parsed.is_sure else "a parser"
+        found.append(f"{who} understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
+        found += [LOOK_FIRST] if parsed.is_sure else []
     return list(dict.fromkeys(found))
 
 

@@ -10,6 +10,7 @@ from pydantic import TypeAdapter
 
 from querycad_contracts import AnswerType, Expectation, Frozen, ModelSummary
 
+from .checks import in_metres
 from .facts import facts, names
 from .files import prompt_data, prompt_text
 from .messages import Message, Role
@@ -152,11 +153,12 @@ def agent_conversation(
     """
     told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
     listed = "".join(f"\n- {reading}" for reading in readings)
+    lengths = f"\nIn metres: {', '.join(found)}." if (found := in_metres(question)) else ""
     read = f"\nHow a parser reads it, the likeliest first:{listed}" if readings else ""
     model = facts(summary) if summary is not None else "Nothing is known of it."
     said = () if only_programs else (_WORDS_ALONE,)
     how = "\n".join((filled("agent.md", steps=str(steps)), *said, *(_TOOLS[tool] for tool in tools)))
-    asked = filled("question.md", question=" ".join(question.split()), expected=told + _names(summary) + read)
+    asked = filled("question.md", question=" ".join(question.split()), expected=told + lengths + _names(summary) + read)
     system = filled("system.md", reference=reference(tuple(tools)), model=model, reply=how)
     return (_system(system), *_worked(question, which), Message(Role.USER, asked))
 
