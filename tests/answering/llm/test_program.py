@@ -62,6 +62,7 @@ def test_what_was_forgotten_is_put_right_and_nothing_else_changed(said: str, mea
         "solution = shape.width / 0.0254",
         "solution = [p.length * 0.0254 for p in find_parts('neck')]",
         "solution = 0.001 * shape.width",
+        "solution = 25.4 * find_parts('bend')[0].bend_radius",
         "solution = shape.volume * 1e9",
         "solution = round(shape.width, 2)",
         "import math\nsolution = math.degrees(shape.bodies[0].area)",

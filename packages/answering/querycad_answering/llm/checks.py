@@ -7,8 +7,8 @@ import math
 import re
 from collections.abc import Iterator
 
-_TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 39.37, 39.3701, 39.37007874)
-"""Factors from metres (m2, m3) to millimetres and inches."""
+_TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 25.4, 39.37, 39.3701, 39.37007874)
+"""Factors from metres (m2, m3) to millimetres and inches, and from inches to millimetres, taken for such a one."""
 _UNITS_IN_METRES = (0.001, 1e-6, 1e-9, 0.0254)
 _BETWEEN_TWO = ("center_distance", "distance_to", "angle_to")
 _MEASURED = frozenset(
