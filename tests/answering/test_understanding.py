@@ -10,7 +10,7 @@ from tests.made import body, hole, inventory, part, view, whole
 from querycad_answering.answering import answer_question
 from querycad_answering.candidates import candidates
 from querycad_answering.ranking import confidence, key, values
-from querycad_answering.understanding import ModelView, Understanding
+from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
@@ -52,6 +52,14 @@ def test_candidates_are_ranked_and_each_program_is_one() -> None:
     assert scores == sorted(scores, reverse=True)
     assert len({one.written.code for one in found}) == len(found)
     assert [part.id for grounded in found[0].grounds.values() for part in grounded.parts] == ["hole-2"]
+
+
+def test_an_agent_is_told_of_no_reading_that_is_unlikely() -> None:
+    """A small model took "diameter of the whole model" for what was asked."""
+    understanding = Understanding("What is the diameter of the holes?", view(*THREE), Expectation())
+    every = [meant(one) for one in understanding.ranked]
+    assert "diameter of the whole model" in every
+    assert understanding.readings == ("diameter of the holes",)
 
 
 def test_equal_values_are_one_value_and_what_was_not_run_is_nobodys() -> None:

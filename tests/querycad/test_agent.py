@@ -37,10 +37,12 @@ class Recorded:
         self.tokens = tokens
         self.shown: list[list[dict[str, str]]] = []
         self.images: list[list[int]] = []
+        self.temperatures: list[float] = []
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         assert [message.role for message in conversation][:2] == [Role.SYSTEM, Role.USER]
         self.shown.append([{"role": message.role.value, "text": message.text} for message in conversation])
+        self.temperatures.append(temperature)
         self.images.append([len(message.images) for message in conversation])
         if len(self.shown) > len(self.replies):
             raise LlmBusy("it said no more")
@@ -131,6 +133,57 @@ def test_steps_and_tokens_are_bounded_and_then_the_parser_answers(runtime: Embed
     model = Recorded([LOOK] * 20, tokens=600)
     record = ask(runtime, flange, "How many holes are there?", model, llm_budget=1000)
     assert (len(record.attempts), record.codegen) == (2, "parser")
+
+
+def test_what_failed_before_is_drawn_anew_and_not_read_again(runtime: EmbeddedRuntime, flange: Path) -> None:
+    """A small model that read its own failure said it again, each time more surely."""
+    failed = "```python\nsolution = 2\n```"
+    model = Recorded([failed, f"I think\n{failed}", failed, LOOK, failed, ANSWER])
+    record = ask(runtime, flange, "How many holes are there?", model)
+    assert record.answer is not None
+    assert (record.answer.value, len(record.attempts)) == (11, 6)
+    assert model.temperatures == [0.0, 0.0, 0.7, 0.7, 0.0, 0.7]
+    first = len(model.shown[0])
+    assert [len(turns) - first for turns in model.shown] == [0, 2, 2, 2, 4, 6]
+    assert [turns[-1]["text"].splitlines()[-1] for turns in model.shown[1:4]] == [
+        *("5 replies are left.", "4 replies are left.", "3 replies are left.")
+    ]
+
+
+def test_a_program_that_measures_nothing_is_doubted(runtime: EmbeddedRuntime, flange: Path) -> None:
+    """As it is where a language model does not look."""
+    counted = '```python\nsolution = 0.001 + len(parts(kind="hole"))\n```'
+    model = Recorded([counted, "```python\nsolution = shape.height\n```"])
+    record = ask(runtime, flange, "What is the total height?", model)
+    assert "reads no measure" in model.shown[1][-1]["text"]
+    assert record.answer is not None
+    assert record.answer.value == pytest.approx(0.053)
+
+
+DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
+
+
+@pytest.mark.parametrize(
+    ("replies", "codegen", "value"),
+    [
+        ([DEEPER, DEEPER], "parser", [0.008] * 8),
+        ([DEEPER], "parser", [0.008] * 8),
+        ([DEEPER, LOOK, DEEPER], "agent", [0.022]),
+    ],
+)
+def test_to_say_the_same_again_is_no_reason_against_a_sure_parser_but_a_look_is(
+    runtime: EmbeddedRuntime, flange: Path, replies: list[str], codegen: str, value: object
+) -> None:
+    model = Recorded(replies)
+    record = ask(runtime, flange, "How deep are the counterbores?", model)
+    assert "look first at what shows that the parser is wrong" in model.shown[1][-1]["text"]
+    assert record.answer is not None
+    assert record.codegen == codegen
+    assert record.answer.value == pytest.approx(value)
+    other = [each.codegen for each in record.alternatives]
+    assert ("agent" in other, any("programs disagree" in each for each in record.warnings)) == (
+        codegen == "parser",
+    ) * 2
 
 
 def test_an_answer_that_was_only_doubted_is_kept_when_the_model_goes_away(

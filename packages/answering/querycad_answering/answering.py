@@ -235,7 +235,9 @@ def _asked_type(understanding: Understanding) -> AnswerType | None:
 
 def _parsed(found: Understood) -> Parsed | None:
     answer = found.verdict.answer
-    return None if answer is None else Parsed(answer, found.understood_as)
+    if answer is None or found.program is None:
+        return None
+    return Parsed(answer, found.understood_as, found.program.confidence >= SURE)
 
 
 def _by_parser(found: Understood) -> _Outcome:
@@ -259,7 +261,7 @@ def _with_llm(
     if written.is_unsure:
         outcome.is_unsure, outcome.chosen, outcome.others = True, answered[0], answered[1:]
         return outcome
-    if codegen is Codegen.BOTH or not answered:
+    if codegen is Codegen.BOTH or not answered or written.yields:
         by_parser = _by_parser(parsed())
         outcome.failure, outcome.understood = by_parser.failure, by_parser.understood
         if by_parser.chosen is not None and by_parser.chosen.verdict.answer is not None:

@@ -44,6 +44,9 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
 
+LIKELY = 0.15
+"""As likely as the likeliest reading is, at least, another one that an agent is told of."""
+
 PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
@@ -131,8 +134,13 @@ class Understanding:
 
     @property
     def readings(self) -> tuple[str, ...]:
-        """How the question may be understood, in plain words, the likeliest first; a few."""
-        return tuple(dict.fromkeys(meant(one) for one in self.ranked))[:SHOWN]
+        """How the question may be understood, in plain words, the likeliest first; a few, and none that is unlikely.
+
+        A small language model took "radius of the whole model", a hundredth as likely, for what was asked.
+        """
+        best = max((one.score for one in self.ranked), default=0.0)
+        likely = (one for one in self.ranked if math.exp(one.score - best) >= LIKELY)
+        return tuple(dict.fromkeys(meant(one) for one in likely))[:SHOWN]
 
     def tried(self, run: Run, every: bool = False) -> list[Candidate]:
         """The candidates after their runs: all, or as many as it takes until the best value cannot be overtaken."""

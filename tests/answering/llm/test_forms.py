@@ -51,6 +51,12 @@ def test_the_grammar_names_all_that_the_guest_api_and_the_worked_examples_have_a
     assert "hole_count" not in listed
 
 
+def test_the_grammar_has_no_comments() -> None:
+    """A small model wrote one in a program's place."""
+    mark = next(line for line in program_form().grammar.splitlines() if line.startswith("mark ::="))
+    assert "#" not in mark
+
+
 def test_a_reply_in_json_becomes_a_sentence_and_a_code_block_and_any_other_stays() -> None:
     held = json.dumps({"plan": "All holes.", "program": "solution = 1"})
     assert as_reply(held) == "All holes.\n```python\nsolution = 1\n```"

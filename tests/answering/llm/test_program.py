@@ -60,6 +60,9 @@ def test_what_was_forgotten_is_put_right_and_nothing_else_changed(said: str, mea
         "solution = [p.radius * 1000 for p in find_parts('hole')]",
         "solution = 1e3 * shape.width",
         "solution = shape.width / 0.0254",
+        "solution = [p.length * 0.0254 for p in find_parts('neck')]",
+        "solution = 0.001 * shape.width",
+        "solution = 25.4 * find_parts('bend')[0].bend_radius",
         "solution = shape.volume * 1e9",
         "solution = round(shape.width, 2)",
         "import math\nsolution = math.degrees(shape.bodies[0].area)",
@@ -79,6 +82,8 @@ def test_a_result_that_is_written_in_or_not_in_metres_is_sent_back(code: str) ->
     [
         "solution = [p.radius for p in find_parts('hole') if p.depth > 5 / 1000]",
         "solution = [p for p in find_parts('hole') if p.depth > 5 * 0.001]",
+        "solution = [p for p in find_parts('hole') if p.depth > p.count * 0.001]",
+        "solution = shape.volume * 0.001",
         "solution = shape.width > 10 * shape.height",
         "solution = [p for p in find_parts('hole') if p.count == 4 and p.radius == max(q.radius for q in [p])]",
         "solution = shape.width / 2",

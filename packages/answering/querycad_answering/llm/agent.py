@@ -28,11 +28,12 @@ from querycad_contracts import (
 )
 
 from .checks import problems
-from .doubts import doubts
+from .doubts import doubts, odd, other_measure
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .program import RESULT, blocks_in, program_in
 from .prompt import agent_conversation, shown
+from .settings import PromptExamples
 from .task import Candidate, Task, Written
 
 ROWS, CELL_CHARS = 12, 60
@@ -42,10 +43,26 @@ NEAREST_DIGITS = 8
 PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
 """Of what is shown after a step: as much as a small model reads in a moment."""
 NOTHING = "Nothing was printed, and no part was looked for."
+MEND = "Send another program, which mends this. Only if nothing of it is so, send the same again."
+LOOK_FIRST = "to keep your answer against it, look first at what shows that the parser is wrong"
 REPLY_CHARS = 2000
 """Of a reply that stays in the conversation."""
 _UNSURE = re.compile(r"^\W*unsure\b\W*", re.IGNORECASE)
 _ASK = re.compile(r"^\W*ask\b\s*:\s*", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How far an agent may go with one question, and how its prompt begins."""
+
+    steps: int = 6
+    tokens: int = 60_000
+    """Read and written, in all."""
+    temperature: float = 0.7
+    """Of a reply to what it answered with a program that had failed before: at 0 it would say so again."""
+    examples: PromptExamples = PromptExamples.NEAREST
+    only_programs: bool = False
+    """It is held to a form in which it can say nothing else."""
 
 
 @dataclass(slots=True)
@@ -60,40 +77,72 @@ class _Course:
     """Those that the last program asked for."""
     codes: set[str] = field(default_factory=set)
     """Those of them that were doubted."""
+    has_looked: bool = False
+    """Since an answer was doubted."""
+    said: list[str] = field(default_factory=list)
+    """Its replies that led to no answer: their programs, else what was said."""
+
+    def goes_on(self, reply: Reply, code: str | None, seen: str, left: int) -> bool:
+        """Adds a reply and what it is shown. Is it one that came before? Then the conversation grows by nothing.
+
+        A small model that reads its own failure again and again says it ever more surely.
+        """
+        what = code or reply.text
+        told = Message(Role.ASSISTANT, reply.text[:REPLY_CHARS]), shown(seen, left, self.images)
+        self.images = ()
+        is_again = what in self.said
+        if self.said[-1:] == [what]:
+            self.messages = (*self.messages[:-1], told[1])
+        else:
+            self.messages = (*self.messages, *told)
+        self.said.append(what)
+        return is_again
 
 
-def work(
-    model: ChatModel, task: Task, codegen: str, limits: tuple[int, int], deadline: TimeLimit, written: Written
-) -> None:
-    """Adds to `written` what comes of the question. `limits`: steps, and tokens in all. Raises LlmError.
-
-    What there is by then is kept.
-    """
-    steps, most_tokens = limits
-    course = _Course(agent_conversation(task.question, task.summary, task.expect, task.readings(), steps, task.tools))
-    for step in range(1, steps + 1):
+def work(model: ChatModel, task: Task, codegen: str, limits: Limits, deadline: TimeLimit, written: Written) -> None:
+    """Adds to `written` what comes of the question. Raises LlmError. What there is by then is kept."""
+    course = _Course(
+        agent_conversation(
+            task.question,
+            task.summary,
+            task.expect,
+            task.readings(),
+            limits.steps,
+            task.tools,
+            limits.examples,
+            limits.only_programs,
+        )
+    )
+    temperature = 0.0
+    for step in range(1, limits.steps + 1):
         began = time.perf_counter()
         try:
-            reply = model.reply(course.messages, 0.0, step, deadline)
+            reply = model.reply(course.messages, temperature, step, deadline)
         except LlmError:
-            written.candidates += course.answers[-1:]
+            _end(task, course, written)
             raise
         course.tokens += reply.tokens
         attempt = Attempt(codegen=codegen, sample=step, code=None, tokens=reply.tokens)
         is_done, seen, attempt = _step(task, course, reply, attempt, written)
         seconds = round(time.perf_counter() - began, 3)
         written.attempts.append(attempt.model_copy(update={"seconds": seconds, "problem": seen}))
-        if is_done or course.tokens.input + course.tokens.output >= most_tokens:
+        if is_done or course.tokens.input + course.tokens.output >= limits.tokens:
             break
-        left = steps - step
-        course.messages = (
-            *course.messages,
-            Message(Role.ASSISTANT, reply.text[:REPLY_CHARS]),
-            shown(seen, left, course.images),
-        )
-        course.images = ()
-    if not written.question and not written.candidates:
+        is_again = course.goes_on(reply, attempt.code, seen, limits.steps - step)
+        temperature = limits.temperature if is_again else 0.0
+    _end(task, course, written)
+
+
+def _end(task: Task, course: _Course, written: Written) -> None:
+    """The last answer stands where none was settled on. To say the same again is no reason against a sure parser."""
+    if written.question or written.is_unsure:
+        return
+    if not written.candidates:
         written.candidates += course.answers[-1:]
+    answer = written.candidates[-1].verdict.answer if written.candidates else None
+    parsed = task.parsed() if answer is not None and not course.has_looked else None
+    if parsed is not None and answer is not None and parsed.is_sure:
+        written.yields = not same_value(parsed.answer, answer, each_once=True)
 
 
 def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -104,6 +153,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     code = blocks[-1]
     if not _assigns_result(code):
         outcome = task.run(Program(code=f"{code}\n{RESULT} = None", codegen=attempt.codegen))
+        course.has_looked = course.has_looked or (bool(course.codes) and outcome.status is RunStatus.OK)
         drawn = _drawn(task, course, outcome)
         return False, "\n".join((look(outcome), *drawn)), attempt.model_copy(update={"code": code})
     code = program_in(reply.text, reply.cut) or code
@@ -125,7 +175,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     course.codes.add(code)
     noted = "\n".join(f"- {each}" for each in against)
     seen = f"{look(outcome)}\nThe answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
-    return False, f"{seen}\nSend the same program again if it is right, else another one.", attempt
+    return False, f"{seen}\n{MEND}", attempt
 
 
 def _said(course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -236,11 +286,14 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> li
     whole = (PartKind.BODY, PartKind.MODEL)
     if verdict.parts and all(part.kind in whole for part in verdict.parts) and "find_parts" in code:
         found.append(f"it rests on a whole body: {verdict.parts[0].label}")
+    found += filter(None, (odd(verdict.answer, code), other_measure(code, task.wanted)))
     if task.asked is not None:
         found += doubts(code, task.question, task.asked, task.summary)
     parsed = task.parsed()
     if parsed is not None and not same_value(parsed.answer, verdict.answer, each_once=True):
-        found.append(f"a parser understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
+        who = "a parser, which is sure," if parsed.is_sure else "a parser"
+        found.append(f"{who} understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
+        found += [LOOK_FIRST] if parsed.is_sure else []
     return list(dict.fromkeys(found))
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import ast
 import math
 import re
+from collections.abc import Iterator
 
-_TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 39.37, 39.3701, 39.37007874)
-"""Factors from metres (m2, m3) to millimetres and inches."""
+_TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 25.4, 39.37, 39.3701, 39.37007874)
+"""Factors from metres (m2, m3) to millimetres and inches, and from inches to millimetres, taken for such a one."""
 _UNITS_IN_METRES = (0.001, 1e-6, 1e-9, 0.0254)
 _BETWEEN_TWO = ("center_distance", "distance_to", "angle_to")
 _MEASURED = frozenset(
@@ -17,6 +18,7 @@ _MEASURED = frozenset(
         *("edge_distance", *_BETWEEN_TWO),
     }
 )
+_LENGTHS = _MEASURED - {"angle", "volume", "area", "center", "opening", "tip", "angle_to"}
 _ROUGH_DIGITS = 5
 """Digits after the point below which rounding metres loses what a drawing tells: 0.01 mm."""
 
@@ -56,13 +58,23 @@ def lengths_left_out(tree: ast.Module, question: str) -> list[tuple[str, float]]
     """Which lengths of the question, as it says them and in metres, has the program neither in metres nor converted?"""
     found = literals(tree)
     left_out = []
-    for amount, unit in _AMOUNT.findall(question):
-        given = float(amount.replace(",", "."))
-        metres = given * _METRES.get(unit, _INCH_M)
+    for amount, unit, given, metres in _amounts(question):
         converts = any(_is(literal, factor) for literal in found for factor in (1e3, 1e-3, 1e2, 1e-2, _INCH_M))
         if given and not any(_is(literal, metres) or (converts and _is(literal, given)) for literal in found):
             left_out.append((f"{amount} {unit}", metres))
     return left_out
+
+
+def in_metres(question: str) -> tuple[str, ...]:
+    """The lengths that a question says, each with what it is in metres: a small model converts them wrong."""
+    return tuple(dict.fromkeys(f"{amount} {unit} is {metres:.6g}" for amount, unit, _, metres in _amounts(question)))
+
+
+def _amounts(question: str) -> Iterator[tuple[str, str, float, float]]:
+    """Number and unit of each length of a question, as it says them, and the number as it is and in metres."""
+    for amount, unit in _AMOUNT.findall(question):
+        given = float(amount.replace(",", "."))
+        yield amount, unit, given, given * _METRES.get(unit, _INCH_M)
 
 
 def literals(tree: ast.Module) -> list[float]:
@@ -79,6 +91,8 @@ def _problem(node: ast.AST) -> str | None:
     match node:
         case ast.BinOp(left=left, op=ast.Mult(), right=right) if _converts(left, right) or _converts(right, left):
             return f"`{ast.unparse(node)}` converts the result: leave it in metres."
+        case ast.BinOp(left=left, op=ast.Mult(), right=right) if _shrinks(left, right) or _shrinks(right, left):
+            return f"`{ast.unparse(node)}` converts what is in metres already: leave it."
         case ast.BinOp(left=left, op=ast.Div(), right=right) if (
             _number(left) is None and _number(right) in _UNITS_IN_METRES
         ):
@@ -112,6 +126,11 @@ def _is_exact(measure: ast.expr, number: ast.expr) -> bool:
 
 def _converts(value: ast.expr, factor: ast.expr) -> bool:
     return _number(value) is None and _number(factor) in _TO_SMALLER_UNITS and _is_measure(value)
+
+
+def _shrinks(value: ast.expr, factor: ast.expr) -> bool:
+    """Is it a length of a part, multiplied with a millimetre or an inch as if it were not in metres?"""
+    return isinstance(value, ast.Attribute) and value.attr in _LENGTHS and _number(factor) in _UNITS_IN_METRES
 
 
 def _is_measure(value: ast.expr) -> bool:

@@ -10,12 +10,14 @@ import math
 import re
 from collections.abc import Iterator
 
-from querycad_answering.quantities import measures
-from querycad_contracts import AnswerType, ModelSummary
+from querycad_answering.quantities import measures, measures_anything, scalar_type, triple_type
+from querycad_answering.typed import unit_of
+from querycad_contracts import Answer, AnswerType, ModelSummary, Unit
 
 from .checks import lengths_left_out, literals
 from .files import prompt_data
 from .nearest import singular
+from .prompt import in_words
 
 _WORD = re.compile(r"[a-z]+")
 _WORD_OR_STOP = re.compile(r"[a-z]+|[,;:.?()]")
@@ -27,6 +29,8 @@ _CHOOSERS = {"max", "min", "sorted", "sort"}
 _SAME_LETTERS = 5
 """Words that begin with as many letters alike are forms of one: hexagon and hexagonal, counterbore and counterbored."""
 _AXES = {"width": 0, "depth": 1, "height": 2, "x": 0, "y": 1, "z": 2}
+_UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
+_MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
 _ALONG = re.compile(r"\balong (?:the |its )?(width|depth|height|[xyz])\b|\bin ([xyz])[- ]direction\b")
 
 
@@ -42,6 +46,30 @@ def doubts(code: str, question: str, wanted: AnswerType | None, summary: ModelSu
     if wanted in (AnswerType.LENGTH, AnswerType.LENGTHS):
         found += [*_radius_or_diameter(code, asked), *_along(tree, question)]
     return tuple(dict.fromkeys(found))
+
+
+def odd(answer: Answer, code: str) -> str:
+    """What is said to measures of which there are none, or that are below zero and no coordinate?"""
+    if answer.type not in _MEASURES:
+        return ""
+    values = answer.value if isinstance(answer.value, list | tuple) else [answer.value]
+    if not values:
+        return "The list is empty: no part that was found passes the condition."
+    is_below = any(isinstance(value, float) and value < 0 for value in values)
+    is_coordinate = triple_type(code) is AnswerType.POINT
+    return "The answer is negative, which no size or distance is." if is_below and not is_coordinate else ""
+
+
+def other_measure(code: str, wanted: AnswerType | None) -> str:
+    """What is said to a program whose number is of the right type, but measures something else?"""
+    if wanted is None or unit_of(wanted) is Unit.NONE:
+        return ""
+    if not measures_anything(code):
+        return f"The question asks for {in_words(wanted)}, but the program reads no measure of a part or of shape."
+    computed = scalar_type(code)
+    if wanted in _UNITS and computed in _UNITS[1:] and computed is not wanted:
+        return f"The question asks for {in_words(wanted)}, but the program computes {in_words(computed)}."
+    return ""
 
 
 def _sides(tree: ast.Module, asked: list[str]) -> Iterator[str]:

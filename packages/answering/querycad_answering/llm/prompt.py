@@ -10,6 +10,7 @@ from pydantic import TypeAdapter
 
 from querycad_contracts import AnswerType, Expectation, Frozen, ModelSummary
 
+from .checks import in_metres
 from .facts import facts, names
 from .files import prompt_data, prompt_text
 from .messages import Message, Role
@@ -27,6 +28,12 @@ _TOOLS = {
     "look": '- A word that is no shape ("logo", "connector", "gasket") is found by sight: `look(phrase)`.',
     "picture": "- `picture(side, parts)` in a program that looks shows you a picture of the model after it.",
 }
+
+_WORDS_ALONE = (
+    '- If two answers are equally likely, reply "unsure" alone once each was computed. If the question cannot be '
+    'answered without knowing more, reply "ask: " and your question, in one sentence.'
+)
+"""Said to who can reply without a program."""
 
 _IN_WORDS = {
     AnswerType.COUNT: "a whole number",
@@ -105,7 +112,15 @@ def conversation(
 ) -> tuple[Message, ...]:
     """What is sent for the question: the rules, the guest API and the model's facts; worked examples; the question."""
     told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
-    shown = [
+    model = facts(summary) if summary is not None else "Nothing is known of it."
+    system = filled("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
+    asked = filled("question.md", question=" ".join(question.split()), expected=told + _names(summary))
+    return (_system(system), *_worked(question, which), Message(Role.USER, asked))
+
+
+def _worked(question: str, which: PromptExamples) -> list[Message]:
+    """The worked examples that go with a question, as if they had been asked before."""
+    return [
         message
         for example in shown_examples(question, which)
         for message in (
@@ -113,10 +128,6 @@ def conversation(
             Message(Role.ASSISTANT, example.reply),
         )
     ]
-    model = facts(summary) if summary is not None else "Nothing is known of it."
-    system = filled("system.md", reference=reference(), model=model, reply=prompt_text("reply.md").strip())
-    asked = filled("question.md", question=" ".join(question.split()), expected=told + _names(summary))
-    return (_system(system), *shown, Message(Role.USER, asked))
 
 
 def _names(summary: ModelSummary | None) -> str:
@@ -132,19 +143,24 @@ def agent_conversation(
     readings: tuple[str, ...] = (),
     steps: int = 6,
     tools: Sequence[str] = (),
+    which: PromptExamples = PromptExamples.NEAREST,
+    only_programs: bool = False,
 ) -> tuple[Message, ...]:
-    """What is sent first to who may look before answering: the rules, the facts, how a parser reads the question.
+    """What is sent first to who may look before answering: the rules, the facts, examples, how a parser reads it.
 
     `tools`: which of `look` and `picture` it may call, since eyes are set up, or it takes images itself.
+    `only_programs`: it is held to a form in which it can say nothing else.
     """
     told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
     listed = "".join(f"\n- {reading}" for reading in readings)
+    lengths = f"\nIn metres: {', '.join(found)}." if (found := in_metres(question)) else ""
     read = f"\nHow a parser reads it, the likeliest first:{listed}" if readings else ""
     model = facts(summary) if summary is not None else "Nothing is known of it."
-    how = "\n".join((filled("agent.md", steps=str(steps)), *(_TOOLS[tool] for tool in tools)))
-    asked = filled("question.md", question=" ".join(question.split()), expected=told + _names(summary) + read)
+    said = () if only_programs else (_WORDS_ALONE,)
+    how = "\n".join((filled("agent.md", steps=str(steps)), *said, *(_TOOLS[tool] for tool in tools)))
+    asked = filled("question.md", question=" ".join(question.split()), expected=told + lengths + _names(summary) + read)
     system = filled("system.md", reference=reference(tuple(tools)), model=model, reply=how)
-    return (_system(system), Message(Role.USER, asked))
+    return (_system(system), *_worked(question, which), Message(Role.USER, asked))
 
 
 def _system(text: str) -> Message:

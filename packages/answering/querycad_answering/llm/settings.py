@@ -134,6 +134,11 @@ class LlmSettings(Settings):
         """Is there a language model to ask?"""
         return bool(self.llm_base_url or self.llm_command)
 
+    @property
+    def only_programs(self) -> bool:
+        """Is a program in every reply, whatever the language model would say?"""
+        return not self.llm_command and self.llm_constrained in (Constrained.LLAMA_CPP, Constrained.VLLM)
+
     def eyes(self) -> LlmSettings | None:
         """The settings of who is shown pictures: of another model where one is set up, else these. None without any.
 

@@ -29,6 +29,7 @@ class Parsed:
 
     answer: Answer
     meant: str
+    is_sure: bool = False
 
 
 def _no_run(_: Program) -> RunOutcome:
@@ -85,5 +86,7 @@ class Written:
     error: LlmError | None = None
     is_unsure: bool = False
     """The candidates are different answers, and none is preferred."""
+    yields: bool = False
+    """A parser that is sure gets another answer, and nothing was looked at that would show it wrong."""
     question: str = ""
     """What the language model wants to know before it answers."""

@@ -7,22 +7,17 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from querycad_answering.judging import Verdict
-from querycad_answering.quantities import measures_anything, scalar_type, triple_type
-from querycad_answering.typed import unit_of
 from querycad_contracts import (
-    Answer,
-    AnswerType,
     Attempt,
     LlmOptions,
     Program,
     TokenUse,
-    Unit,
 )
 
-from .agent import work
+from .agent import Limits, work
 from .breaker import Breaker
 from .checks import problems
-from .doubts import doubts
+from .doubts import doubts, odd, other_measure
 from .forms import program_form
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
@@ -37,8 +32,6 @@ if TYPE_CHECKING:
 
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
-_UNITS = (AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE)
-_MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, AnswerType.ANGLES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,8 +105,8 @@ class LlmWriter:
         deadline = TimeLimit(self.settings.llm_timeout_s)
         try:
             if looks:
-                limits = (self.settings.llm_steps, self.settings.llm_budget)
-                work(self._model, task, self.codegen.replace("llm", "agent", 1), limits, deadline, written)
+                codegen = self.codegen.replace("llm", "agent", 1)
+                work(self._model, task, codegen, self._limits(), deadline, written)
                 return written
             for sample in range(1, self.settings.llm_samples + 1):
                 candidate = self._sample(self._model, task, sample, deadline, written)
@@ -124,6 +117,16 @@ class LlmWriter:
         finally:
             breaker.heard(None if written.attempts else written.error)
         return written
+
+    def _limits(self) -> Limits:
+        """How far may it go as an agent?"""
+        return Limits(
+            steps=self.settings.llm_steps,
+            tokens=self.settings.llm_budget,
+            temperature=self.settings.llm_temperature,
+            examples=self.settings.llm_examples,
+            only_programs=self.settings.only_programs,
+        )
 
     def _sample(
         self, model: ChatModel, task: Task, sample: int, deadline: TimeLimit, written: Written
@@ -177,7 +180,7 @@ def _try(task: Task, reply: Reply, codegen: str) -> _Tried:
     if problem := _problem(task, candidate):
         return _Tried(candidate, problem, code)
     answer = candidate.verdict.answer
-    doubt = f"{_odd(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
+    doubt = f"{odd(answer, code)} {_doubt(task, code)}".strip() if answer is not None else ""
     return _Tried(candidate, doubt, code, is_doubted=bool(doubt))
 
 
@@ -195,23 +198,11 @@ def _doubt(task: Task, code: str) -> str:
     return " ".join(doubts(code, task.question, task.asked, task.summary))
 
 
-def _odd(answer: Answer, code: str) -> str:
-    """What is said to measures of which there are none, or that are below zero and no coordinate?"""
-    if answer.type not in _MEASURES:
-        return ""
-    values = answer.value if isinstance(answer.value, list | tuple) else [answer.value]
-    if not values:
-        return "The list is empty: no part that was found passes the condition."
-    is_below = any(isinstance(value, float) and value < 0 for value in values)
-    is_coordinate = triple_type(code) is AnswerType.POINT
-    return "The answer is negative, which no size or distance is." if is_below and not is_coordinate else ""
-
-
 def _problem(task: Task, candidate: Candidate) -> str:
     """What has the language model to repair? Nothing where another program could not do better."""
     verdict, code = candidate.verdict, candidate.program.code
     if verdict.answer is not None:
-        return _other_measure(code, task.wanted)
+        return other_measure(code, task.wanted)
     if verdict.missing is not None:
         return _doubt(task, code) or _unfound(task, verdict)
     assert verdict.failure is not None
@@ -221,18 +212,6 @@ def _problem(task: Task, candidate: Candidate) -> str:
     if task.wanted is not None and "is not of type" in message:
         return f"{message}: the question asks for {in_words(task.wanted)}."
     return " ".join(filter(None, (f"{message}.", hint(message), _doubt(task, code))))
-
-
-def _other_measure(code: str, wanted: AnswerType | None) -> str:
-    """What is said to a program whose number is of the right type, but measures something else?"""
-    if wanted is None or unit_of(wanted) is Unit.NONE:
-        return ""
-    if not measures_anything(code):
-        return f"The question asks for {in_words(wanted)}, but the program reads no measure of a part or of shape."
-    computed = scalar_type(code)
-    if wanted in _UNITS and computed in _UNITS[1:] and computed is not wanted:
-        return f"The question asks for {in_words(wanted)}, but the program computes {in_words(computed)}."
-    return ""
 
 
 def _unfound(task: Task, verdict: Verdict) -> str:

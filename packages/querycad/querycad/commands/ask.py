@@ -72,7 +72,15 @@ def prompt(options: argparse.Namespace) -> int:
     if (options.codegen or settings.codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
         tools = () if settings.eyes() is None else BY_SIGHT if settings.llm_images else BY_SIGHT[:1]
-        told = agent_conversation(options.question, summary, readings=readings, steps=settings.llm_steps, tools=tools)
+        told = agent_conversation(
+            options.question,
+            summary,
+            readings=readings,
+            steps=settings.llm_steps,
+            tools=tools,
+            which=settings.llm_examples,
+            only_programs=settings.only_programs,
+        )
     else:
         told = conversation(options.question, summary, which=settings.llm_examples)
     print(as_text(told), end="")
