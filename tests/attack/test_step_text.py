@@ -12,9 +12,9 @@ import pytest
 
 from querycad_segworker import ingest as ingesting
 from querycad_segworker.errors import DiskFull, FileProblem
+from querycad_segworker.files.sniff import check_step, missing_entities
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
-from querycad_segworker.sniff import check_step, missing_entities
 
 HEAD = b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=(LENGTH_UNIT());\n"
 END = b"ENDSEC;\nEND-ISO-10303-21;\n"

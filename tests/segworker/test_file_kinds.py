@@ -13,9 +13,9 @@ from tests.segworker.shapes import cut, cylinder, plate, write_step
 
 from querycad_contracts import FileKind
 from querycad_segworker.errors import FileProblem, FileTooLarge, IncompleteFile, NotStep
+from querycad_segworker.files.unpack import unpack
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
-from querycad_segworker.unpack import unpack
 
 SHAPE = cut(plate(), cylinder(5, 30, (0, 0, -25)))
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from querycad_segworker.errors import FileProblem, FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
-from querycad_segworker.sniff import check_step
+from querycad_segworker.files.sniff import check_step
 
 HEADER = "ISO-10303-21;\nHEADER;\nFILE_NAME('SURFACE','',(''),(''),'','','');\nENDSEC;\n"
 UNIT = "#1=(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.));\n"

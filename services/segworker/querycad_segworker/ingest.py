@@ -15,10 +15,10 @@ from pathlib import Path
 
 from . import errors
 from .errors import DiskFull, FileProblem, KernelDied, KernelKilled, NotStep
+from .files.sniff import MAX_FILE_BYTES, check_file, kind_of, missing_entities
+from .files.unpack import unpack
 from .kernel_process import MEMORY_BYTES, KernelProcess, host_missing, start_host
 from .model import Artefacts, ModelStore, file_sha256
-from .sniff import MAX_FILE_BYTES, check_file, kind_of, missing_entities
-from .unpack import unpack
 
 Progress = Callable[[str], None]
 """Told the stage that begins: 'read', 'measure', 'tessellate', 'look', 'recognise'."""

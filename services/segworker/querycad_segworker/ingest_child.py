@@ -24,12 +24,12 @@ from .errors import FileProblem, UnreadableFile
 from .features.faces import faces_of
 from .features.recognise import recognise
 from .features.sheet.material_thickness import material_thickness
+from .files.sniff import kind_of, strange_number
 from .mesh import Mesh
 from .meshes.files import read_mesh_file
 from .meshes.fitting import fitted
 from .model import Artefacts, Model
 from .orientation import outward
-from .sniff import kind_of, strange_number
 from .topology import Brep
 from .vectors import dist
 from .visibility.faces import shows_backs, visible_pixels

@@ -18,9 +18,9 @@ from xml.parsers import expat
 
 import numpy as np
 
-from querycad_segworker.archives import opened
 from querycad_segworker.errors import FileTooLarge, IncompleteFile, UnreadableFile
-from querycad_segworker.sniff import MAX_FILE_BYTES
+from querycad_segworker.files.archives import opened
+from querycad_segworker.files.sniff import MAX_FILE_BYTES
 
 from .triangles import MOST_TRIANGLES, Array, Named
 

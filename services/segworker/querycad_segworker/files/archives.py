@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from io import FileIO
 
-from .errors import NotStep
+from querycad_segworker.errors import NotStep
 
 PIECE_BYTES = 2**20
 """Read at once at most. The directory of an archive is read in one piece: a thousand members need some 100 KB."""

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import IO
 
 from querycad_contracts import HEAD_BYTES, FileKind, file_kind
+from querycad_segworker.errors import FileTooLarge, IncompleteFile, NotStep
 
 from .archives import opened
-from .errors import FileTooLarge, IncompleteFile, NotStep
 
 CHUNK_BYTES = 2**20
 MOST_MEMBERS = 1000

@@ -7,9 +7,9 @@ import zipfile
 from pathlib import Path
 
 from querycad_contracts import HEAD_BYTES, FileKind, file_kind, is_3mf
+from querycad_segworker.errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
 from .archives import opened
-from .errors import FileTooLarge, IncompleteFile, NoLengthUnit, NotStep
 
 MAX_FILE_BYTES = 512 * 2**20
 """The largest file accepted: single parts have kilobytes to a few megabytes, large assemblies some hundred."""
