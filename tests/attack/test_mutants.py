@@ -8,7 +8,9 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import pytest
 from tests.attack.mutants import Parent, Verdict, judge, mutant
@@ -22,9 +24,15 @@ GROWN_BYTES = 64 * 2**20
 
 def judged(seeds: list[int], folder: Path) -> list[Verdict]:
     """What came of the mutants; the parent is looked at before and after, once it has done its first."""
-    judge(0, folder)
+
+    def one(seed: int) -> Verdict:
+        with TemporaryDirectory(dir=folder) as own:
+            return judge(seed, Path(own))
+
+    one(0)
     before = Parent.now()
-    verdicts = [judge(seed, folder) for seed in seeds]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:  # each is read in a process of its own
+        verdicts = list(pool.map(one, seeds))
     after = Parent.now()
     assert after.resident_bytes - before.resident_bytes < GROWN_BYTES
     assert (after.handles, after.children) == (before.handles, before.children)

@@ -13,6 +13,7 @@ import pytest
 from tests.api.fakes import MODEL, STEP
 
 from querycad_api.app import make_app
+from querycad_api.jobs import endpoints
 from querycad_api.jobs.endpoints import JOB_STREAMS
 from querycad_api.settings import ApiSettings
 
@@ -40,3 +41,16 @@ def test_a_job_has_so_many_streams_and_one_that_ends_makes_room(client: httpx.Cl
                 return
         time.sleep(0.1)
     raise AssertionError("streams that were left still count")
+
+
+def test_a_key_has_so_many_streams_of_all_its_jobs(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(endpoints, "KEY_STREAMS", 3)
+    client.post("/v1/models", files={"file": ("a.step", STEP)})
+    jobs = [
+        client.post(f"/v1/models/{MODEL}/questions", json={"question": f"How many holes of {number} mm?"}).json()["id"]
+        for number in range(4)
+    ]
+    with contextlib.ExitStack() as streams:
+        for job in jobs[:3]:
+            assert streams.enter_context(client.stream("GET", f"/v1/jobs/{job}/events")).status_code == 200
+        assert client.get(f"/v1/jobs/{jobs[3]}/events").status_code == 429
