@@ -51,12 +51,16 @@ def _side(part: Part) -> Side | None:
     return next((s for s in Side if sum(-a * b for a, b in zip(s.outward, into, strict=True)) > _FROM), None)
 
 
-def reads_height(candidate: Candidate, alone: bool) -> bool:
-    """Is a height along z read of all of the model?"""
-    form = candidate.reading.form
-    whole = all(p.kind is PartKind.MODEL or alone for grounded in candidate.grounds.values() for p in grounded.parts)
+def reads_height(candidate: Candidate) -> bool:
+    """Is a height along z read, and nothing else?"""
     reads = [(read.measure, read.expression) for read in candidate.written.reads]
-    return isinstance(form, Get) and whole and reads == [(Measure.HEIGHT.value, "{0}.extents[2]")]
+    return isinstance(candidate.reading.form, Get) and reads == [(Measure.HEIGHT.value, "{0}.extents[2]")]
+
+
+def is_of_whole(candidate: Candidate, alone: bool) -> bool:
+    """Is it read of all of the model? `alone`: its only body is all of it."""
+    grounded = [part for ground in candidate.grounds.values() for part in ground.parts]
+    return all(part.kind is PartKind.MODEL or alone for part in grounded)
 
 
 def standing(text: Text, summary: ModelSummary, parts: Sequence[Part]) -> Standing | None:

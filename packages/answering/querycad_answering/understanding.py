@@ -29,7 +29,7 @@ from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
-from .beside import beside, of_height, reads_height, standing
+from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
 from .judging import Verdict, judge
@@ -252,9 +252,11 @@ class Understanding:
 
     def _standing(self, candidate: Candidate, run: Run, unit: LengthUnit) -> tuple[Alternative, str] | None:
         """The height along the axis that the model stands on, where that is not the file's; with a note."""
-        if self._view.contents is None or not reads_height(candidate, len(self._view.contents()[0].shape.bodies) < 2):
-            return None
-        found = standing(self._asked.reader.text, *self._view.contents())
+        if self._view.contents is None or not reads_height(candidate):
+            return None  # all parts are a lot to ask for
+        summary, parts = self._view.contents()
+        whole = is_of_whole(candidate, alone=len(summary.shape.bodies) < 2)
+        found = standing(self._asked.reader.text, summary, parts) if whole else None
         if found is None:
             return None
         code = candidate.written.code.replace(".extents[2]", f".extents[{found.axis}]").replace(

@@ -40,6 +40,7 @@ class Text:
     def _tell(self, tokens: tuple[Token, ...]) -> None:
         self.tokens = tokens
         self.words = [token.word for token in tokens]
+        self._said = frozenset(self.words)
         self.spans: list[list[Span]] = self.lexicon.spans(self.words)
 
     def __len__(self) -> int:
@@ -71,7 +72,7 @@ class Text:
 
     def has(self, *words: str) -> bool:
         """Does one of these words occur at all?"""
-        return any(word in words for word in self.words)
+        return not self._said.isdisjoint(words)
 
     def at_words(self, *words: str) -> set[int]:
         """Where these words stand."""

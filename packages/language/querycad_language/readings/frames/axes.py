@@ -9,10 +9,8 @@ from querycad_language.readings.question import Question
 def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
     text = question.text
-    for at in range(len(text) - 1):
-        if text.find(at, "axis_preposition") and (
-            side := text.find(text.skip(at + 1, "article"), "measure", "adjective")
-        ):
+    for at in sorted(text.at_phrases("axis_preposition")):
+        if side := text.find(text.skip(at + 1, "article"), "measure", "adjective"):
             words = text.words[side.start : side.end]
             named = {"width": 0, "depth": 1, "height": 2}.get(words[0] if words else "")
             if named is not None and text.is_word(at, "along") and at not in taken:

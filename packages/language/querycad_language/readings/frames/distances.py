@@ -153,12 +153,12 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
             return Reduce.LARGEST, {at}
         if text.find(at, "least"):
             return Reduce.SMALLEST, {at}
-    pair = {i for i in range(*question.asking) if text.is_word(i, "pair", "two", "apart", "pairs", "any")}
     for words, reduce in ((_FAR_APART, Reduce.LARGEST), (_CLOSE, Reduce.SMALLEST)):
-        said = {i for i in range(*question.asking) if text.is_word(i, *words)}
-        if pair and len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said):
+        said = {i for i in text.at_words(*words) if question.in_question(i)}
+        alone = len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said)
+        if alone and any(map(question.in_question, text.at_words("pair", "two", "apart", "any"))):
             return reduce, said  # 'the two closest holes', 'the pair of holes furthest apart'
-    each = {i for i in range(*question.asking) if text.find(i, "different")}
+    each = {i for i in text.at_phrases("different") if question.in_question(i)}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 
 

@@ -112,12 +112,7 @@ def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
     """'the diameters of the largest and the smallest hole', 'min and max depth of the slots'."""
     get, text = draft.form, question.text
     assert isinstance(get, Get)
-    ends: dict[str, int] = {}
-    for at in range(*question.asking):
-        span = text.find(at, "most", "least", "scale")
-        degree = None if span is None else span.value.degree if span.category == "scale" else span.category
-        if degree in ("most", "least"):
-            ends.setdefault(degree, at)
+    ends = question.extremes
     first, last = (min(ends.values()), max(ends.values())) if len(ends) == 2 else (0, 0)
     joined = any(text.is_word(i, "and", "to", "&", "/", ",") for i in range(first + 1, last))
     named = get.target is not None and get.target.noun
