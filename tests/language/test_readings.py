@@ -426,7 +426,7 @@ def test_faces_and_edges_of_the_whole_are_counted_whatever_their_shapes() -> Non
         isinstance(form, Count) and form.measure is Measure.EDGE_COUNT
         for form in forms("How many edges does the part have?")
     )
-    assert any(isinstance(form, Count) and form.measure is Measure.FACE_COUNT for form in forms("Number of faces?"))
+    assert any(isinstance(form, Count) and form.measure is Measure.FACE_COUNT for form in forms("Faces, how many?"))
     counted = best("How many faces are cylindrical?").form
     assert isinstance(counted, Count)
     assert counted.target.noun == "cylindrical face"

@@ -1,4 +1,4 @@
-"""What a clause has elsewhere: 'Of the holes, how many are blind?', 'The bores, are they alike?', 'wider than that'."""
+"""What a clause has elsewhere: 'Of the bores, how many are tapped?', 'The bores, are they alike?', 'wider than that'."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 
 from .tokens import Kind, Token
 
-_MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 Finds = Callable[[int, str], bool]
 """Does a phrase of the category begin at the token?"""
 
@@ -14,6 +13,8 @@ _LONGEST = 12
 """Tokens of a topic; longer ones are clauses of their own."""
 _COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
 _PRONOUNS = ("it", "they", "them")
+_MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
+"""What is said of parts without 'are': 'which emerge at the back'."""
 _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "relation")
 
 
@@ -56,6 +57,7 @@ def _sizes(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
 
 
 def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """'Of the bores, how many are tapped?', 'The lugs: are they alike?'"""
     for comma, token in enumerate(tokens):
         if token.word not in (",", ":"):
             continue
@@ -87,6 +89,7 @@ def _gap(tokens: Sequence[Token], begin: int, finds: Finds) -> tuple[int, int] |
             return None  # 'the screws, which are M5, how long are they?'
         if asks:
             end = at + asks + (at + asks < len(words) and words[at + asks] in ("one", "ones"))
-            if end < len(words) and any(finds(end, category) for category in (*_VERBS, *_MAIN_VERBS)):
+            last = end == len(words) or words[end] in (".", "?", "!")  # 'lugs: how many?'
+            if last or any(finds(end, category) for category in (*_VERBS, *_MAIN_VERBS)):
                 return at + asks, end
     return None

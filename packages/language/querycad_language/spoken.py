@@ -9,7 +9,7 @@ from text_to_num import alpha2digit
 
 from .lexicon import lexicon
 
-_HESITATION = re.compile(r"(?<!\d )\b(?:u[hm]+|erm?|hm+)\b,? ?|(?<=have )like ", re.IGNORECASE)
+_HESITATION = re.compile(r"(?<!\d )\b(?:u[hm]+|erm?|hm+)\b,? ?", re.IGNORECASE)
 _FRACTIONS = {"half": "0.5", "a half": "0.5", "a quarter": "0.25", "three quarters": "0.75"}
 
 

@@ -417,4 +417,4 @@ def most_seen(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
     name = draft.parts(target)
     sides_named = ", ".join(f'"{side.value}"' for side in sides)
     draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in [{sides_named}]}}")
-    return '", ".join(side for side in seen if seen[side] == max(seen.values()))'.replace('"', "'")
+    return "', '.join(side for side in seen if seen[side] == max(seen.values()))"

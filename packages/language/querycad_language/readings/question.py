@@ -58,7 +58,7 @@ class Question:
 
     @property
     def offers_yes_no(self) -> bool:
-        """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?', 'length > 100 mm?'"""
+        """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?', 'width > 80 mm?'"""
         text, (start, end) = self.text, self.asking
         yes = (i for i in range(len(text)) if text.is_word(i, "y", "yes", "true"))
         if any(text.is_word(i + 2, "n", "no", "false") for i in yes):

@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import Count, Exists
 from querycad_language.lexicon import Span
-from querycad_language.phrases import Mention, replace_fields
+from querycad_language.phrases import Mention, bare_of, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
@@ -95,8 +95,7 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
     measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
     named = [m.query for m in question.mentions if m.query is not None]
-    bare = all(len(one.words) == 1 and not (one.sizes or one.sides or one.places or one.ranks) for one in named)
-    if measure is not None and bare and len(named) < 2:
+    if measure is not None and len(named) < 2 and all(bare_of(one, *_TOPOLOGY) for one in named):
         said = {i for m in question.mentions if m.query is None for i in m.used}
         whole = Count(PartQuery(noun="object", definite=True), measure)
         yield Draft(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
@@ -148,9 +147,9 @@ def exists(question: Question) -> Iterator[Draft]:
             yield Draft(placed, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
-    if question.closed and said:  # 'Is a rib present?', 'Can any slots be found?'
+    if question.closed and said:  # 'Is a lug present?', 'Can any slots be found?'
         yield from _existing(present[:1] or question.mentions[:1], said)
-    elif question.offers_yes_no and len(question.mentions) == 1:  # 'slots, yes or no?', 'has_slot: true or false?'
+    elif question.offers_yes_no and len(question.mentions) == 1:  # 'lugs, yes or no?', 'has_lug: true or false?'
         yield from _existing(question.mentions, set(text.at_phrases("have")))
 
 

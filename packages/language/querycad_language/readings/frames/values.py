@@ -34,7 +34,7 @@ _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum"
 
 
 def values(question: Question) -> Iterator[Draft]:
-    """A measure of a part or of the whole: 'How deep is the keyway?', 'What is the width of the lever?'"""
+    """A measure of a part or of the whole: 'How deep is the dovetail?', 'What is the width of the lever?'"""
     shared = (Measure.VOLUME,) if question.text.at_phrases("overlap") else ()
     asked_for = [one for one in asked_in(question) if one.measures != shared]
     for asked in [*asked_for, *_together(question, asked_for)]:
@@ -122,7 +122,7 @@ def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
 
 
 def _surface(draft: Draft) -> Iterator[Draft]:
-    """'How large is the surface of the part?', 'the total area of all faces': of the whole model."""
+    """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
     get = draft.form
     assert isinstance(get, Get)
     area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))

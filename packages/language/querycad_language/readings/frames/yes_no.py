@@ -47,7 +47,7 @@ def yes_no(question: Question) -> Iterator[Draft]:
         said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
         yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
     yield from _fits(question, start)
-    if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'length > 100 mm?'
+    if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield from _checked(text, None, found[0], asked, {"check": 1.0}, {start} | found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
         base: Features = {"check": 1.0, "count_far": float(index)}
@@ -87,15 +87,15 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
 
 
 def within(question: Question) -> Iterator[Draft]:
-    """'Does the part fit into a box of 200 x 100 x 50 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
+    """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
     verbs = {i for span in text.all("fits", "boxes") for i in span.tokens}
     sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
     joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
-        within = Within(None, (low, middle, high))
-        yield Draft(within, {"check": 1.0, "whole_box": 1.0}, {*verbs, *range(sizes[0], sizes[-1] + 1)})
+        box = Within(None, (low, middle, high))
+        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *range(sizes[0], sizes[-1] + 1)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Draft]:
