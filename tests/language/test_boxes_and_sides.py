@@ -38,7 +38,7 @@ def test_two_sizes_are_no_box() -> None:
     ],
 )
 def test_the_side_with_most_parts(question: str) -> None:
-    towards = next(form for form in forms(question) if isinstance(form, Towards) and form.most)
+    towards = next(form for form in forms(question) if isinstance(form, Towards) and form.seen == "most")
     assert towards.target.noun == "slot"
     assert not any(isinstance(form, Count) for form in forms(question))
 

@@ -117,6 +117,10 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
     return shown and any(name.endswith("_dropped") for name in way.features)
 
 
+_COUNTED = ("counts_none", "counts_one")
+"""Features of a count that most words do not say: plural words ask for one part too."""
+
+
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
@@ -133,8 +137,9 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     if isinstance(form, Get):
         features.update(_of_get(form, grounds, features.get("overall_part", 0.0)))
     if isinstance(form, Count | Exists | Parts):
-        if not grounds[form.target].parts:
-            features["counts_none"] = 1.0
+        number = len(grounds[form.target].parts)
+        if number < len(_COUNTED):
+            features[_COUNTED[number]] = 1.0
         if any(name.endswith("_empties") for name in features):
             features["count_empties"] = 1.0
         if any(name.endswith(("_dropped", "_unknown")) for name in features):
@@ -236,6 +241,8 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
+    if isinstance(form, Get) and form.reduce is Reduce.RANGE and distinct == 1:
+        features["value_range_flat"] = 1.0  # who asks from where to where knows that they differ
     if candidate.written.expects is AnswerType.ANGLE and any(v == 0 for v in flat):
         features["value_zero"] = 1.0  # nobody asks what parallel axes enclose
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):

@@ -50,7 +50,7 @@ _COMPARATIVES = {
     Measure.LENGTH: ("longer", "shorter"), Measure.THICKNESS: ("thicker", "thinner"),
     Measure.MAGNITUDE: ("larger", "smaller"),
 }  # fmt: skip
-_OPERATIONS = {"minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with"}
+_OPERATIONS = {"minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with"}
 
 
 def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a form
@@ -113,7 +113,9 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
         case Within(target, box):
             return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
-        case Towards(target, _, True):
+        case Towards(target, _, "none"):
+            return f"sides without {noun_phrase(target)}"
+        case Towards(target, _, "most"):
             return f"side that most of {noun_phrase(target)} are seen from"
         case Towards(target, sides):
             return f"side of {noun_phrase(target)}: {', '.join(sides[:-1])} or {sides[-1]}"

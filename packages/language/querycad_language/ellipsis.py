@@ -1,4 +1,4 @@
-"""What a clause has elsewhere: 'Of the bores, how many are tapped?', 'The bores, are they alike?', 'wider than that'."""
+"""What a clause has elsewhere: 'Of the bores, how many are tapped?', 'The lugs, are they alike?', 'over that'."""
 
 from __future__ import annotations
 
@@ -12,6 +12,9 @@ Finds = Callable[[int, str], bool]
 _LONGEST = 12
 """Tokens of a topic; longer ones are clauses of their own."""
 _COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
+_ECHO = 3
+_ECHOED = frozenset(("one", "ones", "pair", "two", "are", "they", "is", "it", "those", "them"))
+_BEFORE_ECHO = (",", "and", "-", "–", "—", ":", "if", "so", "yes", "tell", "me", "say", "name", "then", "/", "no")
 _PRONOUNS = ("it", "they", "them")
 _MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 """What is said of parts without 'are': 'which emerge at the back'."""
@@ -20,7 +23,22 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _sides(_sizes(_topics(_without_having(tokens), finds)), finds)
+    return _sides(_sizes(_topics(_without_having(_without_echo(tokens)), finds)), finds)
+
+
+def _without_echo(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
+    """'Do any lugs cross, and which ones?': the parts that make it so are evidence of the answer."""
+    words = [token.word for token in tokens]
+    end = len(words) - (words[-1:] in (["?"], ["."], ["!"]))
+    for at in range(max(1, end - _ECHO), end):
+        if words[at] != "which" or not set(words[at + 1 : end]) <= _ECHOED:
+            continue
+        start = at
+        while start > 1 and words[start - 1] in _BEFORE_ECHO:
+            start -= 1
+        joined = {",", "and", "-", "–", "—", ":"} & set(words[start:at])
+        return (*tokens[:start], *tokens[end:]) if joined and start > _ECHO else tokens
+    return tokens
 
 
 def _without_having(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
@@ -70,7 +88,7 @@ def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
         gap = _gap(tokens, begin, finds)
         if gap is not None:
             at, end = gap
-            bare = tokens[at].word in _PRONOUNS or topic[0].word != "of"
+            bare = tokens[at - 1 if at == len(tokens) else at].word in _PRONOUNS or topic[0].word != "of"
             whole = topic[1:] if bare and topic[0].word in ("of", "for", "with", "about", "regarding") else topic
             return (*tokens[:start], *tokens[begin:at], *whole, *tokens[end:])
     return tokens

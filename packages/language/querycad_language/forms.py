@@ -114,13 +114,17 @@ class Angle:
     second: PartQuery | None
 
 
+Operation: TypeAlias = Literal["minus", "ratio", "share", "plus", "apart"]
+"""'share': in percent."""
+
+
 @dataclass(frozen=True, slots=True)
 class Combine:
-    """What do two measures give together?"""
+    """What do two measures, or two numbers of parts, give together?"""
 
-    operation: Literal["minus", "ratio", "plus", "apart"]
-    left: Get
-    right: Get
+    operation: Operation
+    left: Get | Count
+    right: Get | Count
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,11 +194,11 @@ class Touching:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of the sides do the parts lie, or open? `most`: from which are most of them seen?"""
+    """Towards which of the sides do the parts lie, or open? From which are 'most', or 'none', of them seen?"""
 
     target: PartQuery
     sides: tuple[Side, ...]
-    most: bool = False
+    seen: Literal["", "most", "none"] = ""
 
 
 Form: TypeAlias = (

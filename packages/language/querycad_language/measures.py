@@ -27,17 +27,26 @@ FLAT = 0.5
 WHOLE = frozenset(("model", "body"))
 BLENDS = frozenset(("fillet", "round", "chamfer", "bend"))
 
+_BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
+_OF_WHOLE = {
+    Measure.FILL: f"100 * {{0}}.volume / {_BOX}",
+    Measure.REMOVED: f"{_BOX} - {{0}}.volume",
+    Measure.STANDING_AREA: 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)',
+    Measure.LONG_AXIS: '"xyz"[list({0}.extents).index(max({0}.extents))]',
+}
+"""Measures that only the whole model has."""
 _ENDS = {
     Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
     Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
 }  # fmt: skip
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
+    Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER, Measure.LONG_AXIS: AnswerType.TEXT,
     Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT,
     Measure.FACE_COUNT: AnswerType.COUNT, Measure.EDGE_COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
     **dict.fromkeys((Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
-    **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA), AnswerType.AREA),
+    **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA, Measure.STANDING_AREA), AnswerType.AREA),
     **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
     **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.APPROACH), AnswerType.DIRECTION),
     **dict.fromkeys((Measure.NAME, Measure.KIND, Measure.COLOR, Measure.BOTTOM), AnswerType.TEXT),
@@ -264,6 +273,8 @@ def _options(measure: Measure, part: Part) -> Sequence[tuple[str, Grade]]:  # no
             return [("{0}.area", "own"), ("{0}.opening_area", "derived")]
         case Measure.INERTIA:
             return [("[{0}.inertia[i][i] for i in range(3)]", "own")]
+        case _ if measure in _OF_WHOLE:
+            return [(_OF_WHOLE[measure], "own")] if kind == "model" else []
         case _ if measure in _ENDS:
             return [(_end(_ENDS[measure]), "own")]
         case _:
@@ -348,7 +359,7 @@ def _end(side: Side) -> str:
     return f"({', '.join(axes)})"
 
 
-_ALWAYS = ("center", "extents", "half_extents", "label", "kind", "tags", "sides", "id", "edge_distance")
+_ALWAYS = ("min_corner", "center", "extents", "half_extents", "label", "kind", "tags", "sides", "id", "edge_distance")
 
 
 def _has(part: Part, expression: str) -> bool:

@@ -46,6 +46,15 @@ _TOKEN = re.compile(
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
+_SIGNED = (
+    ("+", "x", "right"),
+    ("-−", "x", "left"),
+    ("+", "y", "back"),
+    ("-−", "y", "front"),
+    ("+", "z", "top"),
+    ("-−", "z", "bottom"),
+)
+"""Sign, axis, and the side of the file's frame that lies there."""
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
@@ -55,6 +64,14 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
+    *(
+        (re.compile(rf"(?<![\w+-])[{sign}]{axis}(?=[ -](?:side|face|half|end)\b)", re.I), name)
+        for sign, axis, name in _SIGNED
+    ),
+    (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
+    (re.compile(r"\|\|"), " parallel to "),
+    (re.compile(r"\bl\s?/\s?d\b", re.I), "length to diameter ratio"),
+    (re.compile(r"\b([xyz])-(?=axis|direction)", re.I), r"\1 "),
     (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
     (re.compile(r"\bc['’]bore", re.I), "counterbore"),

@@ -139,9 +139,21 @@ def _is_head(text: Text, at: int, draft: Draft, noun: Span, adjective: Span | No
 
 def _attribute(text: Text, at: int, draft: Draft) -> int:
     """Where a side, a colour or a negated adjective ends; 0 where none stands here."""
-    if (side := text.find(at, "side")) and not draft.nouns and is_noun(text, side.end):
-        draft.ends.append(side.value)
-        return side.end
+    if (side := text.find(at, "side")) and not draft.nouns:
+        faced = side.end + text.is_word(side.end, "side", "face", "half")
+        if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
+            if text.is_word(side.end, "half"):
+                draft.adjectives.append(f"{side.value.value} half")
+            else:
+                draft.sides.append(side.value)
+            return faced
+        if is_noun(text, side.end):
+            draft.ends.append(side.value)
+            return side.end
+    axis = text.find(at, "axis")
+    if axis and axis.value in range(3) and axis.end > at + 1 and text.find(axis.end, "noun") and not draft.nouns:
+        draft.adjectives.append(f"{'xyz'[axis.value]} parallel")  # 'z direction lugs'
+        return axis.end
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
         draft.colors.append(color.value)
         return color.end

@@ -8,7 +8,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import MAX_DEPTH, Draft, Mention, NounPhrases
-from .places import central, nearest, placed, seen
+from .places import along, central, nearest, placed, seen, sideways
 from .sizes import size
 from .words import is_noun, noun_follows, superlative
 
@@ -62,8 +62,13 @@ def _is_verb(text: Text, at: int) -> bool:
 
 def _opens(text: Text, at: int) -> bool:
     """Does a modifier follow a comma or a bracket?"""
-    if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
+    if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with", "without"):
         return True
+    if text.is_word(at + 1, "not", "no") and text.find(at + 2, "side_preposition", "trait"):
+        return True
+    counted = any(text.find(i, "count") for i in range(at))
+    if text.words[at] == "," and counted and size(text, at + 1):
+        return True  # 'how many holes, diameter over 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
 
@@ -80,7 +85,8 @@ def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joine
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
     own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else the noun around it is meant
-    for read in (_through, _colored, _ranked, _fitted, _stated_size) if own else (_fitted, _stated_size):
+    restricting = (_through, sideways, along, _colored, _ranked, _fitted, _stated_size)
+    for read in restricting if own else (_fitted, _stated_size):
         if (end := read(text, at, draft)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
@@ -175,8 +181,11 @@ def _colored(text: Text, at: int, draft: Draft) -> int:
 def _stated_size(text: Text, at: int, draft: Draft) -> int:
     """'with a diameter of 5 mm', 'larger than 5 mm', 'from 4 to 6 mm', '5 mm deep', 'Ø8.5'."""
     found = size(text, at)
-    if found is None or (is_noun(text, found[1]) and not text.find(found[1], "measure", "place", "seeing")):
-        return at  # '… around the 13 mm holes': the size is another noun's
+    if found is None:
+        return at
+    noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
+    if is_noun(text, found[1]) and (place is None or (noun and noun.end > place.end)):
+        return at  # '… around the 13 mm holes', '… 5 mm through holes': the size is another noun's
     draft.sizes.append(found[0])
     return found[1]
 
@@ -224,6 +233,8 @@ def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     place = text.find(at, "place")
     if place is not None and place.value not in ("with", "without"):
         place = None
+    if (end := _neither(text, at, draft)) > at:
+        return end
     counts = depth == 0 and any(text.find(i, "count") for i in range(at))  # 'how many holes have a thread'
     lead = place or (text.find(at, "have") if counts else None)
     if lead is None:
@@ -238,12 +249,36 @@ def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     longer = text.find(start, "noun")
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (draft.lacking if lacking else draft.adjectives).append(span.value.name)
-        return span.end
+        return _further(text, span.end, draft) if lacking else span.end
     other = phrases.at(start, depth + 1, False) if depth < MAX_DEPTH and place is not None else None
     if other is None or other.query is None:
         return at
     draft.places.append(Place(relation="with", what=other.query, negated=lacking))
     return other.end
+
+
+def _neither(text: Text, at: int, draft: Draft) -> int:
+    """'have neither a thread nor a chamfer', 'no thread no chamfer'."""
+    start = text.skip(at, "have")
+    if not text.is_word(start, "neither", "no"):
+        return at
+    span = text.find(text.skip(start + 1, "article"), "trait")
+    if span is None:
+        return at
+    draft.lacking.append(span.value.name)
+    return _further(text, span.end, draft)
+
+
+def _further(text: Text, at: int, draft: Draft) -> int:
+    """'without thread, or chamfer', '… and without chamfer': the further attributes that parts must not have."""
+    end = at
+    while text.is_word(end, "nor", "or", "and", ",", "no", "without", "any", "neither"):
+        end += 1
+    span = text.find(text.skip(end, "article"), "trait")
+    if end == at or span is None or text.find(span.end, "relation"):
+        return at
+    draft.lacking.append(span.value.name)
+    return _further(text, span.end, draft)
 
 
 def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
@@ -259,9 +294,19 @@ def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
 def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'except the one in the middle'."""
     text = phrases.text
-    span = text.find(at, "except")
+    than = text.find(at, "scale") if text.is_word(at + 1, "than") and text.is_word(at + 2, "the") else None
+    if than and than.value.degree in ("more", "less") and (end := superlative(text, at + 3)) and depth == 0:
+        opposed = (than.value.degree == "less") == (end.value.degree == "most")  # 'smaller than the largest'
+        other = phrases.at(at + 2, depth + 1) if opposed else None
+        if other is not None and other.query is not None:
+            draft.excluded.append(other.query)
+            return other.end
+    span = text.find(at, "except", "minus")
     if span is None or depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
+    inner = text.skip(span.end, "article")
+    if span.category == "minus" and not (inner > span.end and superlative(text, inner)):
+        return at  # 'minus the largest'
     other = phrases.at(span.end, depth + 1)
     if other is None or other.query is None:
         return at

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Place, Rank, Side
+from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -14,7 +14,7 @@ def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
     negated = text.is_word(at, "not", "invisible", "hidden")
-    start = at + negated
+    start = text.skip(at + 1, "passing") if negated else at
     seeing = text.find(start, "seeing")
     start = text.skip(start, "seeing")
     if view := text.find(start, "view"):
@@ -24,7 +24,10 @@ def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
         far = text.is_word(start, "from") and any(text.is_word(i, "far") for i in range(at))
         if far and seeing is None:  # 'how far is the hole from the left side': a plane
             return at
-    if not sides or (negated and seeing is None):
+    if sides and not negated and text.is_word(end - 1, "half"):
+        draft.adjectives.extend(f"{side.value} half" for side in sides)
+        return end
+    if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
     if text.is_word(end, "of") and (other := phrases.at(end + 1, depth + 1)) and depth < MAX_DEPTH:
         if other.query is not None:  # 'on the left side of the flange'
@@ -57,6 +60,34 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
             break
         end = text.skip(end + 1, "side_preposition")
     return (sides, end) if sides else ([], at)
+
+
+def sideways(text: Text, at: int, draft: Draft) -> int:
+    """'from the side', 'through one of the side walls': neither from above nor from below."""
+    end = text.skip(at, "passing")
+    if not text.is_word(end, "from", "through", "in", "into") or draft.sides:
+        return at
+    end = text.skip(end + 1, "side_preposition", "place", "each", "article", "number", "function")
+    if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half"):
+        return at
+    draft.adjectives.append("horizontal")
+    return text.skip(end + 1, "side_noun") + text.is_word(end + 1, "wall")
+
+
+def along(text: Text, at: int, draft: Draft) -> int:
+    """'along Z', 'whose axis is parallel to the z axis', 'that run in x direction': of parts that are counted."""
+    named = (text.find(i, "measure") for i in range(at, at + 4))
+    axes = next((span for span in named if span and span.value is Measure.AXIS), None)
+    end = text.skip(at if axes is None else axes.end, "passing", "be")
+    if not text.find(end, "axis_preposition", "parallel") or text.is_word(end, "by"):
+        return at
+    end = text.skip(end, "parallel", "axis_preposition", "function", "article")
+    axis = text.find(end, "axis")
+    runs = text.find(at, "passing") or axes is not None or any(text.find(i, "count", "parallel") for i in range(end))
+    if axis is None or axis.value > 2 or not runs or draft.sizes:  # 'longer than 5 mm along z': of the size
+        return at
+    draft.adjectives.append(f"{'xyz'[axis.value]} parallel")
+    return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
 def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:

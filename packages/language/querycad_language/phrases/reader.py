@@ -52,7 +52,31 @@ class Phrases:
             else:
                 measure = self.text.find(at, "measure")  # 'width across flats' names no flats
                 at = measure.end if measure is not None else at + 1
-        return [self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)]
+        return self._without([self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)])
+
+    def _without(self, found: list[Mention]) -> list[Mention]:
+        """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""
+        left = [m for m in found if m.query is not None and not m.pronoun and self._is_left_out(m)]
+        kept = [m for m in found if m not in left]
+        named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
+        if not left or named is None or named.query is None:
+            return found
+        excluded = tuple(m.query for m in left if m.query is not None)
+        used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))
+        query = replace_fields(named.query, excluded=(*named.query.excluded, *excluded))
+        return [replace(m, query=query, used=used) if m is named else m for m in kept]
+
+    def _is_left_out(self, mention: Mention) -> bool:
+        return bool(self._leaving(mention))
+
+    def _leaving(self, mention: Mention) -> range:
+        """The words that leave a mention out, before or behind it."""
+        for at in range(max(0, mention.start - 4), mention.start):
+            span = self.text.find(at, "leaving")
+            if span is not None and self.text.skip(span.end, "article") >= mention.start:
+                return range(at, span.end)
+        out = self.text.find(mention.end, "left_out") if mention.query and mention.query.ranks else None
+        return range(mention.end, out.end) if out is not None else range(0)
 
     def _shared(self, mention: Mention, after: list[Mention]) -> Mention:
         """'the largest and the smallest hole': of the noun that both share."""
@@ -114,8 +138,30 @@ class Phrases:
             if self.text.find(owner, "have") or self.text.find(at - 1, "have"):  # 'does the top have?'
                 draft.sides.append(side.value)
                 end = owner
+        if end == at:
+            end = self._fragment(at, draft)
         draft.used.update(range(at, end))
         return mention_of(self.text, at, end, draft) if end > at else None
+
+    def _fragment(self, at: int, draft: Draft) -> int:
+        """Where a side ends that stands alone between commas: 'lugs, underside only'."""
+        text = self.text
+        start = text.skip(at, "article")
+        side = text.find(start, "side") if not text.is_word(at - 1, "and", "or", "/") else None
+        lead = at - text.is_word(at - 1, "only", "just")
+        if side is None or not (lead == 0 or text.tokens[lead - 1].kind is Kind.SYMBOL):
+            return at
+        end = text.skip(side.end, "side_noun")
+        half = text.is_word(end - 1, "half")
+        end += text.is_word(end, "only", "alone")
+        whole = text.skip(text.skip(end + 1, "article"), "whole") if text.is_word(end, "of") else end
+        if whole < len(text) and text.tokens[whole].kind is not Kind.SYMBOL:
+            return at
+        if half:
+            draft.adjectives.append(f"{side.value.value} half")
+        else:
+            draft.sides.append(side.value)
+        return whole
 
     def size(self, at: int) -> tuple[SizeFilter, int] | None:
         """A stated size that begins here, and where it ends."""

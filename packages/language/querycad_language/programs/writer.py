@@ -74,8 +74,12 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             return draft.parts(target), AnswerType.PARTS
         case Touching():
             return touching(draft, form), AnswerType.PARTS
-        case Towards(target, sides, most):
-            return (most_seen if most else towards)(draft, target, sides), AnswerType.TEXT
+        case Towards(target, sides, "none"):
+            sides_named = ", ".join(f'"{side.value}"' for side in sides)
+            none = f"not any(side in p.sides for p in {draft.parts(target)})"
+            return f"[side for side in [{sides_named}] if {none}]", AnswerType.TEXTS
+        case Towards(target, sides, seen):
+            return (most_seen if seen else towards)(draft, target, sides), AnswerType.TEXT
         case Within(target, box):
             found = "[shape]" if target is None else draft.parts(target)
             fits = f"all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r}))"
@@ -87,7 +91,7 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
         case Angle(first, second):
             return angle_between(draft, first, second), AnswerType.ANGLE
         case Combine():
-            draft.overall = form.left.overall
+            draft.overall = isinstance(form.left, Get) and form.left.overall
             return _combine(draft, form)
         case Check():
             draft.overall = isinstance(form.left, Get) and form.left.overall
@@ -194,6 +198,8 @@ def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tup
         case _:
             draft.lines.append(f"values = {values}")
             same = "len(different(values, 1e-05)) == 1" if scalar else "len(values) == 1"
+            if kind is AnswerType.TEXTS:
+                same = "all(v == values[0] for v in values)"
             if kind is AnswerType.DIRECTION and "approach" not in values:  # one way each
                 same = "all(abs(a - b) < 1e-06 for v in values for a, b in zip(v, values[0]))"
             return f"values[0] if {same} else values", kind
@@ -235,8 +241,10 @@ def _of_model(draft: Draft, expression: str) -> str:
     return expression.format("model")
 
 
-def _scalar(draft: Draft, get: Get, pick: str = "max") -> str:
-    """One number of a part or the whole; of several parts the largest."""
+def _scalar(draft: Draft, get: Get | Count, pick: str = "max") -> str:
+    """One number of a part or the whole, or of parts; of several parts the largest."""
+    if isinstance(get, Count):
+        return f"len({draft.parts(get.target)})"
     if get.target is None:
         if get.measures[0] in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
             raise Unwritable
@@ -246,8 +254,9 @@ def _scalar(draft: Draft, get: Get, pick: str = "max") -> str:
 
 
 def _combine(draft: Draft, form: Combine) -> tuple[str, AnswerType]:
-    kind = answer_type(form.left.measures[0])
-    if form.operation == "minus" and form.left.target is not None and form.left.target.plural:
+    kind = AnswerType.COUNT if isinstance(form.left, Count) else answer_type(form.left.measures[0])
+    each = isinstance(form.left, Get) and form.left.target is not None and form.left.target.plural
+    if form.operation == "minus" and isinstance(form.left, Get) and form.left.target is not None and each:
         left = draft.read(form.left.measures[0], draft.of(form.left.target)).format("p")
         return f"[{left} - {_scalar(draft, form.right)} for p in {draft.parts(form.left.target)}]", answer_type(
             form.left.measures[0], True
@@ -256,6 +265,8 @@ def _combine(draft: Draft, form: Combine) -> tuple[str, AnswerType]:
     match form.operation:
         case "ratio":
             return f"({left}) / ({right})", AnswerType.NUMBER
+        case "share":
+            return f"100 * ({left}) / ({right})", AnswerType.NUMBER
         case "plus":
             return f"{left} + {right}", kind
         case "apart":
@@ -307,6 +318,6 @@ def _density(form: Get) -> float:
 
 def _of_shape(expression: str) -> bool:
     """Does the guest's `shape` have what is read of it?"""
-    known = {*_KNOWN, "center", "extents", "half_extents", "volume", "area", "thickness", "name"}
+    known = {*_KNOWN, "center", "extents", "min_corner", "half_extents", "volume", "area", "thickness", "name"}
     names = [piece.split("[")[0].split(")")[0].split(" ")[0].split(",")[0] for piece in expression.split("shape.")[1:]]
     return all(name in known for name in names)

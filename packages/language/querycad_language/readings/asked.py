@@ -49,7 +49,7 @@ def asked_in(question: Question) -> list[Asked]:
         if asked is not None:
             found.append(_of_unit(question, asked))
         at = asked.end if asked is not None else at + 1
-    return found or _by_density(question.text)
+    return found or _by_density(question.text) or _by_rest(question.text)
 
 
 def _of_unit(question: Question, asked: Asked) -> Asked:
@@ -64,6 +64,15 @@ def _by_density(text: Text) -> list[Asked]:
     """Who states a density, and asks for nothing else, asks for the mass."""
     stated = (at for at, token in enumerate(text.tokens) if token.power == DENSITY)
     return [Asked(at, at + 1, (Measure.MASS,), "verb", used=frozenset((at,))) for at in stated][:1]
+
+
+def _by_rest(text: Text) -> list[Asked]:
+    """'What is left below the slot?' asks how thick it is."""
+    said = text.at_phrases("remaining")
+    under = text.at_words("under", "below", "beneath", "underneath", "behind", "between")
+    if not said or not under or text.at_phrases("distance", "gap", "count"):
+        return []
+    return [Asked(min(said), min(said) + 1, (Measure.THICKNESS,), "verb", used=frozenset(said | under))]
 
 
 def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:

@@ -13,7 +13,7 @@ from .question import Question
 
 _CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
     ("courtesy", frozenset(("courtesy",))),
-    ("side", frozenset(("side", "view"))),
+    ("side", frozenset(("side", "view", "axis"))),
     ("negation", frozenset(("negation", "except"))),
     ("noun", frozenset(("noun",))),
     ("function", frozenset(("whole", "pronoun", "ask"))),

@@ -142,8 +142,10 @@ class Question:
 def seen_from(query: PartQuery, view: Mention) -> PartQuery:
     """The part, from the sides that are said apart from it."""
     assert view.query is not None
-    sides, places = (*query.sides, *view.query.sides), (*query.places, *view.query.places)
-    return replace_fields(query, sides=sides, unseen=(*query.unseen, *view.query.unseen), places=places)
+    of = view.query
+    sides, places = (*query.sides, *of.sides), (*query.places, *of.places)
+    unseen, adjectives = (*query.unseen, *of.unseen), (*query.adjectives, *of.adjectives)
+    return replace_fields(query, sides=sides, unseen=unseen, places=places, adjectives=adjectives)
 
 
 def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
@@ -155,6 +157,8 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     for index, (start, end) in enumerate(text.sentences):
         if start > 0 and all(text.is_word(i, *_YES_OR_NO) for i in range(start, end)):
             continue  # 'slots: yes or no?'
+        if start > 0 and any(text.find(i, "ask") for i in range(start, end)) and _adds_nothing(text, start, end):
+            continue  # 'Do any cross? Which?'
         score = 0
         if end < len(text) and text.is_word(end, "?"):
             score += 4
@@ -173,6 +177,16 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     return (before[-1], True) if before else (best[1], False)
 
 
+def _adds_nothing(text: Text, start: int, end: int) -> bool:
+    """Does a sentence name nothing: 'Which ones?', 'If so, what are they?'"""
+    words = range(start, end)
+    return end - start <= LONGEST_ECHO and not any(
+        text.is_content(i) or text.find(i, "noun", "measure", "scale", "count", "side", "verbs", "reach") for i in words
+    )
+
+
+LONGEST_ECHO = 6
+"""Words of a question that only asks which of those before are meant."""
 _IN_TAGS = ("confirm", "be", "do", "negation", "pronoun", "article", "function", "whole")
 _CLAIMED = ("confirm", "negation")
 _ASKS_IF = (

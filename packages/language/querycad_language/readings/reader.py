@@ -19,6 +19,7 @@ from .frames.distances import angles, distances
 from .frames.overhangs import overhangs
 from .frames.parts import bare, mating, parts
 from .frames.values import values
+from .frames.wholes import wholes
 from .frames.yes_no import within, yes_no
 from .passed import finished, passable
 from .question import Question, seen_from
@@ -30,7 +31,8 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Drafts of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
-    counts, distances, overhangs, angles, comparisons, yes_no, within, values, mating, parts, contacts, exists,
+    counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts,
+    exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

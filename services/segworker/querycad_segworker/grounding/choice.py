@@ -77,6 +77,8 @@ def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
         return [p.center[2] for p in parts]  # 'the highest hole' by where it is
     step = max if rank.most else min
     order = "size" if sized else str(rank.measure)
+    if sized and all(p.kind == "face" for p in parts):
+        return [p.area or 0.0 for p in parts]
     return [step(p.radii) if sized and p.radii else measured(p, order) for p in parts]
 
 

@@ -11,6 +11,7 @@ from querycad_language.lexicon import Adjective, lexicon
 
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
+from .roles import ROLES
 from .ways import Request, Way, kept
 
 DRAWN_M = 0.05e-3
@@ -20,6 +21,7 @@ SURFACES = ("cylinder", "cone", "sphere", "torus", "arc")
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 _COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
+_WHOLES = ("model", "body")
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -142,7 +144,7 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
         yield from _ordered(inventory, way, adjective, count, name)
     elif adjective.lacks:
         yield way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")
-    elif adjective.decided and all(p.kind in ("model", "body") for p in way.parts):
+    elif adjective.decided and (ROLES.keys() >= set(adjective.tags) or all(p.kind in _WHOLES for p in way.parts)):
         yield way.to((), "adjective_agrees")
     elif not adjective.tags:
         yield way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Part
-from querycad_segworker.vectors import cross, line_distance, norm
+from querycad_contracts import Part, Side
+from querycad_segworker.vectors import cross, dot, line_distance, norm, sub, unit
 
 from .places import TOUCH_M, touches
 
@@ -114,6 +114,60 @@ def is_lone(arc: Part, kinds: Kinds) -> bool:
     return arc.kind == "arc" and not any(faces < set(part.faces) for part in kinds.get(*_CUT))
 
 
+def is_along(axis: int) -> Callable[[Part, Kinds], bool]:
+    """Is a part's axis, or the direction in which it is cut in, parallel to x, y or z?"""
+
+    def holds(part: Part, _: Kinds) -> bool:
+        way = part.axis or part.normal
+        return way is not None and abs(way[axis]) >= 1 - _SQUARE**2
+
+    return holds
+
+
+def is_coaxial(hole: Part, kinds: Kinds) -> bool:
+    """Does another part of its kind lie on the same axis?"""
+    if hole.axis is None:
+        return False
+    others = (part for part in kinds.get(hole.kind) if part is not hole and part.axis is not None)
+    return any(
+        norm(cross(part.axis, hole.axis)) <= _SQUARE
+        and line_distance(part.center, hole.center, hole.axis) <= _NEAR * min(part.radius or 0, hole.radius or 0)
+        for part in others
+        if part.axis is not None
+    )
+
+
+def is_crossing(hole: Part, kinds: Kinds) -> bool:
+    """Does a hole open into another one inside the material: do their walls share a boundary?"""
+    others = (part for part in kinds.get("hole") if part is not hole)
+    return hole.kind == "hole" and any(_cross(hole, part) for part in others)
+
+
+def _cross(one: Part, other: Part) -> bool:
+    """Do two holes that are not parallel take the same room? By their axes and radii."""
+    if one.axis is None or other.axis is None or one.radius is None or other.radius is None:
+        return False
+    if norm(cross(one.axis, other.axis)) <= _SQUARE:
+        return False
+    between = unit(cross(one.axis, other.axis))
+    apart = abs(dot(sub(one.center, other.center), between))
+    boxes = (
+        abs(a - b) <= (x + y) / 2
+        for a, b, x, y in zip(one.center, other.center, one.extents, other.extents, strict=True)
+    )
+    return apart < one.radius + other.radius and all(boxes)
+
+
+def is_in_half(side: Side) -> Callable[[Part, Kinds], bool]:
+    """Does the part's centre lie on this side of the middle of the model?"""
+
+    def holds(part: Part, kinds: Kinds) -> bool:
+        whole = next(iter(kinds.get("model")), None)
+        return whole is not None and dot(sub(part.center, whole.center), side.outward) > TOUCH_M
+
+    return holds
+
+
 def _bolts_on(plate: Part, pattern: Part, kinds: Kinds) -> bool:
     """Does the plate carry this pattern of holes, on one axis with a round part that stands on it?"""
     if "hole" not in pattern.tags or not set(pattern.children) <= set(plate.children):
@@ -132,11 +186,15 @@ def _bolts_on(plate: Part, pattern: Part, kinds: Kinds) -> bool:
 ROLES: Mapping[str, Callable[[Part, Kinds], bool]] = {
     "radial": is_radial,
     "across": is_across,
+    "coaxial": is_coaxial,
+    "crossing": is_crossing,
     "dowel_size": is_dowel_size,
     "flange": is_flange,
     "holed": is_holed,
     "lone": is_lone,
     "tight": is_tight,
+    **{f"along_{name}": is_along(axis) for axis, name in enumerate("xyz")},
+    **{f"{side.value}_half": is_in_half(side) for side in Side},
 }
 """Tags that only the other parts can give, and what decides on them. Looked at where a word asks for them: it takes a
 look at many parts for each part."""

@@ -4,19 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from querycad_contracts import Measure, Relation, Side
-from querycad_language.forms import Check, Combine, Distance, Get, Plane, Target
+from querycad_contracts import Measure, PartQuery, Relation, Side
+from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target
 from querycad_language.measures import is_length
+from querycad_language.phrases import bare_of, replace_fields
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
+
+MATCHED = 2
+"""Kinds of parts that are compared by number."""
 
 
 def comparisons(question: Question) -> Iterator[Draft]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
     yield from _combined(question)
+    yield from _numbers(question)
 
 
 def _compared(question: Question) -> Iterator[Draft]:
@@ -53,9 +58,13 @@ def _compared(question: Question) -> Iterator[Draft]:
 def _combined(question: Question) -> Iterator[Draft]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
     span = next(iter(question.text.all("operation")), None)
-    if span is None:
+    if span is None or span.value == "share":
         return
-    asked = [one for one in asked_in(question) if one.start > span.start] or asked_in(question)
+    asked = [one for one in asked_in(question) if one.start > span.start]
+    before = [one for one in asked_in(question) if one.start < span.start]
+    asked = (
+        before[-1:] if span.value == "ratio" and before and len(asked) == 1 else before[-2:] if not asked else []
+    ) + asked
     owners = [m for m in question.mentions if not m.pronoun]
     owners = [m for m in owners if m.start > span.start] or owners
     if not asked:
@@ -63,7 +72,39 @@ def _combined(question: Question) -> Iterator[Draft]:
     used = set(span.tokens) | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
     measures = [measure for one in asked for measure in one.measures]
     targets: list[Target] = [m.query for m in owners[:2]] or [None]
-    if len(measures) > 1 or len(owners) > 1:
+    if len(measures) > 1 or (measures and len(owners) > 1):
         left = Get((measures[0],), targets[0])
         right = Get((measures[1] if len(measures) > 1 else measures[0],), targets[-1])
         yield Draft(Combine(span.value, left, right), {"combined": 1.0}, used)
+
+
+def _numbers(question: Question) -> Iterator[Draft]:
+    """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
+    text = question.text
+    owners = [m for m in question.mentions if not m.pronoun and m.query is not None and m.query.plural]
+    if not owners or (asked_in(question) and not text.at_phrases("count")):
+        return
+    targets = [replace_fields(m.query, plural=True) for m in owners[:2] if m.query is not None]
+    used = {i for m in owners[:2] for i in m.used}
+    span = next(iter(text.all("operation")), None)
+    if span is not None and span.value == "share":
+        among = next((one for one in targets if bare_of(one, one.noun) and " " not in one.noun), None)
+        part = next((one for one in targets if one != among), None)
+        if part is not None:
+            last = part.noun.split()[-1]  # 'through hole'
+            noun = last if last in text.lexicon.nouns else part.noun
+            among = among or PartQuery(noun=noun, known=part.known, words=(noun,), plural=True)
+            whole = used | set(span.tokens)
+            yield Draft(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
+        return
+    if len(targets) < MATCHED:
+        return
+    joining = range(owners[0].end, owners[1].start)
+    more = text.at_words("more", "fewer", "outnumber", "extra", "than", "exceed", "compared")
+    less = {i for i in joining if text.is_word(i, "minus", "less") or text.find(i, "minus")}
+    said = more | less | (set(span.tokens) if span is not None else set())
+    numbers = text.at_phrases("count") | more | less
+    if said and numbers:
+        operation: Operation = span.value if span is not None else "apart" if more else "minus"
+        spoken = {i for at in text.at_phrases("count") for i in range(at, at + 2)}
+        yield Draft(Combine(operation, Count(targets[0]), Count(targets[1])), {"combined": 1.0}, used | said | spoken)

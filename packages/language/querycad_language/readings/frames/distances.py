@@ -78,6 +78,9 @@ def _distance_words(question: Question) -> Iterator[_Words]:
             for at in text.at_words("how") if span.category == "gap" else ():  # 'how wide is the gap'
                 used |= {at, *(scale.tokens if (scale := text.find(at + 1, "scale")) else ())}
             yield _Words(span.start, span.end, "surfaces" if span.category == "gap" else "usual", used)
+    for span in text.all("stuff") if text.has("between") else ():  # 'the least metal between the lugs'
+        if question.in_question(span.start) and text.is_word(span.end, "between", "left", "remaining", "standing"):
+            yield _Words(span.start, span.end, "surfaces", {*span.tokens, *text.at_phrases("remaining", "between")})
     for at in range(*question.asking):
         if text.is_word(at, "how"):
             yield from _how(question, at)
@@ -114,7 +117,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
     gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
     if text.is_word(at + 1, "much") and (stuff := text.find(at + 2, "stuff")) and text.has("between"):
         yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining")})
-    if text.is_word(at + 1, "far") or (text.is_word(at + 1, "much") and gap):
+    if text.is_word(at + 1, "far", "close") or (text.is_word(at + 1, "much") and gap):
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
             yield _Words(at, at + 2, "usual", {at, at + 1} | apart)

@@ -22,10 +22,12 @@ def parts(question: Question) -> Iterator[Draft]:
     """'Which ribs are higher than 11 mm?', 'On which side is the keyway?', 'What is the largest rib?'"""
     text = question.text
     start = question.asking[0]
-    side = next((i for i in range(start, len(text) - 1) if _asks_for_side(text, i)), None)
+    side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
     yield from _most_seen(question)
-    for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= start][:3]):
+    yield from _none_seen(question)
+    begin = 0 if side is not None or offered else start  # 'the lug, which side?'
+    for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= begin][:3]):
         query = mention.query
         assert query is not None
         if side is not None:
@@ -72,7 +74,19 @@ def _most_seen(question: Question) -> Iterator[Draft]:
     if faces and counted and several and several[0].query is not None:
         target = replace_fields(several[0].query, plural=True, ranks=())
         used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | several[0].used
-        yield Draft(Towards(target, tuple(Side), most=True), {"which_side": 1.0, "side_of_most": 1.0}, used)
+        yield Draft(Towards(target, tuple(Side), "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
+
+
+def _none_seen(question: Question) -> Iterator[Draft]:
+    """'Which sides have no lug?', 'Name the sides without lugs.', 'lug-free sides'."""
+    text = question.text
+    faces = {i for i in range(*question.asking) if text.is_word(i, "side", "face")}
+    none = {i for i in range(*question.asking) if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    parts = [m for m in question.mentions if m.query is not None and not m.pronoun and not m.used & faces]
+    if faces and none and parts and parts[0].query is not None and not text.at_phrases("count"):
+        target = replace_fields(parts[0].query, plural=True, places=(), count=None)
+        used = faces | none | parts[0].used
+        yield Draft(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
 
 
 def _superlative(text: Text, at: int) -> bool:
@@ -92,9 +106,15 @@ def _named_by(query: PartQuery) -> Measure:
 
 
 def _asks_for_side(text: Text, at: int) -> bool:
-    """'which side', 'on what face'."""
+    """'which side', 'on what face', 'the side on which', 'side with the lug'."""
     face = text.is_word(at + 1, "face") and text.is_word(at - 1, "on", "in")
-    return text.is_word(at, "which", "what") and (text.is_word(at + 1, "side") or face)
+    if text.is_word(at, "which", "what"):
+        return text.is_word(at + 1, "side") or face
+    said = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
+    if at == 0 and text.is_word(0, "side"):
+        return text.is_word(1, "with", "where", "of")
+    carries = text.find(at + 2, "have", "carry") or text.is_word(at + 2, "with", "where", "carrying", "having")
+    return said and bool(carries or (text.is_word(at + 2, "on", "in", "at") and text.is_word(at + 3, "which")))
 
 
 def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:

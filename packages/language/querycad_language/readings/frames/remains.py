@@ -26,6 +26,9 @@ def material(question: Question, get: Get, features: Features, used: set[int]) -
     for place in get.target.places if get.target is not None else ():
         if place.what is not None and place.relation in ("around", "near"):  # 'the wall around the bore'
             yield Draft(Get((Measure.WALL_THICKNESS,), place.what), {**features, "material_around": 1.0}, used)
+        if place.what is not None and place.relation in ("below", "behind"):  # 'the web underneath the pocket'
+            cut = floored(place.what) or place.what
+            yield Draft(Distance(cut, Behind(), "surfaces"), {**features, "material_under": 1.0}, used)
     remaining = text.at_phrases("remaining")
     under = text.at_words("under", "below", "beneath", "underneath", "behind")
     if remaining or under:

@@ -43,9 +43,12 @@ def yes_no(question: Question) -> Iterator[Draft]:
     yield from _alike(text, start, parts[:1], asked)
     if text.is_word(start + 1, "there"):
         return
-    if len(parts) > 1 and parts[0].query and parts[1].query and text.is_word(parts[1].start, "a", "an"):
-        said = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
-        yield Draft(said, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
+    said = len(parts) > 1 and (
+        text.is_word(parts[1].start, "a", "an") or (parts[1].plural and parts[1].start == parts[0].end)
+    )  # 'Are all lugs 5 mm round lugs?'
+    if said and parts[0].query and parts[1].query:
+        every = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
+        yield Draft(every, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
     yield from _fits(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield from _checked(text, None, found[0], asked, {"check": 1.0}, {start} | found[1])

@@ -1,0 +1,39 @@
+"""What only the whole model has: how full its bounding box is, what is cut away of it, where it is longest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import Measure
+from querycad_language.forms import Get
+from querycad_language.readings.drafts import Draft
+from querycad_language.readings.question import Question
+
+_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
+
+
+def wholes(question: Question) -> Iterator[Draft]:
+    """'How much of its bounding box is material, in percent?', 'Along which axis is the lever longest?'"""
+    text = question.text
+    boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
+    boxes |= text.at_words("bounding box", "block", "blank", "stock", "bbox", "billet")
+    named = {i for m in question.mentions if m.query is None for i in m.used}
+    if boxes:
+        shares = {i for span in text.all("operation") if span.value in ("share", "ratio") for i in span.tokens}
+        filling = text.at_words(
+            "fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid"
+        )
+        cutting = text.at_phrases("cutting")
+        around = {*boxes, *(i + 1 for i in boxes), *named, *text.at_phrases("stuff", "measure", "scale")}
+        if shares or filling:
+            yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
+        if cutting:
+            yield Draft(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
+    scales = (span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG)
+    longest = {span.start for span in scales}
+    axes = text.at_phrases("axis") | text.at_words("axis", "direction")
+    asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
+    parts = any(m.query is not None and not m.pronoun for m in question.mentions)
+    if longest and axes and asks and not parts:
+        used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
+        yield Draft(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)

@@ -1,0 +1,158 @@
+"""What restricts parts: directions, halves, sides that stand alone, exceptions, several lacks; and numbers of parts."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, PartQuery, Side
+from querycad_language.forms import Combine, Count, Distance, Every, Form, Get, Reduce, Towards, queries
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def counted(question: str) -> PartQuery:
+    return next(form.target for form in forms(question) if isinstance(form, Count))
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How many lugs run along Z?",
+        "How many lugs have their axis parallel to the z axis?",
+        "Number of lugs whose centre line is parallel to Z",
+        "How many Z-direction lugs are there?",
+    ],
+)
+def test_a_direction_restricts_what_is_counted(question: str) -> None:
+    assert counted(question).adjectives == ("z parallel",)
+
+
+def test_a_direction_of_a_length_is_the_length_s() -> None:
+    assert not counted("How many lugs are longer than 5 mm in z direction?").adjectives
+    assert all(not query.adjectives for form in forms("How long is the lug along z?") for query in queries(form))
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["How many lugs are in the left half?", "left half only: lug count", "How many left half lugs are there?"],
+)
+def test_a_half_is_where_they_lie_and_no_side_that_they_are_seen_from(question: str) -> None:
+    assert any("left half" in form.target.adjectives for form in forms(question) if isinstance(form, Count))
+    assert all(not form.target.sides for form in forms(question) if isinstance(form, Count) and form.target.adjectives)
+
+
+@pytest.mark.parametrize(
+    "question", ["number of lugs, underside only", "bottom: how many lugs", "Count the -Z side lugs."]
+)
+def test_a_side_may_stand_alone(question: str) -> None:
+    assert any(form.target.sides == (Side.BOTTOM,) for form in forms(question) if isinstance(form, Count))
+
+
+def test_seen_from_none_of_the_sides() -> None:
+    query = counted("How many holes are not drilled from the top or the bottom?")
+    assert query.unseen == (Side.TOP, Side.BOTTOM)
+    assert "horizontal" in counted("How many holes come in from the side?").adjectives
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Forget the largest one, how many lugs remain?",
+        "How many lugs are there, not counting the largest?",
+        "How many lugs are smaller than the largest one?",
+        "Number of lugs minus the largest",
+    ],
+)
+def test_what_is_left_out_is_an_exception(question: str) -> None:
+    excluded = [form.target.excluded for form in forms(question) if isinstance(form, Count) and form.target.excluded]
+    assert excluded
+    assert all(one.ranks for one in excluded[0])
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How many holes have neither a counterbore nor a thread?",
+        "How many holes are without counterbore and without thread?",
+        "count the holes, no cbore no thread",
+    ],
+)
+def test_several_attributes_may_be_lacking(question: str) -> None:
+    lacking = [form.target.lacking for form in forms(question) if isinstance(form, Count)]
+    assert any(len(one) == 2 for one in lacking)
+
+
+def test_all_are_as_the_second_phrase_says() -> None:
+    every = next(form for form in forms("Are all holes 5 mm through holes?") if isinstance(form, Every))
+    assert every.target.sizes == ()
+    assert [size.low for size in every.among.sizes] == [0.005]
+
+
+@pytest.mark.parametrize(
+    ("question", "operation"),
+    [
+        ("How many more lugs than ribs are there?", "apart"),
+        ("number of lugs minus number of ribs", "minus"),
+        ("What percentage of the lugs are round lugs?", "share"),
+    ],
+)
+def test_numbers_of_parts_are_combined(question: str, operation: str) -> None:
+    found = [form for form in forms(question) if isinstance(form, Combine)]
+    assert any(form.operation == operation and isinstance(form.left, Count) for form in found)
+
+
+def test_a_ratio_is_of_the_measures_beside_it() -> None:
+    found = forms("For the gun drill: the depth to diameter ratio of the hole?")
+    ratio = next(form for form in found if isinstance(form, Combine))
+    assert isinstance(ratio.left, Get)
+    assert isinstance(ratio.right, Get)
+    assert (ratio.left.measures, ratio.right.measures) == ((Measure.DEPTH,), (Measure.DIAMETER,))
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("How much of its bounding box does the part fill, in percent?", Measure.FILL),
+        ("What volume is milled away from a block as large as the bounding box?", Measure.REMOVED),
+        ("Along which axis is the part longest?", Measure.LONG_AXIS),
+        ("What is the area on which it stands, the footprint?", Measure.STANDING_AREA),
+    ],
+)
+def test_measures_of_the_whole(question: str, measure: Measure) -> None:
+    assert any(
+        isinstance(form, Get) and form.measures == (measure,) and form.target is None for form in forms(question)
+    )
+
+
+@pytest.mark.parametrize("question", ["Which sides have no lug?", "Name the sides without any lugs."])
+def test_sides_without_parts(question: str) -> None:
+    assert any(isinstance(form, Towards) and form.seen == "none" for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["The lug - which side?", "Name the side carrying the lug.", "Tell me the side on which the lug is."]
+)
+def test_which_side_is_asked_in_many_forms(question: str) -> None:
+    assert any(isinstance(form, Get) and form.measures == (Measure.SIDES,) for form in forms(question))
+
+
+def test_which_ones_is_no_question_of_its_own() -> None:
+    plain = forms("Do any lugs share the same axis?")
+    assert forms("Do any lugs share the same axis, and which ones?")[0] == plain[0]
+    assert forms("Do any lugs share the same axis? Which?")[0] == plain[0]
+
+
+def test_what_is_left_below_is_a_thickness() -> None:
+    assert any(isinstance(form, Distance | Get) for form in forms("What is left below the slot?"))
+    assert any(
+        isinstance(form, Get) and Measure.BOTTOM_THICKNESS in form.measures
+        for form in forms("What is left below the slot?")
+    )
+
+
+def test_from_where_to_where() -> None:
+    found = [form for form in forms("smallest and largest lug diameter") if isinstance(form, Get)]
+    assert any(form.reduce is Reduce.RANGE for form in found)
