@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test attack soak parity check format serve web bench fit openapi examples lock dist clean
+.PHONY: help setup demo test attack soak parity check format serve web bench fit openapi examples lock sbom dist clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -62,9 +62,14 @@ examples: setup ## rebuild the example models and their pictures
 lock: setup ## resolve requirements.lock anew; PACKAGES="numpy …" upgrades only those
 	scripts/lock.sh $(PACKAGES)
 
-dist: setup ## build the wheels of all packages into dist/
+sbom: setup ## write what the product is made of as CycloneDX JSON into build/
+	@mkdir -p build
+	$(BIN)/python scripts/sbom.py > build/querycad.cdx.json
+
+dist: setup ## build the wheels of all packages, and their bill of materials, into dist/
 	rm -rf dist
 	for package in packages/* services/*; do $(BIN)/uv build --quiet --no-config --wheel --no-build-isolation --python $(BIN)/python --out-dir dist $$package || exit 1; done
+	$(BIN)/python scripts/sbom.py > dist/querycad.cdx.json
 	@ls dist
 
 clean: ## remove what can be rebuilt, the environment included

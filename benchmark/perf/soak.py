@@ -3,7 +3,7 @@
 Clients ask, upload, look, list, delete, and send what is no CAD file, without a pause. Told are the latencies of each
 kind of request, what was not as it should be, and how memory, handles and disk of the service grow, as slopes of lines
 that fit the time after the first fifth: what a process takes once, when it does something for the first time, is no
-growth.
+growth. Nor is what is taken while a file is read: of each minute the least counts.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import math
 import os
 import random
 import statistics
@@ -139,13 +140,7 @@ def report(soak: Soak, samples: list[tuple[float, dict[str, float]]], minutes: f
     done = sum(count for end, count in soak.ends.items() if end.endswith(": done"))
     total = sum(soak.ends.values())
     steady = samples[int(len(samples) * WARM) :]
-    at = [when for when, _ in steady]
-    slopes = {
-        f"{name} an hour": round(
-            statistics.linear_regression(at, [one.get(name, 0.0) for _, one in steady]).slope * 3600, 1
-        )
-        for name in steady[-1][1]
-    }
+    slopes = {f"{name} an hour": round(slope(steady, name) * 3600, 1) for name in steady[-1][1]}
     return {
         "minutes": round(minutes, 1),
         "load of the machine": [round(each, 1) for each in os.getloadavg()],
@@ -157,6 +152,17 @@ def report(soak: Soak, samples: list[tuple[float, dict[str, float]]], minutes: f
         "last": {name: round(value, 1) for name, value in steady[-1][1].items()},
         "slopes": slopes,
     }
+
+
+def slope(samples: Sequence[tuple[float, dict[str, float]]], name: str) -> float:
+    """By how much does the least of a minute grow in a second? A process that reads a file is gone in seconds."""
+    least: dict[int, float] = {}
+    for at, one in samples:
+        minute = int(at // 60)
+        least[minute] = min(one.get(name, 0.0), least.get(minute, math.inf))
+    if len(least) < 2:
+        return 0.0
+    return statistics.linear_regression([60.0 * minute for minute in least], [*least.values()]).slope
 
 
 def percentiles(taken_s: Sequence[float]) -> dict[str, float]:

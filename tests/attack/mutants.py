@@ -30,7 +30,8 @@ from querycad_segworker.model import ModelStore
 from querycad_segworker.summary import summary
 
 BASES = tuple(Path("examples") / f"{name}.step" for name in ("flange", "bracket", "sheet_metal", "bearing_assembly"))
-LIMITS = IngestLimits(duration_s=60.0, memory_bytes=3 * 2**30)
+LIMITS = IngestLimits(duration_s=15.0, memory_bytes=3 * 2**30)
+"""A mutant takes 0.2 s of processor time; one of a hundred hangs, and would take much of the time."""
 LINE = 400
 """What a refusal may be long: one line for a user."""
 _STATEMENT = re.compile(r"(#\d+) = (.*?);\n", re.DOTALL)

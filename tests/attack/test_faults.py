@@ -24,7 +24,7 @@ from tests.api.fakes import STEP
 from querycad.client import Client
 from querycad_api.app import make_app
 from querycad_api.settings import ApiSettings
-from querycad_contracts import StorageSettings, file_store, files
+from querycad_contracts import FileStore, StorageSettings, file_store, files
 
 EXAMPLE = Path("examples/flange.step")
 END_S = 30.0
@@ -32,6 +32,9 @@ SILENT_S = 40.0
 """Longer than a request may take."""
 WHOLE = os.environ.get("QUERYCAD_ATTACK") == "whole"
 ROOM_MIB = 4
+LISTED = 1000
+"""Pages of a list without end; then it ends after all, so that the test does."""
+MADE = "<LastModified>2026-11-22T10:00:00.000Z</LastModified><ETag>a</ETag>"
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are stopped and looked up as on Linux")
 
@@ -133,10 +136,14 @@ def test_an_upload_to_a_full_disk_is_507_leaves_nothing_and_may_be_tried_again(
 
 
 class Bucket(BaseHTTPRequestHandler):
-    """An object store that is `how`: 'dead' (500), 'silent', 'slow' (stops half way), 'lying' (half of its promise)."""
+    """An object store that is `how`.
+
+    'dead' (500), 'silent', 'slow' (stops half way), 'lying' (half of its promise), 'trickling' (a byte now and then),
+    'endless' (a list that has always one page more).
+    """
 
     how = "dead"
-    asked = 0
+    asked = sent = 0
 
     def do_GET(self) -> None:
         type(self).asked += 1
@@ -146,16 +153,38 @@ class Bucket(BaseHTTPRequestHandler):
         if self.how == "dead":
             self.send_error(500)
             return
+        if self.how == "endless":
+            self._list()
+            return
         self.send_response(200)
         self.send_header("Content-Length", "1000")
         self.send_header("Last-Modified", "Sun, 22 Nov 2026 10:00:00 GMT")
         self.send_header("ETag", '"a"')
         self.end_headers()
+        if self.how == "trickling":
+            with suppress(OSError):  # the other end has had enough
+                for _ in range(500):
+                    time.sleep(0.1)
+                    self.wfile.write(b"x")
+                    type(self).sent += 1
+            return
         self.wfile.write(b"x" * 500)
         self.wfile.flush()
         if self.how == "slow":
             time.sleep(SILENT_S)
         self.close_connection = True
+
+    def _list(self) -> None:
+        names = [f"<Contents><Key>models/{self.asked}-{n}</Key><Size>1</Size>{MADE}</Contents>" for n in range(100)]
+        more = f"<IsTruncated>true</IsTruncated><NextContinuationToken>{self.asked}</NextContinuationToken>"
+        if self.asked >= LISTED:
+            more = "<IsTruncated>false</IsTruncated>"
+        time.sleep(0.01)
+        body = f"<ListBucketResult>{more}{''.join(names)}</ListBucketResult>".encode()
+        self.send_response(200)
+        self.send_header("Content-Length", str(len(body)))
+        self.end_headers()
+        self.wfile.write(body)
 
     do_HEAD = do_PUT = do_GET  # noqa: N815 - names that the library looks for
 
@@ -163,12 +192,12 @@ class Bucket(BaseHTTPRequestHandler):
         """Nothing."""
 
 
-@pytest.mark.parametrize("how", ["dead", "lying", *(["slow", "silent"] if WHOLE else [])])
-def test_an_object_store_that_fails_or_lies_is_an_error_and_keeps_no_half_a_file(
-    how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@contextmanager
+def bucket_that_is(how: str, home: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[FileStore]:
+    """Files in such an object store."""
     monkeypatch.setattr(Bucket, "how", how)
     monkeypatch.setattr(Bucket, "asked", 0)
+    monkeypatch.setattr(Bucket, "sent", 0)
     with ThreadingHTTPServer(("127.0.0.1", 0), Bucket) as server:
         server.daemon_threads, server.block_on_close = True, False
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -180,9 +209,32 @@ def test_an_object_store_that_fails_or_lies_is_an_error_and_keeps_no_half_a_file
             "AWS_SECRET_ACCESS_KEY": "b",
         }.items():
             monkeypatch.setenv(name, value)
-        store = file_store(StorageSettings(home=tmp_path, files_url="s3://bucket"))
+        yield file_store(StorageSettings(home=home, files_url="s3://bucket"))
+        server.shutdown()
+    assert [path for path in home.rglob("*") if path.is_file()] == []
+
+
+@pytest.mark.parametrize("how", ["dead", "lying", *(["slow", "silent"] if WHOLE else [])])
+def test_an_object_store_that_fails_or_lies_is_an_error_and_keeps_no_half_a_file(
+    how: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with bucket_that_is(how, tmp_path, monkeypatch) as store:
         with pytest.raises(OSError, match=r".+"):
             store.fetch("files/ab/abcd")
         assert 1 <= Bucket.asked <= 2 * (1 + files.RETRIES)
-        server.shutdown()
-    assert [path for path in tmp_path.rglob("*") if path.is_file()] == []
+
+
+def test_an_object_store_that_trickles_without_end_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(files, "FETCH_S", 1.0)
+    with bucket_that_is("trickling", tmp_path, monkeypatch) as store:
+        with pytest.raises(OSError, match="takes too long"):
+            store.fetch("files/ab/abcd")
+        assert Bucket.sent < 100  # it offers one every tenth of a second
+
+
+def test_a_list_without_end_is_given_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(files, "FETCH_S", 1.0)
+    with bucket_that_is("endless", tmp_path, monkeypatch) as store:
+        with pytest.raises(OSError, match="takes too long"):
+            store.fetch_folder("models")
+        assert 1 < Bucket.asked < LISTED

@@ -21,7 +21,7 @@ from querycad_api.dependencies import Application
 from querycad_api.models.expiry import drop_failed
 from querycad_api.settings import ApiSettings
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import RECORD_BYTES, answers_key, asked_key, bounded, job_key
+from querycad_api.store.keyspace import RECORD_BYTES, answers_key, asked_key, bounded, bytes_key, job_key
 from querycad_api.store.ledger import Ledger
 from querycad_api.store.state import State
 from querycad_contracts import (
@@ -30,6 +30,7 @@ from querycad_contracts import (
     Failure,
     Job,
     ModelSummary,
+    QuestionTask,
     TaskFailure,
     TaskFailureKind,
     TaskOutcome,
@@ -48,6 +49,7 @@ def settings(redis_url: str, tmp_path: Path) -> ApiSettings:
         upload_mib=2,
         tenant_mib=1,
         tenant_answers=3,
+        tenant_answers_mib=1,
         sandbox_url="http://127.0.0.1:1",
     )
 
@@ -126,6 +128,33 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
     assert kept == [opened, *done[-2:], last]  # three, and what is open among the oldest
     assert redis.zcard(answers_key(NO_ACCOUNTS)) == 4
     assert len(client.get(f"/v1/models/{MODEL}/answers").json()["items"]) == 4
+
+
+def test_answers_of_a_tenant_are_bounded_in_bytes_and_the_oldest_go(
+    client: httpx.Client, redis: Redis, ledger: Ledger, settings: ApiSettings
+) -> None:
+    upload(client, STEP)
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
+
+    def answered(size: int) -> str:
+        asked = client.post(f"/v1/models/{MODEL}/questions", json={"question": "How many?"})
+        job = Job.model_validate_json(asked.content).id
+        record = AnswerRecord.cancelled("How many?").model_copy(update={"warnings": ("w" * size,)})
+        task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+        ledger.finish_job(task, record, 0.1)
+        return job
+
+    first, second = answered(700_000), answered(600_000)
+    assert client.get(f"/v1/jobs/{first}").status_code == 200  # until more is asked
+    third = answered(10)
+    assert [client.get(f"/v1/jobs/{job}").status_code for job in (first, second, third)] == [404, 200, 200]
+    assert redis.zrange(asked_key(NO_ACCOUNTS, MODEL), 0, -1) == [second, third]  # nothing is left of the first
+    assert not list(redis.scan_iter(f"*{first}*"))
+    kept = redis.hgetall(bytes_key(NO_ACCOUNTS))
+    assert set(kept) == {"sum", second, third}
+    assert 600_000 < int(kept["sum"]) == int(kept[second]) + int(kept[third]) < 2**20
+    client.delete(f"/v1/models/{MODEL}")
+    assert not redis.exists(bytes_key(NO_ACCOUNTS))
 
 
 def test_a_record_is_bounded_in_size() -> None:

@@ -10,7 +10,9 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-TARGETS = "help setup demo test attack soak parity check format serve web bench fit openapi examples lock dist clean"
+TARGETS = (
+    "help setup demo test attack soak parity check format serve web bench fit openapi examples lock sbom dist clean"
+)
 PROMISED = set(TARGETS.split())
 
 

@@ -10,15 +10,20 @@ from __future__ import annotations
 import os
 import shutil
 import tempfile
+import time
+from collections.abc import Iterable, Iterator
 from datetime import timedelta
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from .settings import StorageSettings
 
 RETRIES, RETRY_S = 3, 30.0
 """How often a request to a bucket is repeated, and for how long: as long as the library waits for one answer. A bucket
 that takes connections and says nothing is given up after that, and not after the library's own three minutes."""
+FETCH_S = 120.0
+"""What one file, one folder or one list may take altogether, so long as something comes: 512 MiB at 5 MB/s."""
+T = TypeVar("T")
 
 
 class FileStore(Protocol):
@@ -114,7 +119,7 @@ class BucketStore:
         cached = self._cache.fetch(name)
         if cached is not None:
             return cached
-        if not self._download(name, self.home / name):
+        if not self._download(name, self.home / name, time.monotonic() + FETCH_S):
             return None
         return self._cache.fetch(name)
 
@@ -141,6 +146,7 @@ class BucketStore:
         target = self.home / name
         if target.is_dir():
             return True
+        end = time.monotonic() + FETCH_S
         names = self._names(name)
         if f"{name}/{COMPLETE}" not in names:
             return False
@@ -149,7 +155,7 @@ class BucketStore:
         try:
             for each in names:
                 if Path(each).parent == Path(name):  # what is in its folders is fetched when it is asked for
-                    self._download(each, scratch / Path(each).name)
+                    self._download(each, scratch / Path(each).name, end)
             target.parent.mkdir(parents=True, exist_ok=True)
             scratch.rename(target)
         except OSError:
@@ -175,7 +181,8 @@ class BucketStore:
         import obstore
 
         try:
-            return [str(each["path"]) for page in obstore.list(self._bucket, prefix=folder) for each in page]
+            pages = _until(time.monotonic() + FETCH_S, obstore.list(self._bucket, prefix=folder))
+            return [str(each["path"]) for page in pages for each in page]
         except obstore.exceptions.BaseError as error:
             raise OSError(str(error)) from error
 
@@ -187,14 +194,14 @@ class BucketStore:
         except obstore.exceptions.BaseError as error:
             raise OSError(str(error)) from error
 
-    def _download(self, name: str, target: Path) -> bool:
+    def _download(self, name: str, target: Path, end: float) -> bool:
         import obstore
 
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, unfinished = tempfile.mkstemp(prefix="unfinished-", dir=target.parent)
         try:
             with os.fdopen(handle, "wb") as file:
-                for chunk in obstore.get(self._bucket, name).stream():
+                for chunk in _until(end, obstore.get(self._bucket, name).stream(min_chunk_size=1)):  # as it comes
                     file.write(chunk)
             Path(unfinished).replace(target)
         except FileNotFoundError:
@@ -204,6 +211,14 @@ class BucketStore:
         finally:
             Path(unfinished).unlink(missing_ok=True)
         return True
+
+
+def _until(end: float, pieces: Iterable[T]) -> Iterator[T]:
+    """What comes until then. Raises OSError for more: a bucket that trickles would be waited for without end."""
+    for piece in pieces:
+        if time.monotonic() > end:
+            raise OSError("the object store takes too long")
+        yield piece
 
 
 COMPLETE = "model.json"

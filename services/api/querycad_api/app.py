@@ -82,7 +82,13 @@ def make_app(settings: ApiSettings) -> FastAPI:
             socket_timeout=READ_S + SILENCE_S,
         )
         broker = Broker(settings.redis_url, redis)
-        state = State(redis, settings.answers_days, settings.tenant_answers, settings.tenant_mib * 2**20)
+        state = State(
+            redis,
+            settings.answers_days,
+            settings.tenant_answers,
+            settings.tenant_mib * 2**20,
+            settings.tenant_answers_mib * 2**20,
+        )
         app.state.application = Application(settings, state, broker, file_store(settings))
         app.state.access = Access(settings, redis)
         app.state.streams = Counter()

@@ -22,6 +22,9 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
     wait_s: int = Field(60, ge=0, le=600, description="Longest wait that a client's `Prefer: wait` is granted.")
     tenant_mib: int = Field(20480, ge=1, description="Uploaded files that a tenant may have, together.")
     tenant_answers: int = Field(20000, ge=1, description="Answers kept for a tenant; the oldest go first.")
+    tenant_answers_mib: int = Field(
+        1024, ge=1, description="Size of a tenant's answers, together; the oldest go first."
+    )
     failed_days: int = Field(7, ge=1, description="How long a file that could not be read is kept.")
     answers_days: int = Field(30, ge=1, description="How long jobs and their answers are kept.")
     auth: bool | None = Field(

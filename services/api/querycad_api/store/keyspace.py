@@ -5,6 +5,7 @@ querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), inges
 querycad:models:<tenant>       sorted set: ids of the tenant's models by the time of their upload
 querycad:sizes:<tenant>        hash: bytes of each uploaded file of the tenant, by model
 querycad:answers:<tenant>      sorted set: ids of the tenant's jobs by the time of the question
+querycad:bytes:<tenant>        hash: bytes of each answer of the tenant, by job, and their `sum`
 querycad:owners:<id>           set: tenants that have a model with this content; its files go with the last one
 querycad:job:<id>              hash: task (QuestionTask), created, attempts, started, waits, record, finished
 querycad:asked:<tenant>:<id>   sorted set: ids of the jobs about a model by the time of the question
@@ -71,6 +72,11 @@ def sizes_key(tenant: str) -> str:
 def answers_key(tenant: str) -> str:
     """Where are the ids of all jobs of the tenant?"""
     return f"querycad:answers:{tenant}"
+
+
+def bytes_key(tenant: str) -> str:
+    """Where are the sizes of the tenant's answers?"""
+    return f"querycad:bytes:{tenant}"
 
 
 def owners_key(model: str) -> str:
@@ -171,6 +177,7 @@ def finished(
     The question is counted by how it ended; `times` are counted beside that.
     """
     keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING, job_done_key(task.job)]
+    keys.append(bytes_key(task.tenant))
     told = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
     kept: list[str | float] = [bounded(record), now().isoformat(), kept_s, told, task.job, TOLD_S]
     category = record.failure.category if record.failure else ""

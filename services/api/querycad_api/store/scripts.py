@@ -6,9 +6,9 @@ ADD_JOBS = """
 if redis.call('HEXISTS', KEYS[1], 'resource') == 0 then
   return 0
 end
-for i = 1, (#KEYS - 5) / 2 do
-  local job, events = KEYS[2 * i + 4], KEYS[2 * i + 5]
-  local id, task, message = ARGV[3 * i + 5], ARGV[3 * i + 6], ARGV[3 * i + 7]
+for i = 1, (#KEYS - 6) / 2 do
+  local job, events = KEYS[2 * i + 5], KEYS[2 * i + 6]
+  local id, task, message = ARGV[3 * i + 6], ARGV[3 * i + 7], ARGV[3 * i + 8]
   redis.call('HSET', job, 'task', task, 'created', ARGV[1])
   redis.call('EXPIRE', job, ARGV[4])
   redis.call('XADD', events, '*', 'kind', 'queued', 'event', ARGV[6])
@@ -18,25 +18,52 @@ for i = 1, (#KEYS - 5) / 2 do
   redis.call('ZADD', KEYS[5], ARGV[2], id)
   redis.call('LPUSH', KEYS[4], message)
 end
-local answers = KEYS[5]
-local more = math.max(0, redis.call('ZCARD', answers) - ARGV[7])
-for _, id in ipairs(redis.call('ZRANGEBYSCORE', answers, '-inf', '+inf', 'LIMIT', 0, more)) do
+local answers, bytes = KEYS[5], KEYS[6]
+local function forget(id)
+  redis.call('HINCRBY', bytes, 'sum', -(redis.call('HGET', bytes, id) or 0))
+  redis.call('HDEL', bytes, id)
+  redis.call('ZREM', answers, id)
+end
+for _, id in ipairs(redis.call('ZRANGEBYSCORE', answers, 0, ARGV[5])) do
+  forget(id)
+end
+local more = redis.call('ZCARD', answers) - ARGV[7]
+for i, id in ipairs(redis.call('ZRANGE', answers, 0, math.max(more, 1000) - 1)) do
+  if i > more and tonumber(redis.call('HGET', bytes, 'sum') or 0) <= tonumber(ARGV[8]) then
+    break
+  end
   local job = 'querycad:job:' .. id
   if redis.call('HEXISTS', job, 'record') == 1 or redis.call('EXISTS', job) == 0 then
+    local task = redis.call('HGET', job, 'task')
+    if task then
+      task = cjson.decode(task)
+      redis.call('ZREM', 'querycad:asked:' .. task.tenant .. ':' .. task.model, id)
+    end
     redis.call('DEL', job, 'querycad:events:' .. id, 'querycad:done:' .. id)
-    redis.call('ZREM', answers, id)
+    forget(id)
   end
 end
-redis.call('ZREMRANGEBYSCORE', answers, 0, ARGV[5])
 redis.call('EXPIRE', answers, ARGV[4])
+redis.call('EXPIRE', bytes, ARGV[4])
 redis.call('ZREMRANGEBYSCORE', KEYS[2], 0, ARGV[5])
 redis.call('EXPIRE', KEYS[2], ARGV[4])
 return 1
 """
-"""Keys: model, what was asked about it, pending, queue, the tenant's jobs, then of each job: itself, its events.
-Arguments: time as text and as a number, when jobs are looked at again, seconds kept, before when jobs are forgotten,
-event, how many answers of the tenant are kept, then of each job: id, task, message for the queue. 0, and nothing is
-done, when there is no such model. What is too much goes, the oldest first; what is not answered yet stays."""
+"""Keys: model, what was asked about it, pending, queue, the tenant's jobs, bytes of its answers, then of each job:
+itself, its events. Arguments: time as text and as a number, when jobs are looked at again, seconds kept, before when
+jobs are forgotten, event, how many answers of the tenant are kept, how many bytes of them, then of each job: id, task,
+message for the queue. 0, and nothing is done, when there is no such model. What is too much goes, the oldest first, a
+thousand at a time where it is bytes; what is not answered yet stays."""
+FORGET_BYTES = """
+for _, id in ipairs(ARGV) do
+  redis.call('HINCRBY', KEYS[1], 'sum', -(redis.call('HGET', KEYS[1], id) or 0))
+  redis.call('HDEL', KEYS[1], id)
+end
+if redis.call('HLEN', KEYS[1]) == 1 then
+  redis.call('DEL', KEYS[1])
+end
+"""
+"""Key: bytes of a tenant's answers. Arguments: ids of jobs that are dropped."""
 ADD_MODEL = """
 if redis.call('HEXISTS', KEYS[1], 'resource') == 1 then
   return 0
@@ -68,6 +95,9 @@ redis.call('XADD', KEYS[6], '*', 'kind', 'done')
 redis.call('EXPIRE', KEYS[6], ARGV[6])
 redis.call('ZREM', KEYS[3], ARGV[5])
 redis.call('ZREM', KEYS[5], ARGV[5])
+redis.call('HSET', KEYS[7], ARGV[5], #ARGV[1])
+redis.call('HINCRBY', KEYS[7], 'sum', #ARGV[1])
+redis.call('EXPIRE', KEYS[7], ARGV[3])
 for i = 7, #ARGV, 2 do
   redis.call('HINCRBYFLOAT', KEYS[4], ARGV[i], ARGV[i + 1])
 end

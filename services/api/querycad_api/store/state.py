@@ -40,6 +40,7 @@ from .keyspace import (
     TOTALS,
     answers_key,
     asked_key,
+    bytes_key,
     entry,
     finished,
     job_done_key,
@@ -57,7 +58,7 @@ from .keyspace import (
     sizes_key,
     task_of,
 )
-from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB, RESERVE
+from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB, FORGET_BYTES, RESERVE
 
 READ_S = 5.0
 """A wait on a stream is cut into pieces, so that it ends soon after its client has gone."""
@@ -92,15 +93,23 @@ class TooMuchStored(Exception):
 class State:
     """Raises RedisError when Redis does not answer."""
 
-    def __init__(self, redis: Redis, answers_days: int, answers: int = 20_000, stored_bytes: int = 20 * 2**30) -> None:
-        """`answers` and `stored_bytes`: what is kept for a tenant at most, jobs and bytes of uploaded files."""
+    def __init__(
+        self,
+        redis: Redis,
+        answers_days: int,
+        answers: int = 20_000,
+        stored_bytes: int = 20 * 2**30,
+        answer_bytes: int = 2**30,
+    ) -> None:
+        """What is kept for a tenant at most: `answers` in number, bytes of uploaded files, bytes of answers."""
         self._redis = redis
         self._kept_s = answers_days * DAY_S
-        self._answers, self._stored_bytes = answers, stored_bytes
+        self._answers, self._stored_bytes, self._answer_bytes = answers, stored_bytes, answer_bytes
         self._reserve = redis.register_script(RESERVE)
         self._add_model = redis.register_script(ADD_MODEL)
         self._add = redis.register_script(ADD_JOBS)
         self._finish = redis.register_script(FINISH_JOB)
+        self._forget_bytes = redis.register_script(FORGET_BYTES)
 
     async def alive(self, *keys: str) -> list[str | None]:
         """What do those say that are there? None where one is not."""
@@ -213,9 +222,9 @@ class State:
         queued = entry(JobEvent(kind=JobEventKind.QUEUED, at=time))["event"]
         texts = [task.model_dump_json() for task in tasks]
         keys = [model_key(tenant, model), asked_key(tenant, model), PENDING, TaskName.QUESTION.queue.value]
-        keys.append(answers_key(tenant))
+        keys += answers_key(tenant), bytes_key(tenant)
         times = (time.isoformat(), number, number + LOST_S, self._kept_s, number - self._kept_s)
-        arguments: list[str | float] = [*times, queued, self._answers]
+        arguments: list[str | float] = [*times, queued, self._answers, self._answer_bytes]
         for task, text in zip(tasks, texts, strict=True):
             keys += job_key(task.job), job_events_key(task.job)
             arguments += task.job, text, task_message(TaskName.QUESTION, task, task.job)
@@ -232,6 +241,7 @@ class State:
                 pipe.zrem(answers_key(task.tenant), task.job)
                 pipe.zrem(open_key(task.key), task.job)
                 pipe.zrem(PENDING, task.job)
+                await self._forget_bytes([bytes_key(task.tenant)], [task.job], client=pipe)
             await pipe.execute()
 
     async def job(self, tenant: str, job: str) -> Job | None:
