@@ -78,10 +78,15 @@ def anthropic_tools(form: Form | None, by: Constrained) -> dict[str, Any]:
 
 
 def as_reply(text: str) -> str:
-    """A reply held to the schema of programs, as other replies are: a sentence and a code block. Else as it is."""
+    """A reply held to the schema of programs, as other replies are: a sentence and a code block. Else as it is.
+
+    Of several such objects, calls of the tool at once, the first counts: one program is run a step.
+    """
     try:
-        said = json.loads(text)
-    except ValueError:
+        said, end = json.JSONDecoder().raw_decode(text.strip())
+    except (ValueError, RecursionError):
+        return text
+    if text.strip()[end:].strip()[:1] not in ("", "{"):
         return text
     if not isinstance(said, dict) or not isinstance(said.get("program"), str):
         return text

@@ -34,8 +34,8 @@ class KeptReplies:
             settings.llm_model,
             settings.llm_tokens,
         ]
-        if settings.llm_constrained is not Constrained.NONE:
-            self._who.append(settings.llm_constrained.value)
+        if settings.constrained is not Constrained.NONE:
+            self._who.append(settings.constrained.value)
 
     def reply(self, conversation: tuple[Message, ...], temperature: float, sample: int, deadline: TimeLimit) -> Reply:
         """What did it say to this, or what does it say now? Raises LlmError."""

@@ -69,7 +69,7 @@ def prompt(options: argparse.Namespace) -> int:
         except FileProblem as problem:
             return complain(f"{options.file}: {problem}")
     settings = LlmSettings.read()
-    if (options.codegen or settings.codegen) == Codegen.AGENT:
+    if (options.codegen or settings.default_codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
         tools = () if settings.eyes() is None else BY_SIGHT if settings.llm_images else BY_SIGHT[:1]
         told = agent_conversation(
