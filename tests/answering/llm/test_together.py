@@ -113,6 +113,13 @@ def test_the_parser_steps_in_for_a_language_model_that_fails(reply: Any) -> None
         assert [attempt.problem for attempt in record.attempts] == ["The reply holds no code block."] * 3
 
 
+@pytest.mark.parametrize("codegen", [Codegen.LLM, Codegen.AGENT])
+@pytest.mark.parametrize("reply", [program("solution = '\ud800'"), "ask: \ud800 which?", "\ud800"])
+def test_half_a_character_in_a_reply_breaks_no_record(codegen: Codegen, reply: str) -> None:
+    record = ask(FakeModel(reply), codegen)
+    assert AnswerRecord.model_validate_json(record.model_dump_json()) == record
+
+
 def test_what_neither_can_answer_fails_with_every_attempt_in_the_record() -> None:
     record = ask(FakeModel(program(COUNT)), Codegen.LLM, "Who painted it?", by_llm=ValueError("no"), llm_repairs=1)
     assert record.status is Status.FAILED
