@@ -160,6 +160,50 @@ def test_a_program_that_measures_nothing_is_doubted(runtime: EmbeddedRuntime, fl
     assert record.answer.value == pytest.approx(0.053)
 
 
+@pytest.mark.parametrize(
+    ("question", "program", "said"),
+    [
+        ("How many shiny holes are there?", 'len(find_parts("shiny hole"))', "this is not in the parts: shiny"),
+        ("How many blind holes are there?", 'len(find_parts("blind hole"))', "the answer is none"),
+        ("How high is the boss?", 'find_parts("body")[0].height', "it rests on a whole body"),
+        ("What is the diameter of the hole?", '[p.diameter for p in parts(kind="hole")]', "asked for, and these are 3"),
+        (
+            "How deep are the counterbores?",
+            'parts(kind="hole", tags="counterbored")[0].depth',
+            "a parser, which is sure",
+        ),
+        ("What is the radius of the bore?", 'parts(kind="hole", tags="central")[0].diameter', "for a radius, and not"),
+    ],
+    ids=["dropped words", "zero", "whole body", "several for one", "another reading", "another measure"],
+)
+def test_the_model_is_shown_what_speaks_against_its_answer(
+    runtime: EmbeddedRuntime, flange: Path, question: str, program: str, said: str
+) -> None:
+    model = Recorded([f"```python\nsolution = {program}\n```"] * 2)
+    ask(runtime, flange, question, model)
+    assert said in model.shown[1][-1]["text"].partition("What may speak against it:")[2]
+
+
+def test_several_values_are_no_doubt_where_several_are_asked_for_or_all_are_the_same(
+    runtime: EmbeddedRuntime, flange: Path
+) -> None:
+    each = "```python\nsolution = [p.diameter for p in {}]\n```"
+    for question, found in (
+        ("What are the diameters of the holes?", 'parts(kind="hole")'),
+        ("What is the diameter of the counterbored hole?", 'parts(kind="hole", tags="counterbored")'),
+    ):
+        model = Recorded([each.format(found)] * 2)
+        ask(runtime, flange, question, model)
+        assert not any("and these are" in turn[-1]["text"] for turn in model.shown)
+
+
+def test_the_model_is_told_how_the_parser_reads_the_question(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded([ANSWER])
+    ask(runtime, flange, "What is the thickness of the flange?", model)
+    told = model.shown[0][-1]["text"].partition("How a parser reads it, the likeliest first:")[2]
+    assert len(told.strip().splitlines()) > 1
+
+
 DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
 
 

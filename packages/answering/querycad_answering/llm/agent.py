@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from querycad_answering.judging import Verdict
-from querycad_answering.typed import same_value
+from querycad_answering.typed import are_several, same_value
 from querycad_contracts import (
     Answer,
     Attempt,
@@ -32,7 +32,7 @@ from .doubts import doubts, odd, other_measure
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .program import RESULT, blocks_in, program_in
-from .prompt import agent_conversation, shown
+from .prompt import agent_conversation, in_words, shown
 from .settings import PromptExamples
 from .task import Candidate, Task, Written
 
@@ -274,7 +274,7 @@ def _failed(outcome: RunOutcome, verdict: Verdict) -> str:
 
 
 def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> list[str]:
-    """What speaks against an answer: words left out, none found, a whole body, the parser's own answer."""
+    """What speaks against an answer: words left out, none found, a whole body, several for one, the parser's own."""
     assert verdict.answer is not None
     found: list[str] = []
     for grounding in outcome.groundings:
@@ -286,6 +286,9 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> li
     whole = (PartKind.BODY, PartKind.MODEL)
     if verdict.parts and all(part.kind in whole for part in verdict.parts) and "find_parts" in code:
         found.append(f"it rests on a whole body: {verdict.parts[0].label}")
+    if several := are_several(verdict.answer, task.wanted):
+        asked = in_words(task.wanted) if task.wanted is not None else "one"
+        found.append(f"{asked} is asked for, and these are {several}: tell which part is meant")
     found += filter(None, (odd(verdict.answer, code), other_measure(code, task.wanted)))
     if task.asked is not None:
         found += doubts(code, task.question, task.asked, task.summary)
