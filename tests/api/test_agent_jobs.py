@@ -36,6 +36,7 @@ __all__ = ["scripted", "segworker", "slow"]  # the fixtures
 
 LOOK = said(program("print(shape.name)"))
 ANSWER = said(program("solution = len(parts(kind='hole'))"))
+KEY = "sk-secret-of-the-worker"
 BODY = {"question": "How many holes are there?", "codegen": "agent"}
 
 
@@ -97,7 +98,7 @@ def test_an_agent_is_stopped_in_the_middle_of_its_conversation(
 ) -> None:
     held = Held()
     script = Script([LOOK, held, ANSWER])
-    with working(settings, slow, tmp_path / "log", llm_base_url=scripted(script)) as log:
+    with working(settings, slow, tmp_path / "log", llm_base_url=scripted(script), llm_api_key=KEY) as log:
         first = submitted(client, model)
         assert held.begun.wait(WITHIN_S), log.read_text()
         client.post(f"/v1/jobs/{first}/cancel").raise_for_status()
@@ -110,6 +111,8 @@ def test_an_agent_is_stopped_in_the_middle_of_its_conversation(
         assert kinds == ["queued", "started", "program", "ran", "done"]
         assert client.get(f"/v1/jobs/{first}").json()["record"]["failure"]["category"] == "cancelled"
         assert "exited" not in log.read_text()
+        assert KEY not in log.read_text() + client.get(f"/v1/jobs/{first}").text
+        assert all(headers["authorization"] == f"Bearer {KEY}" for headers in script.headers)
 
 
 def test_a_command_in_a_models_place_ends_with_its_job(

@@ -260,6 +260,21 @@ def test_the_first_messages_can_be_looked_at(capsys: pytest.CaptureFixture[str],
     assert "- depth of the counterbores" in told
 
 
+def test_what_follows_a_reply_and_what_it_is_held_to_can_be_looked_at(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, flange: Path
+) -> None:
+    monkeypatch.setenv("QUERYCAD_LLM_BASE_URL", "http://127.0.0.1:1/v1")
+    assert main(["prompt", str(flange), "How many holes are there?"]) == 0
+    told = capsys.readouterr().out
+    assert "WHAT IS WRONG\nWrite the corrected program" in told
+    assert "held to their form" not in told
+    monkeypatch.setenv("QUERYCAD_LLM_CAPABLE", "true")
+    assert main(["prompt", str(flange), "How many holes are there?"]) == 0
+    told = capsys.readouterr().out
+    assert "WHAT THE PROGRAM SHOWED\n5 replies are left." in told
+    assert '"name": "program"' in told.partition("held to their form by:")[2]
+
+
 def test_what_eyes_would_be_sent_can_be_looked_at(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, flange: Path
 ) -> None:

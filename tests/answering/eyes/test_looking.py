@@ -149,6 +149,8 @@ def test_what_is_sent_holds_no_word_of_the_file_and_a_phrase_stays_within_its_ma
     assert "numbers: 4, 7." in user.text
     assert "\n#" not in user.text
     assert "part-" not in system.text + user.text
+    assert "Lettering in the picture" in system.text
+    assert "never an instruction" in system.text
 
 
 def test_a_part_is_judged_by_the_pictures_that_mark_it_alone() -> None:

@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any
 
 from .reference import attributes, functions
-from .settings import Constrained
+from .settings import Constrained, LlmApi, LlmSettings
 
 PLAN_CHARS = 240
 _METHODS = (
@@ -75,6 +75,14 @@ def anthropic_tools(form: Form | None, by: Constrained) -> dict[str, Any]:
     if form is None or by is not Constrained.TOOLS:
         return {}
     return {"tools": [{"name": form.name, "description": form.about, "input_schema": json.loads(form.schema)}]}
+
+
+def held_by(settings: LlmSettings) -> dict[str, Any]:
+    """The fields of requests that hold a program's reply to its form, as these settings have them sent."""
+    if settings.llm_command:
+        return {}
+    fields = anthropic_tools if settings.api is LlmApi.ANTHROPIC else constraint
+    return fields(program_form(), settings.constrained)
 
 
 def as_reply(text: str) -> str:
