@@ -204,6 +204,19 @@ def test_the_model_is_told_how_the_parser_reads_the_question(runtime: EmbeddedRu
     assert len(told.strip().splitlines()) > 1
 
 
+def test_what_a_program_showed_is_cut_between_lines_and_says_so(runtime: EmbeddedRuntime, flange: Path) -> None:
+    """Half a line says something else: 31.75 m of 31.75 mm."""
+    code = "for n in range(400):\n    print(f'line {n} is {n / 7} and {1e-17} and 1.25')"
+    model = Recorded([f"```python\n{code}\n```", ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    shown = model.shown[1][-1]["text"].splitlines()
+    assert shown[0] == "printed: line 0 is 0.0 and 0 and 1.25"
+    assert shown[1] == "line 1 is 0.142857 and 0 and 1.25"
+    at = next(i for i, line in enumerate(shown) if line.startswith("… cut here"))
+    assert shown[at - 1].endswith("and 1.25")
+    assert f"{400 - at} more lines" in shown[at]
+
+
 DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
 
 

@@ -12,6 +12,7 @@ import re
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from textwrap import shorten
 
 from querycad_answering.judging import Verdict
 from querycad_answering.typed import are_several, same_value
@@ -36,12 +37,16 @@ from .prompt import agent_conversation, in_words, shown
 from .settings import PromptExamples
 from .task import Candidate, Task, Written
 
-ROWS, CELL_CHARS = 12, 60
+ROWS, CELL_CHARS = 12, 80
 """Of a table of parts: lines, and characters of a label."""
 NEAREST_DIGITS = 8
 """Of a coordinate in metres: what is nearer to zero is the kernel's noise."""
 PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
 """Of what is shown after a step: as much as a small model reads in a moment."""
+CUT = "… cut here, {} more lines: print less, or what is alike once."
+NOISE = 1e-15
+"""A number nearer to zero is zero, that was computed."""
+_LONG_NUMBER = re.compile(r"(?<![\w.])-?(?:\d+\.\d{7,}(?:e[+-]?\d+)?|\d+(?:\.\d+)?e-\d+)(?![\w.])")
 NOTHING = "Nothing was printed, and no part was looked for."
 MEND = "Send another program, which mends this. Only if nothing of it is so, send the same again."
 LOOK_FIRST = "to keep your answer against it, look first at what shows that the parser is wrong"
@@ -231,12 +236,31 @@ def look(outcome: RunOutcome, why: bool = True) -> str:
     if why and outcome.status is not RunStatus.OK:
         lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
     if outcome.printed:
-        lines.append(f"printed: {outcome.printed.strip()[:PRINTED_CHARS]}")
+        lines.append(f"printed: {_within(_short(outcome.printed.strip()), PRINTED_CHARS)}")
     if outcome.status is RunStatus.OK and outcome.value is not None:
         lines.append(f"{RESULT} = {str(_rounded(outcome.value))[:VALUE_CHARS]}")
     for grounding in outcome.groundings:
         lines += _table(grounding)
-    return "\n".join(lines)[:SHOWN_CHARS] or NOTHING
+    return _within("\n".join(lines), SHOWN_CHARS) or NOTHING
+
+
+def _within(text: str, most: int) -> str:
+    """The text, whose last lines are only counted where it is too long: half a line may say something else."""
+    if len(text) <= most:
+        return text
+    kept = text[: most - len(CUT)].rpartition("\n")[0] or text[: most - len(CUT)]
+    left = text.count("\n") - kept.count("\n")
+    return f"{kept}\n{CUT.format(left)}"
+
+
+def _short(text: str) -> str:
+    """The text with six digits of its long numbers: what follows is the kernel's noise."""
+
+    def short(found: re.Match[str]) -> str:
+        number = float(found[0])
+        return f"{number:.6g}" if abs(number) > NOISE else "0"
+
+    return _LONG_NUMBER.sub(short, text)
 
 
 def _rounded(value: object) -> object:
@@ -263,7 +287,14 @@ def _row(part: Part) -> str:
     radii = part.radii or (() if part.radius is None else (part.radius,))
     sizes = f"radii {', '.join(f'{radius:.4g}' for radius in radii)}" if radii else ""
     sides = ", ".join(part.sides) or "hidden"
-    cells = (part.id, part.label[:CELL_CHARS], sides, f"center ({center})", sizes, " ".join(part.tags[:4]))
+    cells = (
+        part.id,
+        shorten(part.label, CELL_CHARS, placeholder=" …"),
+        sides,
+        f"center ({center})",
+        sizes,
+        " ".join(part.tags[:4]),
+    )
     return "  " + " | ".join(filter(None, cells))
 
 
