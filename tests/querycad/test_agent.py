@@ -217,6 +217,29 @@ def test_what_a_program_showed_is_cut_between_lines_and_says_so(runtime: Embedde
     assert f"{400 - at} more lines" in shown[at]
 
 
+def test_a_table_is_shown_once(runtime: EmbeddedRuntime, flange: Path) -> None:
+    looks = [f"```python\nprint([p.{name} for p in parts(kind='hole')])\n```" for name in ("depth", "diameter")]
+    model = Recorded([*looks, ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    assert "hole-11 | " in model.shown[1][-1]["text"]
+    second = model.shown[2][-1]["text"]
+    assert "hole-11" not in second
+    assert "is 11 parts | as shown before" in second
+    model = Recorded([looks[0], looks[0], ANSWER])  # one that comes again takes the place of the first
+    ask(runtime, flange, "How many holes are there?", model)
+    assert all("hole-11 | " in turns[-1]["text"] for turns in model.shown[1:])
+
+
+def test_parts_that_are_alike_share_a_line(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded(["```python\nprint(len(parts(kind='hole')))\n```", ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    told = model.shown[1][-1]["text"]
+    (line,) = (line for line in told.splitlines() if line.startswith("  8 x "))
+    assert "hole-1, hole-2, hole-3, hole-5" in line
+    assert "centers (0.04738, -0.04738, 0.011), (" in line
+    assert "radii 0.013, 0.008" in line
+
+
 DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
 
 
