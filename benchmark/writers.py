@@ -93,7 +93,7 @@ def ways(settings: LlmSettings) -> dict[str, tuple[Codegen, LlmSettings]]:
     if settings.is_configured:
         free = LlmSettings.model_validate(settings.model_dump() | {"llm_constrained": "none"})
         found[SINGLE] = (Codegen.LLM, free)
-        if free != settings:
+        if free.constrained is not settings.constrained:
             found[HELD] = (Codegen.LLM, settings)
         found[AGENT] = (Codegen.AGENT, settings)
     return found

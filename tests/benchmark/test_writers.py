@@ -44,7 +44,7 @@ def test_without_a_language_model_the_parser_alone_is_asked_and_without_a_form_n
     assert list(ways(LlmSettings(llm_command="true"))) == [PARSER, SINGLE, AGENT]
     held = ways(LlmSettings.model_validate({"llm_base_url": "http://127.0.0.1:1", "llm_constrained": "llama.cpp"}))
     assert list(held) == [PARSER, SINGLE, HELD, AGENT]
-    assert [settings.llm_constrained.value for _, settings in held.values()][1:] == ["none", "llama.cpp", "llama.cpp"]
+    assert [settings.constrained.value for _, settings in held.values()][1:] == ["none", "llama.cpp", "llama.cpp"]
 
 
 def test_what_was_asked_is_kept_and_not_asked_again(tmp_path: Path) -> None:

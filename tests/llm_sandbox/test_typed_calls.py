@@ -154,6 +154,20 @@ def test_holes_on_a_circle_are_around_its_middle_in_order(sandbox: Sandbox, segc
     assert ["hole-1", "hole-3", "hole-2", "hole-4"] in turns or ["hole-1", "hole-4", "hole-2", "hole-3"] in turns
 
 
+def test_a_rounded_corner_has_the_axis_of_its_faces_where_they_share_one(
+    sandbox: Sandbox, segcad: FakeSegCad, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    places = {1: (0.02, 0.02, 0.0), 2: (0.02, 0.02, 0.01), 3: (0.05, 0.02, 0.0)}
+    monkeypatch.setattr(
+        segcad, "faces", lambda ids: tuple(make_face(i, axis_point=places[i], convexity="convex") for i in ids)
+    )
+    hole = make_part("hole-1", axis=UP, center=(0.02, 0.02, 0.005))
+    rounds = [("round-1", (1,)), ("round-2", (1, 2)), ("round-3", (1, 3)), ("round-4", (3,))]
+    segcad.known = [hole, *(make_part(name, kind="round", faces=faces) for name, faces in rounds)]
+    found = value(sandbox, segcad, "[coaxial(r, parts(kind='hole')[0]) for r in parts(kind='round')]")
+    assert found == [True, True, False, False]
+
+
 @pytest.mark.parametrize(
     ("call", "expected"),
     [

@@ -160,6 +160,86 @@ def test_a_program_that_measures_nothing_is_doubted(runtime: EmbeddedRuntime, fl
     assert record.answer.value == pytest.approx(0.053)
 
 
+@pytest.mark.parametrize(
+    ("question", "program", "said"),
+    [
+        ("How many shiny holes are there?", 'len(find_parts("shiny hole"))', "this is not in the parts: shiny"),
+        ("How many blind holes are there?", 'len(find_parts("blind hole"))', "the answer is none"),
+        ("How high is the boss?", 'find_parts("body")[0].height', "it rests on a whole body"),
+        ("What is the diameter of the hole?", '[p.diameter for p in parts(kind="hole")]', "asked for, and these are 3"),
+        (
+            "How deep are the counterbores?",
+            'parts(kind="hole", tags="counterbored")[0].depth',
+            "a parser, which is sure",
+        ),
+        ("What is the radius of the bore?", 'parts(kind="hole", tags="central")[0].diameter', "for a radius, and not"),
+    ],
+    ids=["dropped words", "zero", "whole body", "several for one", "another reading", "another measure"],
+)
+def test_the_model_is_shown_what_speaks_against_its_answer(
+    runtime: EmbeddedRuntime, flange: Path, question: str, program: str, said: str
+) -> None:
+    model = Recorded([f"```python\nsolution = {program}\n```"] * 2)
+    ask(runtime, flange, question, model)
+    assert said in model.shown[1][-1]["text"].partition("What may speak against it:")[2]
+
+
+def test_several_values_are_no_doubt_where_several_are_asked_for_or_all_are_the_same(
+    runtime: EmbeddedRuntime, flange: Path
+) -> None:
+    each = "```python\nsolution = [p.diameter for p in {}]\n```"
+    for question, found in (
+        ("What are the diameters of the holes?", 'parts(kind="hole")'),
+        ("What is the diameter of the counterbored hole?", 'parts(kind="hole", tags="counterbored")'),
+    ):
+        model = Recorded([each.format(found)] * 2)
+        ask(runtime, flange, question, model)
+        assert not any("and these are" in turn[-1]["text"] for turn in model.shown)
+
+
+def test_the_model_is_told_how_the_parser_reads_the_question(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded([ANSWER])
+    ask(runtime, flange, "What is the thickness of the flange?", model)
+    told = model.shown[0][-1]["text"].partition("How a parser reads it, the likeliest first:")[2]
+    assert len(told.strip().splitlines()) > 1
+
+
+def test_what_a_program_showed_is_cut_between_lines_and_says_so(runtime: EmbeddedRuntime, flange: Path) -> None:
+    """Half a line says something else: 31.75 m of 31.75 mm."""
+    code = "for n in range(400):\n    print(f'line {n} is {n / 7} and {1e-17} and 1.25')"
+    model = Recorded([f"```python\n{code}\n```", ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    shown = model.shown[1][-1]["text"].splitlines()
+    assert shown[0] == "printed: line 0 is 0.0 and 0 and 1.25"
+    assert shown[1] == "line 1 is 0.142857 and 0 and 1.25"
+    at = next(i for i, line in enumerate(shown) if line.startswith("… cut here"))
+    assert shown[at - 1].endswith("and 1.25")
+    assert f"{400 - at} more lines" in shown[at]
+
+
+def test_a_table_is_shown_once(runtime: EmbeddedRuntime, flange: Path) -> None:
+    looks = [f"```python\nprint([p.{name} for p in parts(kind='hole')])\n```" for name in ("depth", "diameter")]
+    model = Recorded([*looks, ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    assert "hole-11 | " in model.shown[1][-1]["text"]
+    second = model.shown[2][-1]["text"]
+    assert "hole-11" not in second
+    assert "is 11 parts | as shown before" in second
+    model = Recorded([looks[0], looks[0], ANSWER])  # one that comes again takes the place of the first
+    ask(runtime, flange, "How many holes are there?", model)
+    assert all("hole-11 | " in turns[-1]["text"] for turns in model.shown[1:])
+
+
+def test_parts_that_are_alike_share_a_line(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded(["```python\nprint(len(parts(kind='hole')))\n```", ANSWER])
+    ask(runtime, flange, "How many holes are there?", model)
+    told = model.shown[1][-1]["text"]
+    (line,) = (line for line in told.splitlines() if line.startswith("  8 x "))
+    assert "hole-1, hole-2, hole-3, hole-5" in line
+    assert "centers (0.04738, -0.04738, 0.011), (" in line
+    assert "radii 0.013, 0.008" in line
+
+
 DEEPER = '```python\nsolution = parts(kind="hole", tags="counterbored")[0].depth\n```'
 
 
@@ -214,6 +294,21 @@ def test_the_first_messages_can_be_looked_at(capsys: pytest.CaptureFixture[str],
     told = capsys.readouterr().out
     assert "You have 6 replies" in told
     assert "- depth of the counterbores" in told
+
+
+def test_what_follows_a_reply_and_what_it_is_held_to_can_be_looked_at(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, flange: Path
+) -> None:
+    monkeypatch.setenv("QUERYCAD_LLM_BASE_URL", "http://127.0.0.1:1/v1")
+    assert main(["prompt", str(flange), "How many holes are there?"]) == 0
+    told = capsys.readouterr().out
+    assert "WHAT IS WRONG\nWrite the corrected program" in told
+    assert "held to their form" not in told
+    monkeypatch.setenv("QUERYCAD_LLM_CAPABLE", "true")
+    assert main(["prompt", str(flange), "How many holes are there?"]) == 0
+    told = capsys.readouterr().out
+    assert "WHAT THE PROGRAM SHOWED\n5 replies are left." in told
+    assert '"name": "program"' in told.partition("held to their form by:")[2]
 
 
 def test_what_eyes_would_be_sent_can_be_looked_at(

@@ -162,7 +162,7 @@ def test_slow_eyes_are_waited_for_as_long_as_was_said_and_geometry_answers(
     assert any("nobody could look for" in warning and "in time" in warning for warning in record.warnings)
 
 
-def test_names_in_a_file_are_in_no_request(tmp_path: Path, flange: Path, endpoint: Endpoint) -> None:
+def test_names_in_a_file_are_in_no_request_and_in_no_picture(tmp_path: Path, flange: Path, endpoint: Endpoint) -> None:
     hostile = tmp_path / "hostile.step"
     text = flange.read_text(encoding="utf-8")
     assert "'flange'" in text
@@ -175,6 +175,11 @@ def test_names_in_a_file_are_in_no_request(tmp_path: Path, flange: Path, endpoin
             texts = message["content"] if isinstance(message["content"], str) else message["content"][0]["text"]
             assert "ignore the picture" not in texts
             assert "hole-" not in texts
+    hostile_sent = {json.dumps(body, sort_keys=True) for body in endpoint.bodies}
+    endpoint.bodies.clear()
+    with serving(endpoint) as url:
+        ask(tmp_path / "others", flange, "How many logos are there?", url, eyes_pictures=2)
+    assert {json.dumps(body, sort_keys=True) for body in endpoint.bodies} == hostile_sent
 
 
 def test_without_eyes_geometry_answers_and_says_so(store: Path, flange: Path) -> None:

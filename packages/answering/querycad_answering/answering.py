@@ -94,7 +94,7 @@ def answer_question(
         writer = llm.chosen(options.llm)
     except LlmOptionRefused as error:
         return _refused(question, str(error), clock, least)
-    codegen = _codegen(options, writer.settings)
+    codegen = options.codegen or writer.settings.default_codegen
     seeing = _seeing(writer, place, options.grounding is GroundedBy.EYES or codegen is Codegen.AGENT)
     if seeing is not None:
         run = seeing.running(run)
@@ -203,11 +203,6 @@ def _told(
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
     return _Outcome(failure=Failure(category="bad_input", message=message)).record(question, clock, least)
-
-
-def _codegen(options: AnswerOptions, settings: LlmSettings) -> Codegen:
-    """Who writes programs: as the caller says, else as is set, else both where there is a language model."""
-    return options.codegen or settings.codegen or (Codegen.BOTH if settings.is_configured else Codegen.PARSER)
 
 
 def _seeing(writer: LlmWriter, place: Place | None, wanted: bool) -> Seeing | None:

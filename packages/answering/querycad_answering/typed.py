@@ -106,6 +106,14 @@ def same_value(a: Answer, b: Answer, each_once: bool = False) -> bool:
     return _same_lists(values, others)
 
 
+def are_several(answer: Answer, wanted: AnswerType | None) -> int:
+    """How many different values has the answer, where one is asked for? 0 where there is one, or any number may be."""
+    if wanted is None or answer.type is not _LIST_OF.get(wanted):
+        return 0
+    count = len(_distinct(_as_list(answer)))
+    return count if count > 1 else 0
+
+
 def _distinct(values: list[Any]) -> list[Any]:
     kept: list[Any] = []
     for value in values:

@@ -115,7 +115,9 @@ class AnswerOptions(Frozen):
     """How a question is to be answered, as far as the caller has a say."""
 
     codegen: Codegen | None = Field(
-        None, description="Who writes the program; null: both where a language model is set up, else the parser."
+        None,
+        description="Who writes the program; null: the agent with a capable language model, both with any other, else "
+        "the parser.",
     )
     expect: Expectation | None = None
     llm: LlmOptions | None = None

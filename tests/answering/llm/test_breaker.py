@@ -74,5 +74,5 @@ def test_questions_share_what_is_known_of_a_model_and_other_models_are_asked_all
     assert (model.asked, errors[:2]) == (2, ["away", "away"])
     assert all("left alone" in error for error in errors[2:])
     other = writer.chosen(LlmOptions(model="n"))
-    other._model, model.error = model, None
+    other._models["n"], model.error = model, None
     assert other.write(task).candidates

@@ -73,6 +73,31 @@ def test_a_server_that_refuses_the_form_is_asked_without_it(scripted: Callable[[
     assert ["grammar" in body for body in script.bodies] == [True, False]
 
 
+@pytest.mark.parametrize(
+    ("code", "error"),
+    [
+        (400, {"message": "registry/model:latest does not support tools"}),
+        (400, {"message": '"auto" tool choice requires --enable-auto-tool-choice to be set', "param": None}),
+        (500, {"message": "tools param requires --jinja flag"}),
+        (422, {"message": "Extra inputs are not permitted: tools"}),
+    ],
+)
+def test_a_server_without_tool_calls_is_asked_for_fenced_code(
+    scripted: Callable[[Script], str], code: int, error: dict[str, Any]
+) -> None:
+    script = Script([status(code, {"error": error}), said("```python\nsolution = 1\n```")])
+    settings = LlmSettings(llm_base_url=scripted(script), llm_capable=True, llm_retries=0)
+    reply = HttpChatModel(settings, form=program_form()).reply(ASKED, 0.0, 1, TimeLimit(10))
+    assert "solution = 1" in reply.text
+    assert ["tools" in body for body in script.bodies] == [True, False]
+
+
+def test_of_several_calls_at_once_the_first_is_the_program() -> None:
+    first, second = (json.dumps({"plan": "Look.", "program": code}) for code in ("print(1)", "solution = 2"))
+    assert as_reply(first + second) == "Look.\n```python\nprint(1)\n```"
+    assert as_reply(f"{first} and more") == f"{first} and more"
+
+
 PROGRAM = json.dumps({"plan": "All holes.", "program": "solution = 1"})
 CALLED = "I count.\nAll holes.\n```python\nsolution = 1\n```"
 

@@ -165,6 +165,14 @@ def test_what_there_is_no_room_for_is_named_by_its_kinds() -> None:
     assert listed + left == 2 * 60 + 7
 
 
+def test_cuts_of_no_plain_outline_come_behind_the_others() -> None:
+    """Their sizes are those of a box around them; on a housing they took the room of all its holes."""
+    steps = [group(f"step, {'9' * i} mm", 1, kind="step", tags=("free", "open")) for i in range(60, 80)]
+    told = facts(summary(groups=[*steps, group("blind hole, diameter 5 mm", 9), group("fillet", 3, kind="fillet")]))
+    assert told.splitlines()[2].startswith("9 x blind hole, diameter 5 mm")
+    assert told.splitlines()[3].startswith("1 x step")
+
+
 def test_bodies_are_told_by_name_colour_and_size_the_largest_first() -> None:
     bodies = [
         group("pin", 4, kind="body", name="Pin", extents=(0.01, 0.01, 0.03)),

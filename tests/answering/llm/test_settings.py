@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from pydantic import ValidationError
 
-from querycad_answering.llm.settings import LlmApi, LlmOptionRefused, LlmSettings
-from querycad_contracts import LlmOptions
+from querycad_answering.llm.settings import Constrained, LlmApi, LlmOptionRefused, LlmSettings
+from querycad_contracts import Codegen, LlmOptions
 
 SET = LlmSettings(llm_base_url="http://127.0.0.1:1/v1", llm_model="small", llm_models="large, larger ")
 
@@ -57,3 +59,34 @@ def test_the_address_tells_how_a_server_is_spoken_to(url: str, api: LlmApi) -> N
 
 def test_without_an_address_no_language_model_is_set_up() -> None:
     assert not LlmSettings.read({}).is_configured
+
+
+@pytest.mark.parametrize(
+    ("given", "writes", "held"),
+    [
+        ({}, Codegen.PARSER, Constrained.NONE),
+        ({"llm_capable": True}, Codegen.PARSER, Constrained.NONE),
+        ({"llm_base_url": "http://127.0.0.1:8089/v1"}, Codegen.BOTH, Constrained.NONE),
+        ({"llm_base_url": "http://127.0.0.1:8089/v1", "llm_capable": True}, Codegen.AGENT, Constrained.TOOLS),
+        ({"llm_base_url": "https://api.openai.com/v1"}, Codegen.AGENT, Constrained.TOOLS),
+        ({"llm_base_url": "https://name.openai.azure.com/openai/v1"}, Codegen.AGENT, Constrained.TOOLS),
+        ({"llm_base_url": "https://api.anthropic.com"}, Codegen.AGENT, Constrained.TOOLS),
+        ({"llm_base_url": "https://api.anthropic.com", "llm_capable": False}, Codegen.BOTH, Constrained.NONE),
+        ({"llm_base_url": "https://openai.com.stranger.example/v1"}, Codegen.BOTH, Constrained.NONE),
+        ({"llm_base_url": "https://api.openai.com/v1", "codegen": "llm"}, Codegen.LLM, Constrained.TOOLS),
+        ({"llm_base_url": "https://api.openai.com/v1", "llm_constrained": "none"}, Codegen.AGENT, Constrained.NONE),
+        ({"llm_command": "cat"}, Codegen.BOTH, Constrained.NONE),
+        ({"llm_command": "cat", "llm_capable": True}, Codegen.AGENT, Constrained.NONE),
+    ],
+)
+def test_an_agent_writes_by_default_where_the_models_are_capable(
+    given: dict[str, Any], writes: Codegen, held: Constrained
+) -> None:
+    settings = LlmSettings.model_validate(given)
+    assert (settings.default_codegen, settings.constrained) == (writes, held)
+
+
+def test_eyes_of_another_address_are_judged_by_their_own() -> None:
+    eyes = LlmSettings(llm_base_url="http://127.0.0.1:1/v1", llm_capable=True, eyes_base_url="http://e/v1").eyes()
+    assert eyes is not None
+    assert not eyes.is_capable

@@ -85,6 +85,16 @@ def test_who_writes_follows_the_caller_then_the_setting_then_what_there_is(setti
     assert len(asked_nothing.attempts) == (0 if setting is Codegen.PARSER else 1)
 
 
+def test_the_agent_writes_by_default_where_the_model_is_capable_and_not_where_it_is_not() -> None:
+    """One that merely answers at an address, as a small local one does, is asked beside the parser."""
+    record = ask(FakeModel(program(COUNT)), llm_capable=True)
+    assert (record.codegen, record.agreement) == ("agent:m", None)
+    record = ask(FakeModel(program(COUNT)))
+    assert record.agreement is not None
+    assert (record.codegen, record.agreement.programs) == ("parser", 2)
+    assert ask(FakeModel(program(COUNT)), Codegen.BOTH, llm_capable=True).codegen == "parser"
+
+
 def test_the_language_model_alone_answers_with_its_program() -> None:
     record = ask(FakeModel(program(COUNT)), Codegen.LLM, by_llm=5, by_parser=4)
     assert (record.codegen, record.code, value_of(record)) == ("llm:m", COUNT, 5)
@@ -101,6 +111,13 @@ def test_the_parser_steps_in_for_a_language_model_that_fails(reply: Any) -> None
         assert "the server answered 503" in record.warnings
     else:
         assert [attempt.problem for attempt in record.attempts] == ["The reply holds no code block."] * 3
+
+
+@pytest.mark.parametrize("codegen", [Codegen.LLM, Codegen.AGENT])
+@pytest.mark.parametrize("reply", [program("solution = '\ud800'"), "ask: \ud800 which?", "\ud800"])
+def test_half_a_character_in_a_reply_breaks_no_record(codegen: Codegen, reply: str) -> None:
+    record = ask(FakeModel(reply), codegen)
+    assert AnswerRecord.model_validate_json(record.model_dump_json()) == record
 
 
 def test_what_neither_can_answer_fails_with_every_attempt_in_the_record() -> None:

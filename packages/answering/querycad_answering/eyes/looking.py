@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import logging
-import math
 import re
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -25,6 +24,8 @@ from querycad_contracts import Grounding, MarkedPicture, PartQuery, PictureReque
 MEANT = 0.5
 """A part is found when the pictures that mark it are, on average, surer than this."""
 PHRASE_CHARS = 200
+NO_SHARE = 1e9
+"""Numbers so large, and what is no number, are no confidence, however they are rounded."""
 AT_ONCE = 4
 """Pictures of one phrase under way at the same time; the address has limits of its own."""
 _OBJECT = re.compile(r"\{.*\}", re.DOTALL)
@@ -118,8 +119,11 @@ class Eyes:
             except LlmError as error:
                 return error
 
-        with ThreadPoolExecutor(max_workers=AT_ONCE) as pool:
+        pool = ThreadPoolExecutor(max_workers=AT_ONCE)
+        try:
             replies = list(pool.map(ask, shown))
+        finally:  # a question that is called off waits for no picture, and asks about no further one
+            pool.shutdown(wait=False, cancel_futures=True)
         errors = [reply for reply in replies if isinstance(reply, LlmError)]
         if errors and len(errors) * 2 >= len(replies):  # half of them have not voted
             raise errors[0]
@@ -161,10 +165,10 @@ def said_in(reply: str, picture: MarkedPicture) -> dict[int, float] | None:
     for one in marks[: 10 * len(there) + 10]:
         number, share = (one.get("mark"), one.get("sure")) if isinstance(one, dict) else (one, 1.0)
         is_number = isinstance(number, int) and not isinstance(number, bool)
-        if not is_number or not isinstance(share, int | float) or isinstance(share, bool) or not math.isfinite(share):
+        if not is_number or not isinstance(share, int | float) or isinstance(share, bool) or not abs(share) < NO_SHARE:
             continue
         if number in there:
-            sure[number] = min(1.0, max(0.0, float(share)))
+            sure[number] = float(min(1, max(0, share)))
     return sure
 
 

@@ -12,9 +12,10 @@ import re
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from textwrap import shorten
 
 from querycad_answering.judging import Verdict
-from querycad_answering.typed import same_value
+from querycad_answering.typed import are_several, same_value
 from querycad_contracts import (
     Answer,
     Attempt,
@@ -32,16 +33,22 @@ from .doubts import doubts, odd, other_measure
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .program import RESULT, blocks_in, program_in
-from .prompt import agent_conversation, shown
+from .prompt import agent_conversation, in_words, shown
 from .settings import PromptExamples
 from .task import Candidate, Task, Written
 
-ROWS, CELL_CHARS = 12, 60
+ROWS, CELL_CHARS = 12, 80
 """Of a table of parts: lines, and characters of a label."""
+IDS, PLACES = 12, 6
+"""Of parts that are alike: how many are named, and of how many it is said where they are."""
 NEAREST_DIGITS = 8
 """Of a coordinate in metres: what is nearer to zero is the kernel's noise."""
 PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
 """Of what is shown after a step: as much as a small model reads in a moment."""
+CUT = "… cut here, {} more lines: print less, or what is alike once."
+NOISE = 1e-15
+"""A number nearer to zero is zero, that was computed."""
+_LONG_NUMBER = re.compile(r"(?<![\w.])-?(?:\d+\.\d{7,}(?:e[+-]?\d+)?|\d+(?:\.\d+)?e-\d+)(?![\w.])")
 NOTHING = "Nothing was printed, and no part was looked for."
 MEND = "Send another program, which mends this. Only if nothing of it is so, send the same again."
 LOOK_FIRST = "to keep your answer against it, look first at what shows that the parser is wrong"
@@ -77,10 +84,18 @@ class _Course:
     """Those that the last program asked for."""
     codes: set[str] = field(default_factory=set)
     """Those of them that were doubted."""
+    tables: set[str] = field(default_factory=set)
+    """Those that were shown: none is shown again."""
     has_looked: bool = False
     """Since an answer was doubted."""
     said: list[str] = field(default_factory=list)
     """Its replies that led to no answer: their programs, else what was said."""
+
+    def shown_to(self, code: str) -> set[str]:
+        """The tables that are known when this program is run; none where it takes the place of the one before."""
+        if self.said[-1:] == [code]:
+            self.tables.clear()
+        return self.tables
 
     def goes_on(self, reply: Reply, code: str | None, seen: str, left: int) -> bool:
         """Adds a reply and what it is shown. Is it one that came before? Then the conversation grows by nothing.
@@ -155,7 +170,11 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
         outcome = task.run(Program(code=f"{code}\n{RESULT} = None", codegen=attempt.codegen))
         course.has_looked = course.has_looked or (bool(course.codes) and outcome.status is RunStatus.OK)
         drawn = _drawn(task, course, outcome)
-        return False, "\n".join((look(outcome), *drawn)), attempt.model_copy(update={"code": code})
+        return (
+            False,
+            "\n".join((look(outcome, shown=course.shown_to(code)), *drawn)),
+            attempt.model_copy(update={"code": code}),
+        )
     code = program_in(reply.text, reply.cut) or code
     attempt = attempt.model_copy(update={"code": code})
     if wrong := problems(code, task.question):
@@ -164,7 +183,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     outcome = task.run(program)
     verdict = task.judged(program, outcome)
     if verdict.answer is None:
-        return False, _failed(outcome, verdict), attempt
+        return False, _failed(outcome, verdict, course.shown_to(code)), attempt
     candidate = Candidate(program, verdict)
     course.answers.append(candidate)
     attempt = attempt.model_copy(update={"answer": verdict.answer.text})
@@ -174,8 +193,8 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
         return True, "", attempt
     course.codes.add(code)
     noted = "\n".join(f"- {each}" for each in against)
-    seen = f"{look(outcome)}\nThe answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
-    return False, f"{seen}\n{MEND}", attempt
+    would = f"The answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
+    return False, f"{look(outcome, shown=course.shown_to(code))}\n{would}\n{MEND}", attempt
 
 
 def _said(course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -222,21 +241,46 @@ def _drawn(task: Task, course: _Course, outcome: RunOutcome) -> list[str]:
     return lines
 
 
-def look(outcome: RunOutcome, why: bool = True) -> str:
+def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None) -> str:
     """What a program showed, in short: what it printed, what it gave, and a table of the parts that it found.
 
-    `why`: also why it did not end well.
+    `why`: also why it did not end well. `shown`: tables that were shown before, to which those of this one are added.
     """
+    before, tables = set() if shown is None else shown, list[str]()
     lines: list[str] = []
     if why and outcome.status is not RunStatus.OK:
         lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
     if outcome.printed:
-        lines.append(f"printed: {outcome.printed.strip()[:PRINTED_CHARS]}")
+        lines.append(f"printed: {_within(_short(outcome.printed.strip()), PRINTED_CHARS)}")
     if outcome.status is RunStatus.OK and outcome.value is not None:
         lines.append(f"{RESULT} = {str(_rounded(outcome.value))[:VALUE_CHARS]}")
     for grounding in outcome.groundings:
-        lines += _table(grounding)
-    return "\n".join(lines)[:SHOWN_CHARS] or NOTHING
+        head, *rows = _table(grounding)
+        table = "\n".join((head, *rows))
+        lines += [f"{head} | as shown before"] if rows and table in before else [head, *rows]
+        tables.append(table)
+    text = _within("\n".join(lines), SHOWN_CHARS) or NOTHING
+    before.update(table for table in tables if table in text)
+    return text
+
+
+def _within(text: str, most: int) -> str:
+    """The text, whose last lines are only counted where it is too long: half a line may say something else."""
+    if len(text) <= most:
+        return text
+    kept = text[: most - len(CUT)].rpartition("\n")[0] or text[: most - len(CUT)]
+    left = text.count("\n") - kept.count("\n")
+    return f"{kept}\n{CUT.format(left)}"
+
+
+def _short(text: str) -> str:
+    """The text with six digits of its long numbers: what follows is the kernel's noise."""
+
+    def short(found: re.Match[str]) -> str:
+        number = float(found[0])
+        return f"{number:.6g}" if abs(number) > NOISE else "0"
+
+    return _LONG_NUMBER.sub(short, text)
 
 
 def _rounded(value: object) -> object:
@@ -253,28 +297,49 @@ def _table(grounding: Grounding) -> list[str]:
     notes += [f"not checked: {', '.join(grounding.unchecked)}"] if grounding.unchecked else []
     notes += [grounding.message] if grounding.message else []
     notes += [f"known here: {', '.join(grounding.nearest)}"] if grounding.nearest else []
-    rows = [_row(part) for part in grounding.parts[:ROWS]]
-    more = len(grounding.parts) - ROWS
-    return [" | ".join([said, *notes]), *rows, *([f"  … and {more} more"] if more > 0 else [])]
+    rows = [row for group in _alike(grounding.parts) for row in _rows(group)]
+    more = len(rows) - ROWS
+    return [" | ".join([said, *notes]), *rows[:ROWS], *([f"  … and {more} more lines"] if more > 0 else [])]
 
 
-def _row(part: Part) -> str:
-    center = ", ".join(f"{round(coordinate, NEAREST_DIGITS) + 0.0:.4g}" for coordinate in part.center)
+def _alike(parts: Sequence[Part]) -> list[list[Part]]:
+    """The parts, those together that differ by their place alone."""
+    groups: dict[tuple[object, ...], list[Part]] = {}
+    for part in parts:
+        groups.setdefault((part.label, part.sides, part.radius, part.radii, part.tags), []).append(part)
+    return list(groups.values())
+
+
+def _rows(parts: Sequence[Part]) -> list[str]:
+    """A line each; one for all of more than two that are alike, with the first of their places."""
+    if len(parts) <= 2:
+        return [_row(part, part.id, f"center {_place(part)}") for part in parts]
+    ids, places = [part.id for part in parts], [_place(part) for part in parts]
+    listed, more = (", ".join(ids[:IDS]), ", …" if len(ids) > IDS else "")
+    centers = ", ".join(places[:PLACES]) + (", …" if len(places) > PLACES else "")
+    return [_row(parts[0], f"{len(parts)} x {listed}{more}", f"centers {centers}")]
+
+
+def _place(part: Part) -> str:
+    return f"({', '.join(f'{round(coordinate, NEAREST_DIGITS) + 0.0:.4g}' for coordinate in part.center)})"
+
+
+def _row(part: Part, ids: str, places: str) -> str:
     radii = part.radii or (() if part.radius is None else (part.radius,))
     sizes = f"radii {', '.join(f'{radius:.4g}' for radius in radii)}" if radii else ""
     sides = ", ".join(part.sides) or "hidden"
-    cells = (part.id, part.label[:CELL_CHARS], sides, f"center ({center})", sizes, " ".join(part.tags[:4]))
+    cells = (ids, shorten(part.label, CELL_CHARS, placeholder=" …"), sides, places, sizes, " ".join(part.tags[:4]))
     return "  " + " | ".join(filter(None, cells))
 
 
-def _failed(outcome: RunOutcome, verdict: Verdict) -> str:
+def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str]) -> str:
     assert verdict.failure is not None
     told = verdict.failure.message
-    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, why=False)}"
+    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before)}"
 
 
 def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> list[str]:
-    """What speaks against an answer: words left out, none found, a whole body, the parser's own answer."""
+    """What speaks against an answer: words left out, none found, a whole body, several for one, the parser's own."""
     assert verdict.answer is not None
     found: list[str] = []
     for grounding in outcome.groundings:
@@ -286,6 +351,9 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> li
     whole = (PartKind.BODY, PartKind.MODEL)
     if verdict.parts and all(part.kind in whole for part in verdict.parts) and "find_parts" in code:
         found.append(f"it rests on a whole body: {verdict.parts[0].label}")
+    if several := are_several(verdict.answer, task.wanted):
+        asked = in_words(task.wanted) if task.wanted is not None else "one"
+        found.append(f"{asked} is asked for, and these are {several}: tell which part is meant")
     found += filter(None, (odd(verdict.answer, code), other_measure(code, task.wanted)))
     if task.asked is not None:
         found += doubts(code, task.question, task.asked, task.summary)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 import time
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -27,6 +28,8 @@ FIRST_PAUSE_S, LONGEST_PAUSE_S = 0.5, 8.0
 """Between tries, doubled each time, and between half and all of that: clients that failed together come back apart."""
 BUSY = frozenset({408, 409, 429, 500, 502, 503, 504, 529})
 """Statuses after which another try may succeed; 529 is Anthropic's for overload."""
+NAMES_FIELDS = frozenset({400, 422, 500, 501})
+"""Statuses of a request with a field that the server does not accept."""
 TOKEN_CHARS = 12
 """Longer than a token ever is on average: a reply of more characters comes from a server that keeps no limit."""
 BODY_BYTES = 2**20
@@ -118,7 +121,7 @@ class HttpChatModel:
                 "POST", self._wire.url(), json=body, headers=self._wire.headers(), timeout=timeout
             ) as response:
                 if not response.is_success:
-                    raise _refusal(response)
+                    raise _refusal(response, body)
                 return self._read(response, deadline)
         except httpx.ConnectTimeout as error:
             raise LlmBusy(f"{self._host} cannot be reached") from error
@@ -185,16 +188,26 @@ def _bounded(chunks: Iterator[bytes], deadline: TimeLimit) -> Iterator[bytes]:
         yield chunk
 
 
-def _refusal(response: httpx.Response) -> LlmError:
-    """Which error is a response without success?"""
+def _refusal(response: httpx.Response, sent: Json) -> LlmError:
+    """Which error is a response without success to what was sent?
+
+    Many servers name the field that they do not accept in their sentence alone, some with a status 500.
+    """
     body: Json = {}
     with suppress(httpx.HTTPError, LlmError):
         body = parsed(b"".join(_bounded(response.iter_bytes(), TimeLimit(CONNECT_S))))
     _, message, parameter = told(body)
     said = f"the language model's server answered {response.status_code}" + (f": {message}" if message else "")
-    if response.status_code in BUSY:
+    if parameter is None and response.status_code in NAMES_FIELDS:
+        parameter = next((name for name in sorted(sent.keys() & OPTIONAL) if _names(message, name)), None)
+    if response.status_code in BUSY and parameter is None:
         return LlmBusy(said, _retry_after_s(response.headers))
     return LlmRefused(said, parameter)
+
+
+def _names(message: str, field: str) -> bool:
+    """Does the sentence name the field: 'tools param requires --jinja', 'the model does not support tools'?"""
+    return re.search(rf"\b{field.removesuffix('s')}s?\b", message, re.IGNORECASE) is not None
 
 
 def _retry_after_s(headers: httpx.Headers) -> float | None:

@@ -32,7 +32,7 @@ def facts(summary: ModelSummary) -> str:
     lines = [f"{x} x {y} x {z} m along x, y, z{stands}{thick}."]
     if summary.body_count > 1:
         lines.append(f"{summary.body_count} bodies: {_bodies(summary)}.")
-    groups = [group for group in summary.groups if group.kind is not PartKind.BODY]
+    groups = sorted((group for group in summary.groups if group.kind is not PartKind.BODY), key=_rank)
     if not groups:
         return "\n".join(lines)
     lines.append("Parts, as: number x label {kind; tags} seen from, layout:")
@@ -42,6 +42,11 @@ def facts(summary: ModelSummary) -> str:
         kinds = [f"{count} x {kind}" for kind, count in left.most_common(KINDS_TOLD)]
         lines.append(f"Not listed: {', '.join(kinds)}{' …' if len(left) > KINDS_TOLD else ''}.")
     return "\n".join(lines)
+
+
+def _rank(group: PartGroup) -> int:
+    """How early is it told of? Cuts of no plain outline come behind the others: their sizes say little of them."""
+    return 0 if group.kind.cuts_in and "free" not in group.tags else 1 if group.kind.cuts_in else 2
 
 
 def names(summary: ModelSummary) -> str:

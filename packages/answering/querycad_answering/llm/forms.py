@@ -13,7 +13,7 @@ from functools import cache
 from typing import Any
 
 from .reference import attributes, functions
-from .settings import Constrained
+from .settings import Constrained, LlmApi, LlmSettings
 
 PLAN_CHARS = 240
 _METHODS = (
@@ -77,11 +77,24 @@ def anthropic_tools(form: Form | None, by: Constrained) -> dict[str, Any]:
     return {"tools": [{"name": form.name, "description": form.about, "input_schema": json.loads(form.schema)}]}
 
 
+def held_by(settings: LlmSettings) -> dict[str, Any]:
+    """The fields of requests that hold a program's reply to its form, as these settings have them sent."""
+    if settings.llm_command:
+        return {}
+    fields = anthropic_tools if settings.api is LlmApi.ANTHROPIC else constraint
+    return fields(program_form(), settings.constrained)
+
+
 def as_reply(text: str) -> str:
-    """A reply held to the schema of programs, as other replies are: a sentence and a code block. Else as it is."""
+    """A reply held to the schema of programs, as other replies are: a sentence and a code block. Else as it is.
+
+    Of several such objects, calls of the tool at once, the first counts: one program is run a step.
+    """
     try:
-        said = json.loads(text)
-    except ValueError:
+        said, end = json.JSONDecoder().raw_decode(text.strip())
+    except (ValueError, RecursionError):
+        return text
+    if text.strip()[end:].strip()[:1] not in ("", "{"):
         return text
     if not isinstance(said, dict) or not isinstance(said.get("program"), str):
         return text

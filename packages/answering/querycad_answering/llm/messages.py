@@ -66,11 +66,18 @@ class Message:
 
 @dataclass(frozen=True, slots=True)
 class Reply:
-    """What a language model said. `cut` says that it was stopped at the longest length."""
+    """What a language model said. `cut` says that it was stopped at the longest length.
+
+    Halves of characters, which JSON can carry and no record can, are question marks.
+    """
 
     text: str
     cut: bool = False
     tokens: TokenUse = NO_TOKENS
+
+    def __post_init__(self) -> None:
+        """Replaces what is no character."""
+        object.__setattr__(self, "text", self.text.encode("utf-8", "replace").decode("utf-8"))
 
 
 class TimeLimit:

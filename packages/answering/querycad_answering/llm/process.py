@@ -81,9 +81,13 @@ def _said(process: subprocess.Popen[bytes], most: int, deadline: TimeLimit) -> b
     timer = Timer(deadline.left_s(), _end, [process])
     timer.start()
     try:
-        with process:
+        with process:  # waits for its end, which is why an interruption has to end it first
             assert process.stdout is not None
-            said = process.stdout.read(most + 1)
+            try:
+                said = process.stdout.read(most + 1)
+            except BaseException:
+                _end(process)
+                raise
             if len(said) > most:
                 _end(process)
     finally:

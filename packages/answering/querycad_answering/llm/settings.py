@@ -33,6 +33,10 @@ class Constrained(StrEnum):
     """Programs come as calls of a tool, by the endpoint's own protocol; Anthropic's, too."""
 
 
+HOSTED = ("anthropic.com", "openai.com", "azure.com")
+"""Whose endpoints take native tool calls and read at least 32,000 tokens with every model that they offer (ADR 28)."""
+
+
 class PromptExamples(StrEnum):
     """Which worked examples are shown with a question?"""
 
@@ -63,6 +67,11 @@ class LlmSettings(Settings):
         None, description="`openai` (chat completions) or `anthropic` (messages); told by the address where not set."
     )
     llm_api_key: SecretStr = Field(SecretStr(""), description="Its key; sent to that address and nowhere else.")
+    llm_capable: bool | None = Field(
+        None,
+        description="Whether its models call tools and read long conversations: then `agent` writes where nothing else "
+        "is said. Not set: at Anthropic's, OpenAI's and Azure's addresses, and nowhere else.",
+    )
     llm_model: str = Field("", description="Its name; may stay empty for servers that have only one.")
     llm_models: str = Field("", description="Other names that a question may ask for, parted by commas.")
     llm_timeout_s: float = Field(
@@ -87,10 +96,10 @@ class LlmSettings(Settings):
         description="Worked examples shown with a question: `nearest`, the three most like it; `3`, always the same "
         "three; `0`, none.",
     )
-    llm_constrained: Constrained = Field(
-        Constrained.NONE,
+    llm_constrained: Constrained | None = Field(
+        None,
         description="How the server holds replies to their form: `llama.cpp`, `vllm`, `json_schema`, `tools`, or "
-        "`none`.",
+        "`none`. Not set: `tools` where its models are capable.",
     )
     llm_parallel: int = Field(4, ge=1, le=256, description="Requests under way at once to one address, by one process.")
     llm_per_minute: int = Field(0, ge=0, description="Requests to one address in any minute, by one process; 0: any.")
@@ -137,7 +146,27 @@ class LlmSettings(Settings):
     @property
     def only_programs(self) -> bool:
         """Is a program in every reply, whatever the language model would say?"""
-        return not self.llm_command and self.llm_constrained in (Constrained.LLAMA_CPP, Constrained.VLLM)
+        return not self.llm_command and self.constrained in (Constrained.LLAMA_CPP, Constrained.VLLM)
+
+    @property
+    def is_capable(self) -> bool:
+        """May it look before it answers, where nobody says who writes: as set, else as the address tells?"""
+        if self.llm_capable is not None:
+            return self.llm_capable and self.is_configured
+        return not self.llm_command and self._is_at(*HOSTED)
+
+    @property
+    def constrained(self) -> Constrained:
+        """How are replies held to their form: as set, else by tool calls where an endpoint is capable of them?"""
+        calls = self.is_capable and not self.llm_command
+        return self.llm_constrained or (Constrained.TOOLS if calls else Constrained.NONE)
+
+    @property
+    def default_codegen(self) -> Codegen:
+        """Who writes where a question does not say: as set, else by what there is?"""
+        if self.codegen is not None or not self.is_configured:
+            return self.codegen or Codegen.PARSER
+        return Codegen.AGENT if self.is_capable else Codegen.BOTH
 
     def eyes(self) -> LlmSettings | None:
         """The settings of who is shown pictures: of another model where one is set up, else these. None without any.
@@ -151,6 +180,7 @@ class LlmSettings(Settings):
                 "llm_api": self.eyes_api,
                 "llm_api_key": self.eyes_api_key,
                 "llm_model": self.eyes_model,
+                "llm_capable": None,
                 "llm_images": True,
             }
             return self.model_copy(update=other)
@@ -161,9 +191,11 @@ class LlmSettings(Settings):
     @property
     def api(self) -> LlmApi:
         """How is it spoken to: as set, else as its address tells?"""
+        return self.llm_api or (LlmApi.ANTHROPIC if self._is_at("anthropic.com") else LlmApi.OPENAI)
+
+    def _is_at(self, *domains: str) -> bool:
         host = urlsplit(self.llm_base_url).hostname or ""
-        told = LlmApi.ANTHROPIC if host == "anthropic.com" or host.endswith(".anthropic.com") else LlmApi.OPENAI
-        return self.llm_api or told
+        return any(host == domain or host.endswith(f".{domain}") for domain in domains)
 
     def chosen(self, options: LlmOptions | None) -> LlmSettings:
         """These settings with what a caller chose. Raises LlmOptionRefused for a model that is not allowed.

@@ -112,7 +112,7 @@ class OpenAiWire:
             "messages": openai_messages(conversation),
             "max_tokens": self._settings.llm_tokens,
             "temperature": temperature,
-            **constraint(self._form, self._settings.llm_constrained),
+            **constraint(self._form, self._settings.constrained),
             "stream": True,
             "stream_options": {"include_usage": True},
         }
@@ -171,7 +171,7 @@ class AnthropicWire:
             "messages": turns,
             "max_tokens": self._settings.llm_tokens,
             "temperature": min(temperature, 1.0),
-            **anthropic_tools(self._form, self._settings.llm_constrained),
+            **anthropic_tools(self._form, self._settings.constrained),
             "stream": True,
         }
 

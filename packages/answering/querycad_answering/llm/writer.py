@@ -24,6 +24,7 @@ from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .nearest import words
 from .program import program_in
 from .prompt import conversation, in_words, repair
+from .replies import ResumedReplies, Transcript
 from .settings import LlmSettings
 from .task import Candidate, Task, Written
 
@@ -50,24 +51,26 @@ class _Tried:
 class LlmWriter:
     """Writes programs with the language model of the settings, or with `model`."""
 
-    def __init__(
-        self,
-        settings: LlmSettings,
-        model: ChatModel | None = None,
-        breakers: dict[str, Breaker] | None = None,
-        eyes: Eyes | None = None,
-    ) -> None:
+    def __init__(self, settings: LlmSettings, model: ChatModel | None = None, eyes: Eyes | None = None) -> None:
         self.settings = settings
-        self._model = model
-        self._breakers = {} if breakers is None else breakers
-        """By the model's name; shared by all writers that come of one."""
         self._eyes = eyes
+        self._models: dict[str, ChatModel] = {} if model is None else {settings.llm_model: model}
+        self._breakers: dict[str, Breaker] = {}
+        """Both by the model's name, and shared by all writers that come of one."""
+        self._transcript: Transcript | None = None
 
     def chosen(self, options: LlmOptions | None) -> LlmWriter:
         """The writer with what a caller chose. Raises LlmOptionRefused."""
-        settings = self.settings.chosen(options)
-        model = self._model if settings.llm_model == self.settings.llm_model else None
-        return LlmWriter(settings, model, self._breakers, self.eyes)
+        return self._like(self.settings.chosen(options), self._transcript)
+
+    def resuming(self, transcript: Transcript) -> LlmWriter:
+        """The writer for one question, which goes on where the transcript ends."""
+        return self._like(self.settings, transcript)
+
+    def _like(self, settings: LlmSettings, transcript: Transcript | None) -> LlmWriter:
+        other = LlmWriter(settings, eyes=self.eyes)
+        other._models, other._breakers, other._transcript = self._models, self._breakers, transcript
+        return other
 
     @property
     def eyes(self) -> Eyes | None:
@@ -98,25 +101,29 @@ class LlmWriter:
         except LlmError as error:
             written.error = error
             return written
-        if self._model is None:
-            from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
-
-            self._model = open_model(self.settings, program_form())
+        model = self._asked()
         deadline = TimeLimit(self.settings.llm_timeout_s)
         try:
             if looks:
                 codegen = self.codegen.replace("llm", "agent", 1)
-                work(self._model, task, codegen, self._limits(), deadline, written)
-                return written
-            for sample in range(1, self.settings.llm_samples + 1):
-                candidate = self._sample(self._model, task, sample, deadline, written)
+                work(model, task, codegen, self._limits(), deadline, written)
+            for sample in range(1, 1 if looks else self.settings.llm_samples + 1):
+                candidate = self._sample(model, task, sample, deadline, written)
                 if candidate is not None:
                     written.candidates.append(candidate)
         except LlmError as error:
             written.error = error
-        finally:
-            breaker.heard(None if written.attempts else written.error)
+        breaker.heard(None if written.attempts else written.error)
         return written
+
+    def _asked(self) -> ChatModel:
+        """The language model, opened once, with what it said about this question before."""
+        model = self._models.get(self.settings.llm_model)
+        if model is None:
+            from .client import open_model  # here: where no language model is asked, no HTTP client is loaded
+
+            model = self._models[self.settings.llm_model] = open_model(self.settings, program_form())
+        return model if self._transcript is None else ResumedReplies(model, self.settings, self._transcript)
 
     def _limits(self) -> Limits:
         """How far may it go as an agent?"""

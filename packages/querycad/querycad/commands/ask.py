@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -59,7 +60,8 @@ def ask(options: argparse.Namespace) -> int:
 def prompt(options: argparse.Namespace) -> int:
     """Prints what a language model would be sent for a question, at first; returns the exit code."""
     from querycad_answering.llm import LlmSettings
-    from querycad_answering.llm.prompt import agent_conversation, as_text, conversation
+    from querycad_answering.llm.forms import held_by
+    from querycad_answering.llm.prompt import agent_conversation, as_text, conversation, repair, shown
     from querycad_answering.llm.reference import BY_SIGHT
     from querycad_answering.understanding import Understanding
 
@@ -69,7 +71,7 @@ def prompt(options: argparse.Namespace) -> int:
         except FileProblem as problem:
             return complain(f"{options.file}: {problem}")
     settings = LlmSettings.read()
-    if (options.codegen or settings.codegen) == Codegen.AGENT:
+    if (options.codegen or settings.default_codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
         tools = () if settings.eyes() is None else BY_SIGHT if settings.llm_images else BY_SIGHT[:1]
         told = agent_conversation(
@@ -81,9 +83,14 @@ def prompt(options: argparse.Namespace) -> int:
             which=settings.llm_examples,
             only_programs=settings.only_programs,
         )
+        later = shown("WHAT THE PROGRAM SHOWED", settings.llm_steps - 1)
     else:
         told = conversation(options.question, summary, which=settings.llm_examples)
+        later = repair("WHAT IS WRONG")
     print(as_text(told), end="")
+    print(f"\nAfter a reply that does not settle it:\n\n{as_text((later,))}", end="")
+    if held := held_by(settings):
+        print(f"\nReplies are held to their form by:\n\n{json.dumps(held, indent=1)}")
     if settings.eyes() is not None:
         from querycad_answering.eyes.looking import asked
         from querycad_contracts import MarkedPicture, PlacedMark

@@ -47,7 +47,7 @@ def add_codegen(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--codegen",
         choices=[codegen.value for codegen in Codegen],
-        help="who writes the program (default: both where a language model is set up, else parser)",
+        help="who writes the program (default: agent with a capable language model, both with any other, else parser)",
     )
 
 

@@ -238,9 +238,8 @@ class Questions:
         try:
             view = self._view(task, summary, task.grounding)
             place = self.segcad.place(task.model, self._files)
-            record = answer_question(
-                task.question, run, view, task.unit, task, summary=summary, llm=self._llm, place=place
-            )
+            llm = self._llm.resuming(self.ledger.transcript(task.job))
+            record = answer_question(task.question, run, view, task.unit, task, summary=summary, llm=llm, place=place)
         except RunRefused as refused:
             return AnswerRecord.failed(task.question, refused.failure)
         except (SoftTimeLimitExceeded, SandboxUnavailable, ModelStale):

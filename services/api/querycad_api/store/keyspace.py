@@ -11,6 +11,8 @@ querycad:job:<id>              hash: task (QuestionTask), created, attempts, sta
 querycad:asked:<tenant>:<id>   sorted set: ids of the jobs about a model by the time of the question
 querycad:events:<id>           stream: what happened to a job, or to <tenant>:<model>, so far
 querycad:done:<id>             stream: one entry once a job is done, for who waits for that alone
+querycad:said:<id>             list: what a language model was asked for a job, and said; a job that is begun again
+                               goes on there
 querycad:open:<key>            sorted set: ids of the API key's unanswered jobs by the time of the question
 querycad:once:<tenant>:<key>   what was done for a request with this idempotency key
 querycad:pending               sorted set: ids of unanswered jobs by the time at which they are looked at again
@@ -107,6 +109,11 @@ def job_events_key(job: str) -> str:
 def job_done_key(job: str) -> str:
     """Where is it told that a job is done?"""
     return f"querycad:done:{job}"
+
+
+def job_said_key(job: str) -> str:
+    """Where is what a language model said for a job?"""
+    return f"querycad:said:{job}"
 
 
 def open_key(key: str) -> str:

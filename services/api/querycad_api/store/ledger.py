@@ -25,6 +25,7 @@ from .keyspace import (
     finished,
     job_events_key,
     job_key,
+    job_said_key,
     model_events_key,
     model_key,
     model_of,
@@ -34,6 +35,10 @@ from .scripts import BEGIN_JOB, FINISH_JOB, FINISH_MODEL, WAIT_JOB
 
 BUCKETS_S = (0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
 """Bounds of the histogram of how long questions take, from being accepted to being answered."""
+
+
+SAID_S = 3600
+"""A job is begun again minutes after it was interrupted, or not at all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +56,26 @@ class Begun:
     def age_s(self) -> float:
         """How long ago was it asked?"""
         return (now() - self.created).total_seconds()
+
+
+class JobTranscript:
+    """What a language model said for one job: kept as long as the job may be begun again."""
+
+    def __init__(self, redis: Redis, job: str) -> None:
+        self._redis = redis
+        self._key = job_said_key(job)
+
+    def said(self) -> list[tuple[str, str]]:
+        """Each request and its reply, in order."""
+        kept = cast("list[str]", self._redis.lrange(self._key, 0, -1))
+        return [(request, reply) for request, _, reply in (each.partition(" ") for each in kept)]
+
+    def say(self, request: str, reply: str) -> None:
+        """Adds one."""
+        with self._redis.pipeline() as pipe:
+            pipe.rpush(self._key, f"{request} {reply}")
+            pipe.expire(self._key, SAID_S)
+            pipe.execute()
 
 
 class Ledger:
@@ -101,9 +126,15 @@ class Ledger:
         """Tells how a program ended."""
         self._tell(job, JobEvent(kind=JobEventKind.RAN, at=now(), outcome=outcome, message=message))
 
+    def transcript(self, job: str) -> JobTranscript:
+        """What a language model said for the job until now."""
+        return JobTranscript(self._redis, job)
+
     def finish_job(self, task: QuestionTask, record: AnswerRecord, took_s: float) -> None:
         """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
         self._finish_job(*finished(task, record, self._kept_s, _times(record, took_s)))
+        if record.attempts:
+            self._redis.delete(job_said_key(task.job))
 
     def _tell(self, job: str, event: JobEvent) -> None:
         """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""

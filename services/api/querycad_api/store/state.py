@@ -47,6 +47,7 @@ from .keyspace import (
     job_events_key,
     job_key,
     job_of,
+    job_said_key,
     model_events_key,
     model_key,
     model_of,
@@ -236,7 +237,7 @@ class State:
         """Drops jobs: of a deleted model, or because they could not be put on the queue."""
         async with self._redis.pipeline() as pipe:
             for task in tasks:
-                pipe.delete(job_key(task.job), job_events_key(task.job), job_done_key(task.job))
+                pipe.delete(*(key(task.job) for key in (job_key, job_events_key, job_done_key, job_said_key)))
                 pipe.zrem(asked_key(task.tenant, task.model), task.job)
                 pipe.zrem(answers_key(task.tenant), task.job)
                 pipe.zrem(open_key(task.key), task.job)

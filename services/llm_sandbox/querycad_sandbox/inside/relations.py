@@ -36,11 +36,22 @@ def _left(found, name):
 
 
 def _axis(item):
-    """Point and direction of an item's axis; None where it has none."""
-    if item.axis is None:
-        return None
-    point = item.axis_point if isinstance(item, Face) else item.center
-    return point, item.axis
+    """Point and direction of an item's axis, of a rounded corner that of its faces; None where it has none."""
+    if item.axis is not None:
+        return (item.axis_point if isinstance(item, Face) else item.center), item.axis
+    line = None
+    for face in item.faces if isinstance(item, Part) and item.normal is None else []:
+        if face.axis is None or face.axis_point is None:
+            return None
+        own = face.axis_point, face.axis
+        if line is not None and not _same_line(own, line):
+            return None
+        line = own
+    return line
+
+
+def _same_line(one, other):
+    return _long(_cross(one[1], other[1])) <= _PARALLEL and _from_line(other[0], one) <= _NEAR
 
 
 def _minus(a, b):
@@ -74,7 +85,7 @@ def coaxial(a, b):
     one, other = _axis(a), _axis(b)
     if one is None or other is None:
         return False
-    return _long(_cross(one[1], other[1])) <= _PARALLEL and _from_line(other[0], one) <= _NEAR
+    return _same_line(one, other)
 
 
 def offset(a, b):
