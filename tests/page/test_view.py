@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from benchmark.perf import page as page_speed
 from numpy.typing import NDArray
 from PIL import Image
 from playwright.sync_api import expect
@@ -334,7 +335,25 @@ def test_ten_thousand_faces_are_drawn_and_labelled_by_group(
     record_property("pixels", size)
     assert page.page.evaluate("() => querycad.model.faceCount") == 10608
     page.still()
+    moving = page.page.evaluate(
+        """() => { for (let i = 0; i < 60; i += 1) querycad.pace.moved(performance.now() + 100 * i);
+           return querycad.model.coarser.map(each => [each.getIndex().count / 3, each.groups.length])
+             .concat([[querycad.pace.quality.coarser, querycad.pace.quality.resolution]]); }"""
+    )
+    (first, bodies), (least, same), worst = moving
+    assert (bodies, same) == (16, 16)
+    assert least <= 15_000 < first <= 50_000
+    assert worst == [2, 0.5], "a machine that is slow draws the fewest triangles, at half of the resolution"
     card = page.ask("How many holes are there?")
     assert len(page.lit) > 1000
     assert page.page.locator(".label").count() <= 8
     assert card.locator(".legend li").count() >= 5
+
+
+def test_the_rate_is_measured_at_the_size_that_is_told(seen: Opener, service: Service, client: Client) -> None:
+    browser = seen().page.context.browser
+    assert browser is not None
+    told = page_speed.frames(browser, service, client, ROOT / "examples/bracket.step", rounds=2, count=5)
+    assert "bracket.step: " in told
+    assert re.search(r"view 960 x 540, drawn at 960 x 540 while it moves: [\d.]+, [\d.]+ frames a second", told)
+    assert re.search(r"; \d+ ms of a core each, load", told)

@@ -1,13 +1,11 @@
-"""Takes the pictures of the page in docs/images, and tells how fast a model is drawn.
-
-python -m tests.page.tour: the pictures. python -m tests.page.tour FILE.step: frames a second, 960 x 540 pixels.
-"""
+"""Takes the pictures of the page in docs/images: python -m tests.page.tour."""
 
 from __future__ import annotations
 
-import os
 import sys
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +20,11 @@ from querycad_contracts import AnswerOptions
 IMAGES = ROOT / "docs/images"
 DESK = {"width": 1360, "height": 800}
 PHONE = {"width": 390, "height": 844}
-ROUNDS, FRAMES = 5, 90
-READ_S = 180.0
 
 
-def main(files: list[str]) -> None:
-    """Starts a service and a browser, and does what is asked."""
+@contextmanager
+def stage() -> Iterator[tuple[Browser, Service, Client]]:
+    """A browser, and a service of its own for it."""
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable(), args=ARGUMENTS, env=environment())
         home = Path(folder) / "home"
@@ -36,11 +33,7 @@ def main(files: list[str]) -> None:
         try:
             service.wait()
             with Client(service.url) as client:
-                if files:
-                    for name in files:
-                        frames(browser, service, client, Path(name))
-                else:
-                    pictures(browser, service, client)
+                yield browser, service, client
         finally:
             service.stop()
             browser.close()
@@ -105,39 +98,6 @@ def pictures(browser: Browser, service: Service, client: Client) -> None:
     keep(page, "phone")
 
 
-def frames(browser: Browser, service: Service, client: Client, path: Path) -> None:
-    """Prints how many frames a second are drawn while the model turns."""
-    model = client.upload(path, READ_S).id
-    page = shown(browser, service, model)
-    width = page.page.evaluate("() => innerWidth - querycad.canvas.clientWidth") + 960
-    height = page.page.evaluate("() => innerHeight - querycad.canvas.clientHeight") + 540
-    page.page.set_viewport_size({"width": width, "height": height})
-    page.page.wait_for_function("() => querycad.canvas.clientWidth === 960 && querycad.canvas.clientHeight === 540")
-    size = page.page.evaluate("() => [querycad.canvas.clientWidth, querycad.canvas.clientHeight]")
-    busy_s = _busy_s()
-    rates = sorted(page.page.evaluate("frames => querycad.spin(frames)", FRAMES) for _ in range(ROUNDS))
-    frame_ms = (_busy_s() - busy_s) / (FRAMES * ROUNDS) * 1e3
-    drawn = page.page.evaluate("() => [querycad.canvas.width, querycad.canvas.height]")
-    count = page.page.evaluate("() => querycad.model.faceCount")
-    said = ", ".join(f"{rate:.1f}" for rate in rates)
-    cost = f"{frame_ms:.0f} ms of a core each, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores"
-    sys.stdout.write(f"{path.name}: {count} faces, view {size}, drawn at {drawn}: {said} frames a second; {cost}\n")
-
-
-def _busy_s() -> float:
-    """How long have the browser's processes had a core, altogether? They are those below this one that draw."""
-    ours, ticks = {str(os.getpid())}, 0
-    for folder in sorted(Path("/proc").glob("[0-9]*"), key=lambda path: int(path.name)):
-        try:
-            said = (folder / "stat").read_text().rpartition(")")[2].split()
-            command = (folder / "cmdline").read_text(errors="replace")
-        except OSError:
-            continue  # it has ended
-        if said[1] in ours:
-            ours.add(folder.name)
-            ticks += sum(map(int, said[11:13])) if "swiftshader" in command or "--type=renderer" in command else 0
-    return ticks / os.sysconf("SC_CLK_TCK")
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    with stage() as (browser, service, client):
+        pictures(browser, service, client)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.segworker.shapes import compound, cut, cylinder, write_step
 
 from querycad.runtime import EmbeddedRuntime
 from querycad_contracts import ParametersRequest, ParameterValue
@@ -57,6 +58,34 @@ def test_what_is_not_there_has_a_reason(runtime: EmbeddedRuntime) -> None:
     found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the gear?"})
     assert found.status == "unanswered"
     assert "gear" in found.reason
+
+
+@pytest.mark.parametrize(
+    ("question", "reason"),
+    [
+        ("What is the shaft length?", "; not taken into account: shaft"),
+        ("What is the diameter of the shiny hole?", "; not checked: 'shiny'"),
+    ],
+)
+def test_what_is_passed_over_or_taken_on_trust_is_not_sure_enough_for_a_robot(
+    runtime: EmbeddedRuntime, question: str, reason: str
+) -> None:
+    asked = {"type": "length", "question": question}
+    found = fill(runtime, EXAMPLES / "housing.step", asked, least_confidence=0.1)
+    assert found.status == "unsure"
+    assert found.reason.endswith(reason)
+    assert found.alternatives
+
+
+def test_rings_that_have_only_an_axis_in_common_do_not_mate(runtime: EmbeddedRuntime, tmp_path: Path) -> None:
+    def rings(name: str, inner_diameter: float) -> ParameterValue:
+        outer = cut(cylinder(30, 10), cylinder(20, 10))
+        inner = cut(cylinder(inner_diameter / 2, 10), cylinder(5, 10))
+        return fill(runtime, write_step(tmp_path / name, compound(outer, inner)), {"type": "mates"})
+
+    assert "no hole takes a shaft" in rings("bearing.step", 28).reason
+    (mate,) = rings("screw.step", 34).value
+    assert (mate["hole_diameter"], mate["clearance"], mate["assembled"]) == (40, 6, True)
 
 
 def test_a_pose_stands_in_the_hole_and_looks_into_it(runtime: EmbeddedRuntime) -> None:

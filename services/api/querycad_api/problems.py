@@ -227,6 +227,7 @@ def _of_input(request: Request, errors: Sequence[Mapping[str, Any]]) -> Problem:
 
     A path that cannot lead anywhere is 404, what is wrong in query or headers 400, in the body 415, 400 or 422.
     """
+    errors = [each for each in errors if not _follows(each, errors)]
     places = {str(each["loc"][0]) for each in errors}
     told = tuple(_told(each) for each in errors)
     lines = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in errors)
@@ -241,6 +242,14 @@ def _of_input(request: Request, errors: Sequence[Mapping[str, Any]]) -> Problem:
     if any(each["type"] == "json_invalid" for each in errors):
         return Malformed(lines).problem()
     return NotAsDocumented(lines).problem().model_copy(update={"errors": told})
+
+
+def _follows(error: Mapping[str, Any], errors: Sequence[Mapping[str, Any]]) -> bool:
+    """Is a list too short only because those of its items that are wrong were not counted?"""
+    place = tuple(error["loc"])
+    return error["type"] == "too_short" and any(
+        len(other["loc"]) > len(place) and tuple(other["loc"][: len(place)]) == place for other in errors
+    )
 
 
 def _told(error: Mapping[str, Any]) -> ProblemError:

@@ -86,3 +86,9 @@ def test_bodies_are_listed_with_their_number_and_standard_parts_by_name() -> Non
 
 def test_lengths_in_text_are_in_the_unit_asked_for() -> None:
     assert "3.937 x 2.3622 x 0.3937 in" in described(PARTS, LengthUnit.IN).text
+
+
+def test_a_model_without_a_name_is_said_to_have_none() -> None:
+    shape = Shape(name="", center=(0, 0, 0), extents=(0.1, 0.06, 0.01), volume=6e-5, area=1e-2, bodies=(), face_count=9)
+    summary = ModelSummary(shape=shape, body_count=1, part_counts={}, units=(), warnings=(), timings_ms={})
+    assert describe(summary, (), LengthUnit.MM, answers).text.startswith("a model without a name: one body, 9 faces")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -69,6 +70,17 @@ def test_the_bodies_of_an_assembly_keep_their_names_and_colours(assembly: Found)
     bodies = [(body.name, body.color) for body in assembly.shape.bodies]
     assert bodies == [("base plate", "#0000ff"), ("dowel pin", "#ff0000"), ("dowel pin", "#ff0000")]
     assert assembly.shape.name == "fixture"
+
+
+@pytest.mark.parametrize("name", ["NONE", "COMPOUND", "=>[0:1:1:2]", "Open CASCADE STEP translator 7.8 1"])
+def test_what_a_writer_puts_in_the_place_of_a_name_is_none(tmp_path: Path, name: str) -> None:
+    path = write_step(tmp_path / "model.step", plate())
+    said = path.read_text()
+    renamed, count = re.subn(r"PRODUCT\(\s*'[^']*',\s*'[^']*'", f"PRODUCT('{name}','{name}'", said)
+    assert count == 1
+    path.write_text(renamed)
+    shape = Found(read_step(path)).shape
+    assert (shape.name, [body.name for body in shape.bodies]) == ("", [""])
 
 
 def test_each_instance_of_a_product_is_where_it_was_put(assembly: Found) -> None:

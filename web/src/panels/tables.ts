@@ -9,6 +9,8 @@ import { texts } from "../texts";
 import { bare, degrees, unitName } from "../units";
 
 const ROWS = 200;
+/** Columns that tell where a part is; they stand after those that tell what it is, which fit beside the view. */
+const PLACE: ReadonlySet<string> = new Set(["x", "y", "z", "axis"]);
 const POWERS = { length: 1, area: 2, volume: 3 } as const;
 
 export class Tables {
@@ -63,7 +65,9 @@ export class Tables {
     const name = texts.tables.kinds[this.wanted.kind];
     this.holder.setAttribute("aria-label", name);
     if (!table.rows.length) return this.holder.replaceChildren(h("p", { class: "quiet" }, texts.tables.none(name)));
-    const used = table.columns.map((_, index) => index).filter((index) => table.rows.some((row) => row[index] !== null));
+    const filled = table.columns.map((_, index) => index).filter((index) => table.rows.some((row) => row[index] !== null));
+    const isPlace = (index: number): boolean => PLACE.has(table.columns[index]!.name);
+    const used = [...filled.filter((index) => !isPlace(index)), ...filled.filter(isPlace)];
     const body = h("tbody");
     const add = (from: number, to: number): void => {
       for (const [index, row] of table.rows.slice(from, to).entries()) body.append(this.row(table, used, row, table.ids[from + index] ?? [], unit));

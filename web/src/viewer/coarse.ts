@@ -2,10 +2,20 @@
 
 import { BufferAttribute, BufferGeometry } from "three";
 
-/** So many triangles a software renderer draws 30 times a second, on two cores. */
-export const BUDGET = 50_000;
+/** Triangles that a software renderer draws 30 times a second: on two free cores, and on two that others use as well. */
+const BUDGETS = [50_000, 15_000] as const;
 /** Cells along the longest side, the finest grid first: one cell is 4 pixels of 960, then more. */
-const GRIDS = [240, 160, 110, 75, 50] as const;
+const GRIDS = [240, 160, 110, 90, 75, 60, 50] as const;
+
+/** The model with ever fewer triangles; none: it is small enough as it is. */
+export function coarser(fine: BufferGeometry): BufferGeometry[] {
+  const found: BufferGeometry[] = [];
+  for (const budget of BUDGETS) {
+    const next = coarse(found.at(-1) ?? fine, budget);
+    if (next) found.push(next);
+  }
+  return found;
+}
 
 /**
  * The geometry by vertex clustering (Rossignac and Borrel, 1993), in the finest grid that keeps within the budget:
@@ -13,23 +23,46 @@ const GRIDS = [240, 160, 110, 75, 50] as const;
  * colours, lights and hidden bodies are as in the original; its groups are the bodies, too, and what was closed stays
  * closed. Undefined: the model is small enough as it is.
  */
-export function coarse(fine: BufferGeometry): BufferGeometry | undefined {
+function coarse(fine: BufferGeometry, budget: number): BufferGeometry | undefined {
   const index = fine.getIndex()!.array;
-  if (index.length / 3 <= BUDGET) return undefined;
+  if (index.length / 3 <= budget) return undefined;
   const positions = fine.getAttribute("position").array;
   const faces = fine.getAttribute("face").array;
   let found = clustered(positions, faces, index, fine.groups, GRIDS[0]);
   for (const cells of GRIDS.slice(1)) {
-    if (found.triangles.length / 3 <= BUDGET) break;
+    if (found.triangles.length / 3 <= budget) break;
     found = clustered(positions, faces, index, fine.groups, cells);
   }
+  const { vertices, index: kept } = used(found.triangles);
+  const normals = fine.getAttribute("normal").array;
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(found.positions, 3));
-  geometry.setAttribute("normal", fine.getAttribute("normal"));
-  geometry.setAttribute("face", fine.getAttribute("face"));
-  geometry.setIndex(new BufferAttribute(found.triangles, 1));
+  geometry.setAttribute("position", new BufferAttribute(picked(found.positions, vertices, 3), 3));
+  geometry.setAttribute("normal", new BufferAttribute(Int8Array.from(picked(normals, vertices, 4)), 4, true));
+  geometry.setAttribute("face", new BufferAttribute(picked(faces, vertices, 1), 1));
+  geometry.setIndex(new BufferAttribute(kept, 1));
   found.groups.forEach(({ start, count }, body) => geometry.addGroup(start, count, body));
   return geometry;
+}
+
+/** The vertices that triangles use, and the triangles by their places among these. */
+function used(triangles: Uint32Array): { vertices: number[]; index: Uint32Array<ArrayBuffer> } {
+  const place = new Map<number, number>();
+  const index = new Uint32Array(triangles.length);
+  triangles.forEach((vertex, corner) => {
+    const at = place.get(vertex) ?? place.size;
+    place.set(vertex, at);
+    index[corner] = at;
+  });
+  return { vertices: [...place.keys()], index };
+}
+
+/** The numbers of these vertices, `width` of them each. */
+function picked(from: Numbers, vertices: readonly number[], width: number): Float32Array<ArrayBuffer> {
+  const found = new Float32Array(vertices.length * width);
+  vertices.forEach((vertex, at) => {
+    for (let i = 0; i < width; i += 1) found[at * width + i] = from[vertex * width + i]!;
+  });
+  return found;
 }
 
 type Numbers = ArrayLike<number>;

@@ -18,7 +18,8 @@ const GAP_PX = 26;
 /**
  * Places a label for each anchor, in a column at the left and one at the right edge of a view.
  *
- * The anchors are halved by x, so that lines to the left and to the right cannot meet. Within a column two labels whose
+ * The anchors are halved by x, so that lines to the left and to the right cannot meet. A label is as near to the height
+ * of its anchor as others leave room. Within a column two labels whose
  * lines cross change places, which makes the lines shorter together, so that it ends, with no crossing left.
  */
 export function placed(anchors: readonly Point[], width: number, height: number): Placed[] {
@@ -34,10 +35,8 @@ function column(chosen: number[], anchors: readonly Point[], side: Placed["side"
   if (!chosen.length) return [];
   const order = [...chosen].sort((a, b) => anchors[a]!.y - anchors[b]!.y);
   const gap = Math.min(GAP_PX, height / order.length);
-  const middle = order.reduce((sum, index) => sum + anchors[index]!.y, 0) / order.length;
-  const length = gap * (order.length - 1);
-  const top = Math.max(gap / 2, Math.min(middle - length / 2, height - length - gap / 2));
-  const slots = order.map((_, place) => ({ x, y: top + place * gap }));
+  const heights = spread(order.map((index) => anchors[index]!.y), gap, height);
+  const slots = heights.map((y) => ({ x, y }));
   for (let changed = true; changed; ) {
     changed = false;
     for (let a = 0; a < order.length; a += 1) {
@@ -49,6 +48,22 @@ function column(chosen: number[], anchors: readonly Point[], side: Placed["side"
     }
   }
   return order.map((index, place) => ({ index, side, y: slots[place]!.y }));
+}
+
+/** Heights as near to the wanted ones (ascending) as they can be, `gap` apart: those too close share their middle. */
+function spread(wanted: readonly number[], gap: number, height: number): number[] {
+  const blocks: { sum: number; count: number }[] = [];
+  wanted.forEach((y, place) => {
+    let block = { sum: y - place * gap, count: 1 };
+    for (let last = blocks.at(-1); last && last.sum / last.count > block.sum / block.count; last = blocks.at(-1)) {
+      block = { sum: block.sum + last.sum, count: block.count + last.count };
+      blocks.pop();
+    }
+    blocks.push(block);
+  });
+  const highest = height - gap / 2 - (wanted.length - 1) * gap;
+  const starts = blocks.flatMap(({ sum, count }) => Array<number>(count).fill(sum / count));
+  return starts.map((start, place) => Math.max(gap / 2, Math.min(start, highest)) + place * gap);
 }
 
 /** Do two line segments cross in their inner parts? */

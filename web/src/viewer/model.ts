@@ -2,7 +2,7 @@
 
 import { Box3, BufferAttribute, BufferGeometry, Color, Mesh, Vector3, type Material, type Object3D } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { coarse } from "./coarse";
+import { coarser } from "./coarse";
 
 /** A body as the file names and colours it. */
 export interface BodyNode {
@@ -19,8 +19,8 @@ export class Model {
     /** Its groups are the bodies' triangles. */
     readonly surface: BufferGeometry,
     readonly edges: BufferGeometry,
-    /** The surface for while it moves; undefined: it is small enough as it is. */
-    readonly coarse: BufferGeometry | undefined,
+    /** The surface for while it moves, with ever fewer triangles; none: it is small enough as it is. */
+    readonly coarser: readonly BufferGeometry[],
     readonly bodies: readonly BodyNode[],
     readonly faceCount: number,
     /** Metres. */
@@ -53,7 +53,7 @@ export class Model {
   dispose(): void {
     this.surface.dispose();
     this.edges.dispose();
-    this.coarse?.dispose();
+    this.coarser.forEach((each) => each.dispose());
   }
 }
 
@@ -147,7 +147,7 @@ function merged(pieces: readonly Piece[]): Model {
   };
   const surface = drawn(triangles);
   ranges.forEach(({ start, count }, body) => surface.addGroup(start, count, body));
-  return new Model(surface, drawn(lines), coarse(surface), bodies, faceCount, box, middle, scale);
+  return new Model(surface, drawn(lines), coarser(surface), bodies, faceCount, box, middle, scale);
 }
 
 /** Copies a geometry's indices to `target` from `at`, raised by the number of its first vertex; where the next ones go. */

@@ -7,12 +7,13 @@ const SETTLE_FRAMES = 4;
 /** A pause between frames that is longer than this is no movement. */
 const PAUSE_MS = 400;
 
-/** From all to least: with edges; without; fewer triangles; at half of the resolution. */
+/** From all to least: with edges; without; fewer triangles; at half of the resolution; still fewer triangles. */
 export const LEVELS = [
-  { edges: true, coarse: false, resolution: 1 },
-  { edges: false, coarse: false, resolution: 1 },
-  { edges: false, coarse: true, resolution: 1 },
-  { edges: false, coarse: true, resolution: 1 / 2 },
+  { edges: true, coarser: 0, resolution: 1 },
+  { edges: false, coarser: 0, resolution: 1 },
+  { edges: false, coarser: 1, resolution: 1 },
+  { edges: false, coarser: 1, resolution: 1 / 2 },
+  { edges: false, coarser: 2, resolution: 1 / 2 },
 ] as const;
 const COARSE = 2;
 

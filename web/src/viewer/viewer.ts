@@ -140,7 +140,7 @@ export class Viewer {
       this.scene.add(caps.group);
       const snapping = new Snapping(model.edges);
       this.shown = { model, paint, materials, surfaces: [surface, lit, through], edges, caps, snapping };
-      this.pace.begin(this.software && model.coarse !== undefined);
+      this.pace.begin(this.software && model.coarser.length > 0);
       void this.look("isometric", false);
     }
     this.redraw();
@@ -370,7 +370,7 @@ export class Viewer {
     }
     if (this.shown) {
       const { edges, paint, materials, surfaces, model, caps } = this.shown;
-      const geometry = (!whole && quality.coarse && model.coarse) || model.surface;
+      const geometry = (!whole && model.coarser.slice(0, quality.coarser).at(-1)) || model.surface;
       for (const surface of surfaces) surface.geometry = geometry;
       caps.use(geometry);
       edges.visible = this.wantsEdges && (whole || quality.edges);

@@ -87,7 +87,7 @@ def _lines(found: Description, parts: Sequence[Part]) -> Iterator[str]:
     unit = found.unit
     size = " x ".join(length(extent, unit) for extent in found.size)
     bodies = "one body" if found.bodies == 1 else f"{found.bodies} bodies"
-    yield f"{found.name}: {bodies}, {found.faces} faces, {size} {unit.value} (x, y, z)"
+    yield f"{found.name or 'a model without a name'}: {bodies}, {found.faces} faces, {size} {unit.value} (x, y, z)"
     volume = significant(found.volume / unit.metres**3)
     area = significant(found.area / unit.metres**2)
     yield f"volume {volume} {unit.value}³, surface {area} {unit.value}²"

@@ -116,7 +116,7 @@ class _Filling:
         except NotInFrame as error:
             return Candidates(reason=str(error), asked=record.question)
         reason = "" if self._is_sure(sure) else self._several(one, telling.unit)
-        return Candidates(found, reason, record.question)
+        return Candidates(found, reason, record.question, _taken_for(record) + _left_out(record))
 
     def _several(self, one: ParameterRequest, unit: LengthUnit) -> str:
         """Why one value cannot be told: there are several, if that is sure."""
@@ -140,7 +140,8 @@ class _Filling:
                 found.append(each)
             else:  # readings exclude each other: that either is meant is as probable as both together
                 same.confidence = min(MOST_SURE, same.confidence + each.confidence)
-        return Candidates(found, best.reason, record.question)
+        # words such as "tip" say where on the part: the ends of the part tell that, and no reading of the question
+        return Candidates(found, best.reason, record.question, _taken_for(record))
 
     def _is_sure(self, confidence: float | None) -> bool:
         return confidence is not None and confidence >= self.asked.least_confidence
@@ -158,7 +159,7 @@ class _Filling:
         if best is None:
             reason = candidates.reason or "nothing in the model answers this"
             return ParameterValue(**fields, status=ParameterStatus.UNANSWERED, reason=reason)
-        sure = self._is_sure(best.confidence)
+        sure = self._is_sure(best.confidence) and not candidates.doubts
         shown = ranked[1:] if sure else ranked
         alternatives = tuple(each.alternative() for each in shown[:SHOWN])
         fields |= {
@@ -168,7 +169,7 @@ class _Filling:
         }
         if not sure:
             several = f"it may be {_listed([each.text for each in shown[:SHOWN]])}"
-            reason = "; ".join(filter(None, (several, candidates.reason)))
+            reason = "; ".join(filter(None, (several, candidates.reason, *candidates.doubts)))
             return ParameterValue(**fields, status=ParameterStatus.UNSURE, reason=reason)
         faces = tuple(face for part in best.parts for face in part.faces)[:FACES]
         return ParameterValue(
@@ -233,7 +234,20 @@ _PLURALS = {
     ParameterType.DIRECTION: AnswerType.DIRECTIONS,
     ParameterType.SIZE: AnswerType.SIZES,
 }
+_NOT_CHECKED = "not checked: "
 _PLACED = (ParameterType.POSE, ParameterType.APPROACH, ParameterType.INSERTION, ParameterType.GRASPS)
+
+
+def _taken_for(record: AnswerRecord) -> tuple[str, ...]:
+    """What the answer took on trust, such as a part for another: a person reads that beside it, a robot cannot."""
+    return tuple(warning for warning in record.warnings if warning.startswith(_NOT_CHECKED))
+
+
+def _left_out(record: AnswerRecord) -> tuple[str, ...]:
+    """What the question says and the answer passed over, unless it is said not to be checked."""
+    told = {warning.removeprefix(_NOT_CHECKED) for warning in _taken_for(record)}
+    words = [word for word in record.ignored if word not in told]
+    return (f"not taken into account: {', '.join(words)}",) if words else ()
 
 
 def _why(record: AnswerRecord) -> str:

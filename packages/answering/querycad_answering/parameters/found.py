@@ -39,6 +39,8 @@ class Candidates:
     found: list[Found] = field(default_factory=list)
     reason: str = ""
     asked: str = ""
+    doubts: tuple[str, ...] = ()
+    """Why even a probable value is not sure enough for who cannot look."""
 
 
 def names(parts: Sequence[Part]) -> tuple[PartName, ...]:

@@ -16,6 +16,10 @@ LINE_TO_LINE = 1e-6
 COAXIAL = 1e-5
 """Metres between two axes that are one, and the sine of the angle between them: recognition's own accuracy."""
 
+LOOSE = 0.25 + 1e-6
+"""Of a shaft's diameter: the clearance of the loosest hole that is made for it, M1.6 in 2 mm (ISO 273, coarse). What is
+looser has only an axis in common, such as the rings of a bearing."""
+
 
 @dataclass(frozen=True, slots=True)
 class Fit:
@@ -77,8 +81,12 @@ def fits(parts: Sequence[Part], others: Sequence[Part] | None = None) -> list[Fi
         pairs = [Fit(hole, shaft, (0, 1), False) for hole in _holes(parts) for shaft in _shafts(others)]
         pairs += [Fit(hole, shaft, (1, 0), False) for hole in _holes(others) for shaft in _shafts(parts)]
     taken = [fit for fit in pairs if -LINE_TO_LINE <= fit.clearance <= loosest(fit.shaft.diameter or 0.0)]
-    # a screw in its clearance hole is looser than any fit (ISO 273), but the file shows that it is meant
-    taken += [fit for fit in pairs if fit.assembled and fit.clearance > loosest(fit.shaft.diameter or 0.0)]
+    # a screw in its clearance hole is looser than any fit, but the file shows that it is meant
+    taken += [
+        fit
+        for fit in pairs
+        if fit.assembled and loosest(fit.shaft.diameter or 0.0) < fit.clearance <= LOOSE * (fit.shaft.diameter or 0.0)
+    ]
     held = {part for fit in taken if fit.assembled for part in (fit.hole.id, fit.shaft.id)}
     kept = [fit for fit in taken if fit.assembled or (fit.hole.id not in held and fit.shaft.id not in held)]
     return sorted(kept, key=lambda fit: (fit.clearance > LINE_TO_LINE, fit.clearance, fit.hole.id, fit.shaft.id))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -29,8 +30,8 @@ from querycad_segworker.errors import UnreadableFile
 NAME_CHARS = 1000
 """Of a product's name; control characters in it are spaces, for it is shown on terminals."""
 
-_GENERATED_NAME = "Open CASCADE STEP translator"
-"""What the kernel's own writer puts where a shape has no name."""
+_GENERATED_NAME = re.compile(r"Open CASCADE STEP translator.*|=>\[[\d:]+\]|NONE|COMPOUND|COMPSOLID|SOLID|SHELL|UNNAMED")
+"""What writers put where a shape has no name: the kernel's its own or the shape's type, others that there is none."""
 
 _COLOR_TYPES = (
     XCAFDoc_ColorType.XCAFDoc_ColorSurf,
@@ -148,7 +149,7 @@ def _name(label: TDF_Label) -> str:
     if label.IsAttribute(TDataStd_Name.GetID_s()) and label.FindAttribute(TDataStd_Name.GetID_s(), attribute):
         said = str(attribute.Get().ToExtString())
         name = "".join(char if unicodedata.category(char)[0] != "C" else " " for char in said[:NAME_CHARS]).strip()
-        return "" if name.startswith(_GENERATED_NAME) else name
+        return "" if _GENERATED_NAME.fullmatch(name) else name
     return ""
 
 
