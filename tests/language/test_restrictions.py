@@ -115,9 +115,9 @@ def test_a_ratio_is_of_the_measures_beside_it() -> None:
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("How much of its bounding box does the part fill, in percent?", Measure.FILL),
+        ("What percentage of the bounding box is material here?", Measure.FILL),
         ("What volume is milled away from a block as large as the bounding box?", Measure.REMOVED),
-        ("Along which axis is the part longest?", Measure.LONG_AXIS),
+        ("Which direction is the model largest in, x, y or z?", Measure.LONG_AXIS),
         ("What is the area on which it stands, the footprint?", Measure.STANDING_AREA),
     ],
 )

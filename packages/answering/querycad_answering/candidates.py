@@ -117,10 +117,6 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
     return shown and any(name.endswith("_dropped") for name in way.features)
 
 
-_COUNTED = ("counts_none", "counts_one")
-"""Features of a count that most words do not say: plural words ask for one part too."""
-
-
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
@@ -137,9 +133,8 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     if isinstance(form, Get):
         features.update(_of_get(form, grounds, features.get("overall_part", 0.0)))
     if isinstance(form, Count | Exists | Parts):
-        number = len(grounds[form.target].parts)
-        if number < len(_COUNTED):
-            features[_COUNTED[number]] = 1.0
+        if not grounds[form.target].parts:
+            features["counts_none"] = 1.0
         if any(name.endswith("_empties") for name in features):
             features["count_empties"] = 1.0
         if any(name.endswith(("_dropped", "_unknown")) for name in features):

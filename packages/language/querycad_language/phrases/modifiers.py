@@ -62,9 +62,9 @@ def _is_verb(text: Text, at: int) -> bool:
 
 def _opens(text: Text, at: int) -> bool:
     """Does a modifier follow a comma or a bracket?"""
-    if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with", "without"):
+    if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
         return True
-    if text.is_word(at + 1, "not", "no") and text.find(at + 2, "side_preposition", "trait"):
+    if text.is_word(at + 1, "not", "no", "without") and text.find(at + 2, "side_preposition", "trait"):
         return True
     counted = any(text.find(i, "count") for i in range(at))
     if text.words[at] == "," and counted and size(text, at + 1):

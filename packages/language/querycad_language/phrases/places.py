@@ -64,14 +64,15 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
 
 def sideways(text: Text, at: int, draft: Draft) -> int:
     """'from the side', 'through one of the side walls': neither from above nor from below."""
-    end = text.skip(at, "passing")
+    end = text.skip(at + text.is_word(at, "come", "comes", "coming", "entering"), "passing")
     if not text.is_word(end, "from", "through", "in", "into") or draft.sides:
         return at
     end = text.skip(end + 1, "side_preposition", "place", "each", "article", "number", "function")
-    if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half"):
+    wall = text.skip(end + 1, "side_noun") + text.is_word(end + 1, "wall")
+    if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half") or is_noun(text, wall):
         return at
     draft.adjectives.append("horizontal")
-    return text.skip(end + 1, "side_noun") + text.is_word(end + 1, "wall")
+    return wall
 
 
 def along(text: Text, at: int, draft: Draft) -> int:

@@ -13,7 +13,8 @@ from .question import Question
 
 _CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
     ("courtesy", frozenset(("courtesy",))),
-    ("side", frozenset(("side", "view", "axis"))),
+    ("side", frozenset(("side", "view"))),
+    ("axis", frozenset(("axis",))),
     ("negation", frozenset(("negation", "except"))),
     ("noun", frozenset(("noun",))),
     ("function", frozenset(("whole", "pronoun", "ask"))),

@@ -138,7 +138,7 @@ def exists(question: Question) -> Iterator[Draft]:
         named = [m for m in question.mentions if m.start >= span.start]
         yield from _existing(named[:2], set(span.tokens))
     start = _having(question)
-    owned = [m for m in question.mentions if start is not None and m.start >= start]
+    owned = [m for m in question.mentions if start is not None and m.start >= start and m.query is not None]
     yield from _existing(owned[:2], {start or 0})
     for owner, mention in pairwise(owned[:2]):
         if owner.query is not None and mention.query is not None:

@@ -24,8 +24,9 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    yield from _most_seen(question)
-    yield from _none_seen(question)
+    compared = [*_most_seen(question), *_none_seen(question)]
+    yield from compared
+    side = None if compared else side
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
     for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= begin][:3]):
         query = mention.query

@@ -13,7 +13,7 @@ _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 
 
 def wholes(question: Question) -> Iterator[Draft]:
-    """'How much of its bounding box is material, in percent?', 'Along which axis is the lever longest?'"""
+    """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
     boxes |= text.at_words("bounding box", "block", "blank", "stock", "bbox", "billet")
