@@ -52,3 +52,8 @@ def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
     assert sums.reduce == "total"
     assert isinstance(totals, Get)
     assert totals.reduce == "each"
+
+
+def test_one_that_is_asked_for_may_be_several() -> None:
+    form = next(r.form for r in read("Which disc touches the spindle?") if isinstance(r.form, Touching))
+    assert form.target.plural

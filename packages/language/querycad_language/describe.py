@@ -115,6 +115,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
         case Within(target, box):
             return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
+        case Towards(target, _, "way"):
+            return f"side from which {noun_phrase(target)} {'are' if target.plural else 'is'} reached"
         case Towards(target, _, "none"):
             return f"sides without {noun_phrase(target)}"
         case Towards(target, _, "most"):

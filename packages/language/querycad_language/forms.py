@@ -194,11 +194,14 @@ class Touching:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of the sides do the parts lie, or open? From which are 'most', or 'none', of them seen?"""
+    """Towards which of the sides do the parts lie, or open?
+
+    From which are 'most', or 'none', of them seen; from which does their 'way' in begin, of a tool or a screw?
+    """
 
     target: PartQuery
     sides: tuple[Side, ...]
-    seen: Literal["", "most", "none"] = ""
+    seen: Literal["", "most", "none", "way"] = ""
 
 
 Form: TypeAlias = (

@@ -418,3 +418,14 @@ def most_seen(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
     sides_named = ", ".join(f'"{side.value}"' for side in sides)
     draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in [{sides_named}]}}")
     return "', '.join(side for side in seen if seen[side] == max(seen.values()))"
+
+
+def way_from(draft: Draft, target: PartQuery) -> str:
+    """The sides from which tools or screws come in, each once."""
+    if any(not part.approach for part in draft.of(target)) or not draft.of(target):
+        raise Unwritable
+    outward = ", ".join(f'("{side.value}", {side.outward})' for side in Side)
+    draft.lines.append(f"ways = [p.approach[0] for p in {draft.parts(target)}]")
+    draft.lines.append(f"sides = [{outward}]")
+    along = "sum(a * b for a, b in zip(way, side[1]))"
+    return f"sorted(set(min(sides, key=lambda side: {along})[0] for way in ways))"

@@ -27,7 +27,18 @@ from querycad_language.forms import (
 )
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import SLACK, angle_between, directions, distance, most_seen, overlapping, several, touching, towards
+from .distances import (
+    SLACK,
+    angle_between,
+    directions,
+    distance,
+    most_seen,
+    overlapping,
+    several,
+    touching,
+    towards,
+    way_from,
+)
 from .draft import Draft, Grounds, Unwritable, Written
 
 _KNOWN = ("width", "depth", "height", "center_of_mass")
@@ -78,6 +89,8 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
             sides_named = ", ".join(f'"{side.value}"' for side in sides)
             none = f"not any(side in p.sides for p in {draft.parts(target)})"
             return f"[side for side in [{sides_named}] if {none}]", AnswerType.TEXTS
+        case Towards(target, _, "way"):
+            return way_from(draft, target), AnswerType.TEXTS
         case Towards(target, sides, seen):
             return (most_seen if seen else towards)(draft, target, sides), AnswerType.TEXT
         case Within(target, box):

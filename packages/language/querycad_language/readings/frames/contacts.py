@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from querycad_contracts import PartQuery
 from querycad_language.forms import Touching
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
@@ -36,4 +37,5 @@ def contacts(question: Question) -> Iterator[Draft]:
         return
     target = asked.query if asked is not None and asked.query is not None and asked.query.noun != "part" else BODIES
     used = {asks, *range(verb.start, verb.end), *other.used, *(asked.used if asked is not None else ())}
-    yield Draft(Touching(target, other.query, held=verb.category == "fasten"), used=used)
+    several = replace_fields(target, plural=True)  # 'which disc' may be two
+    yield Draft(Touching(several, other.query, held=verb.category == "fasten"), used=used)

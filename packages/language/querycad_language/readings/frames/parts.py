@@ -24,7 +24,7 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_most_seen(question), *_none_seen(question)]
+    compared = [*_most_seen(question), *_none_seen(question), *_way_from(question, side)]
     yield from compared
     side = None if compared else side
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
@@ -88,6 +88,17 @@ def _none_seen(question: Question) -> Iterator[Draft]:
         target = replace_fields(parts[0].query, plural=True, places=(), count=None)
         used = faces | none | parts[0].used
         yield Draft(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
+
+
+def _way_from(question: Question, side: int | None) -> Iterator[Draft]:
+    """'From which side are the lugs pushed in?', 'Which side is it drilled from?'"""
+    text = question.text
+    verbs = {i for span in text.all("verbs") if span.value is Measure.APPROACH for i in span.tokens}
+    parts = [m for m in question.mentions if m.query is not None and not m.pronoun]
+    if side is None or not verbs or not text.has("from") or not parts or parts[0].query is None:
+        return
+    used = {side, side + 1, *text.at_words("from"), *verbs, *parts[0].used}
+    yield Draft(Towards(parts[0].query, tuple(Side), "way"), {"which_side": 1.0}, used)
 
 
 def _superlative(text: Text, at: int) -> bool:
