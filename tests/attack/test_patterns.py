@@ -88,7 +88,7 @@ def test_all_patterns_are_found() -> None:
 
 
 def test_a_pattern_with_overlapping_repetition_is_noticed() -> None:
-    assert slow(re.compile(r"\s*x"))
+    assert slow(re.compile(r"\s*a?b?c?d?e?x"))
 
 
 @pytest.mark.parametrize("package", PACKAGES)
