@@ -12,7 +12,7 @@ from functools import cache, lru_cache
 from rapidfuzz.distance import OSA
 from spellchecker import SpellChecker
 
-from querycad_contracts import Measure
+from querycad_contracts import Measure, Side
 
 from .lexicon import lexicon
 from .spoken import written
@@ -46,13 +46,8 @@ _TOKEN = re.compile(
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
-_SIGNED = (
-    ("+", "x", "right"),
-    ("-−", "x", "left"),
-    ("+", "y", "back"),
-    ("-−", "y", "front"),
-    ("+", "z", "top"),
-    ("-−", "z", "bottom"),
+_SIGNED = tuple(
+    ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)], side.value) for side in Side
 )
 """Sign, axis, and the side of the file's frame that lies there."""
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (

@@ -56,7 +56,7 @@ class Phrases:
 
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""
-        left = [m for m in found if m.query is not None and not m.pronoun and self._is_left_out(m)]
+        left = [m for m in found if m.query is not None and not m.pronoun and self._leaving(m)]
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
         if not left or named is None or named.query is None:
@@ -65,9 +65,6 @@ class Phrases:
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))
         query = replace_fields(named.query, excluded=(*named.query.excluded, *excluded))
         return [replace(m, query=query, used=used) if m is named else m for m in kept]
-
-    def _is_left_out(self, mention: Mention) -> bool:
-        return bool(self._leaving(mention))
 
     def _leaving(self, mention: Mention) -> range:
         """The words that leave a mention out, before or behind it."""

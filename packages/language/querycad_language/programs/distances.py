@@ -412,11 +412,19 @@ def towards(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
     return f"max({found})[1]"
 
 
+def none_seen(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
+    """The sides that none of the parts is seen from."""
+    return f"[side for side in {_names(sides)} if not any(side in p.sides for p in {draft.parts(target)})]"
+
+
+def _names(sides: Sequence[Side]) -> list[str]:
+    return [side.value for side in sides]
+
+
 def most_seen(draft: Draft, target: PartQuery, sides: Sequence[Side]) -> str:
     """The side that most of the parts are seen from; all of as many."""
     name = draft.parts(target)
-    sides_named = ", ".join(f'"{side.value}"' for side in sides)
-    draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in [{sides_named}]}}")
+    draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {_names(sides)}}}")
     return "', '.join(side for side in seen if seen[side] == max(seen.values()))"
 
 

@@ -33,6 +33,7 @@ from .distances import (
     directions,
     distance,
     most_seen,
+    none_seen,
     overlapping,
     several,
     touching,
@@ -86,9 +87,7 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PL
         case Touching():
             return touching(draft, form), AnswerType.PARTS
         case Towards(target, sides, "none"):
-            sides_named = ", ".join(f'"{side.value}"' for side in sides)
-            none = f"not any(side in p.sides for p in {draft.parts(target)})"
-            return f"[side for side in [{sides_named}] if {none}]", AnswerType.TEXTS
+            return none_seen(draft, target, sides), AnswerType.TEXTS
         case Towards(target, _, "way"):
             return way_from(draft, target), AnswerType.TEXTS
         case Towards(target, sides, seen):

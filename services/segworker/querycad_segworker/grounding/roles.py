@@ -128,23 +128,22 @@ def is_coaxial(hole: Part, kinds: Kinds) -> bool:
     """Does another part of its kind lie on the same axis?"""
     if hole.axis is None:
         return False
-    others = (part for part in kinds.get(hole.kind) if part is not hole and part.axis is not None)
     return any(
         norm(cross(part.axis, hole.axis)) <= _SQUARE
         and line_distance(part.center, hole.center, hole.axis) <= _NEAR * min(part.radius or 0, hole.radius or 0)
-        for part in others
-        if part.axis is not None
+        for part in kinds.get(hole.kind)
+        if part is not hole and part.axis is not None
     )
 
 
 def is_crossing(hole: Part, kinds: Kinds) -> bool:
-    """Does a hole open into another one inside the material: do their walls share a boundary?"""
+    """Does a hole take the same room as another one that is not parallel to it?"""
     others = (part for part in kinds.get("hole") if part is not hole)
     return hole.kind == "hole" and any(_cross(hole, part) for part in others)
 
 
 def _cross(one: Part, other: Part) -> bool:
-    """Do two holes that are not parallel take the same room? By their axes and radii."""
+    """By their axes, radii and boxes."""
     if one.axis is None or other.axis is None or one.radius is None or other.radius is None:
         return False
     if norm(cross(one.axis, other.axis)) <= _SQUARE:

@@ -16,15 +16,21 @@ def wholes(question: Question) -> Iterator[Draft]:
     """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
-    boxes |= text.at_words("bounding box", "block", "blank", "stock", "bbox", "billet")
+    boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
     named = {i for m in question.mentions if m.query is None for i in m.used}
     if boxes:
-        shares = {i for span in text.all("operation") if span.value in ("share", "ratio") for i in span.tokens}
+        shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
         filling = text.at_words(
             "fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid"
         )
         cutting = text.at_phrases("cutting")
-        around = {*boxes, *(i + 1 for i in boxes), *named, *text.at_phrases("stuff", "measure", "scale")}
+        around = {
+            *boxes,
+            *(i + 1 for i in boxes if text.is_word(i, "bounding")),
+            *named,
+            *text.at_phrases("stuff"),
+            *text.at_words("much", "volume"),
+        }
         if shares or filling:
             yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
