@@ -21,7 +21,7 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 test: setup ## run all tests; arguments for pytest in ARGS
 	$(BIN)/python -m pytest $(ARGS)
 
-attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; half an hour
+attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; a quarter of an hour
 	QUERYCAD_ATTACK=whole $(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
 
 soak: setup ## mixed work on a service of its own for MINUTES, 20 as a rule: latencies, errors, slopes
