@@ -100,6 +100,19 @@ def test_leader_lines_never_cross(seen: Opener, flange_model: str) -> None:
         assert not [pair for pair in combinations(lines, 2) if crosses(*pair)], side
 
 
+def test_texts_of_dimensions_never_overlap(seen: Opener, flange_model: str) -> None:
+    page = seen().model(flange_model)
+    page.ask("What is the diameter of the holes visible from the top?")
+    page.still()
+    boxes: list[list[float]] = page.page.evaluate(
+        """() => [...document.querySelectorAll(".label.center")].map(label => {
+           const box = label.getBoundingClientRect(); return [box.left, box.top, box.right, box.bottom]; })"""
+    )
+    assert len(boxes) == 11
+    for (left, top, right, bottom), (other_left, other_top, other_right, other_bottom) in combinations(boxes, 2):
+        assert right <= other_left or other_right <= left or bottom <= other_top or other_bottom <= top
+
+
 def crosses(a: list[float], b: list[float]) -> bool:
     def turn(p: list[float], q: list[float], r: list[float]) -> float:
         return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])

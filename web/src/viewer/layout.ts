@@ -13,7 +13,16 @@ export interface Placed {
   readonly y: number;
 }
 
+/** A text around its middle; all are one line high. */
+export interface Box extends Point {
+  readonly width: number;
+}
+
 const GAP_PX = 26;
+/** Height of a text with the room above and below it. */
+const TEXT_PX = 23;
+/** Lines up and down that are tried for a text, the nearest first. */
+const STEPS = [0, -1, 1, -2, 2, -3, 3] as const;
 
 /**
  * Places a label for each anchor, in a column at the left and one at the right edge of a view.
@@ -64,6 +73,15 @@ function spread(wanted: readonly number[], gap: number, height: number): number[
   const highest = height - gap / 2 - (wanted.length - 1) * gap;
   const starts = blocks.flatMap(({ sum, count }) => Array<number>(count).fill(sum / count));
   return starts.map((start, place) => Math.max(gap / 2, Math.min(start, highest)) + place * gap);
+}
+
+/** Where a text of a dimension stands free of those before it: as little above or below its place as that takes. */
+export function free(wanted: Point, width: number, taken: readonly Box[]): Point {
+  for (const step of STEPS) {
+    const at = { x: wanted.x, y: wanted.y + step * TEXT_PX };
+    if (!taken.some((box) => Math.abs(box.x - at.x) < (box.width + width) / 2 && Math.abs(box.y - at.y) < TEXT_PX)) return at;
+  }
+  return wanted;
 }
 
 /** Do two line segments cross in their inner parts? */

@@ -2,7 +2,7 @@
 
 import type { Vector3 } from "three";
 import { h, svg } from "../dom";
-import { placed, type Point } from "./layout";
+import { type Box, free, placed, type Point } from "./layout";
 import type { Viewer } from "./viewer";
 
 export interface Label {
@@ -36,6 +36,9 @@ const INSET_PX = 8;
 /** A dimension that is shorter than this has its text above it, which would hide it. */
 const SHORT_PX = 90;
 const ABOVE_PX = 15;
+/** Width of a letter of a dimension's text, as an upper bound of most, and what stands around the text. */
+const LETTER_PX = 8;
+const PADDING_PX = 16;
 const DIMENSION_COLOR = "#1b5e9b";
 
 export class Overlay {
@@ -121,6 +124,7 @@ export class Overlay {
       lines.push({ points: [at, anchors[index]!], color, dots: [anchors[index]!] });
       texts.push({ text, at, align: side, color });
     }
+    const taken: Box[] = [];
     for (const { path, text } of [...this.dimensions, ...(this.measured ? [this.measured] : [])]) {
       const points = path.map((point) => this.viewer.project(point));
       const [start, end] = [points[0]!, points.at(-1)!];
@@ -128,7 +132,10 @@ export class Overlay {
       const middle = points.length > 2 ? points[points.length >> 1]! : { x: (start.x + end.x) / 2, y: (start.y + end.y) / 2 };
       const isShort = Math.hypot(end.x - start.x, end.y - start.y) < SHORT_PX && points.length === 2;
       const at = isShort ? { x: middle.x, y: Math.min(start.y, end.y) - ABOVE_PX } : middle;
-      texts.push({ text, at, align: "center", color: DIMENSION_COLOR });
+      const width = text.length * LETTER_PX + PADDING_PX;
+      const found = free(at, width, taken);
+      taken.push({ ...found, width });
+      texts.push({ text, at: found, align: "center", color: DIMENSION_COLOR });
     }
     if (this.pending) lines.push({ points: [], color: DIMENSION_COLOR, dots: [this.viewer.project(this.pending)] });
     return { lines, texts };
