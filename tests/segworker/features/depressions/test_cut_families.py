@@ -437,3 +437,15 @@ def test_an_arc_in_another_plane_than_the_grooves_is_none_of_it() -> None:
     found = find(cut(plate(60, 60, 20), ring_in_a_face(), wedge(), lower))
     groove = only(found.of("groove"))
     assert max(-found.brep.faces[f].box[0][2] for f in groove.faces) == pytest.approx(6 * MM)
+
+
+def test_what_is_cut_into_a_round_wall_is_as_deep_as_it_lies_below_its_crown() -> None:
+    # DIN 6885: a key of 8 x 7 in a bore of 25 mm takes 3.3 mm of the hub
+    hub = cut(cylinder(25, 30), cylinder(12.5, 30), box((15.8, 8, 30), (0, -4, 0)))
+    disc = cut(cylinder(45, 6), cylinder(31, 6), box((10, 10, 6), (40, -5, 0)))
+    flat = cut(cylinder(10, 40), box((10, 40, 10), (8, -20, 0)))
+    for shape, kind, depth in ((hub, "slot", 3.3), (disc, "notch", 5.0)):
+        assert [round(1e3 * (one.depth or 0.0), 3) for one in find(shape).of(kind)] == [depth]
+        tilted = turned(shape, (1, 0, 0), 30)
+        assert [round(1e3 * (one.depth or 0.0), 3) for one in find(tilted).of(kind)] == [depth]
+    assert not [one for kind in ("slot", "notch") for one in find(flat).of(kind)]

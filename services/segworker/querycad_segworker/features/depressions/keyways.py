@@ -21,6 +21,10 @@ FULL_RAD = math.radians(350)
 """A cylinder that covers more than this is whole; files cut it open along a seam."""
 SAME_LINE = 0.1
 """A radial slot points at the axis to within this share of its width."""
+SQUARE = 0.02
+"""Sine of the angle by which its opening may lean towards the axis of the wall."""
+CROWN_SHARE = 0.4
+"""A crown is that much of the depth, at most, away from the edges: more is a flat."""
 RING = 3
 """So many slots that point at one round face in a body of another outline are radial; two may do so by chance."""
 
@@ -30,11 +34,40 @@ def with_hosts(brep: Brep, found: list[Depression]) -> list[Depression]:
 
     'keyway': a slot or long pocket along the axis of the shaft or bore that it is cut into. 'axial': along the axis
     of its round body, or the round part of it that it opens to. 'radial': towards that axis, or that of the widest
-    round face of a body with another outline where several do so, and not beyond it.
+    round face of a body with another outline where several do so, and not beyond it. What is cut into a round wall is
+    as deep as it lies below the crown of that wall.
     """
     axes = {body.id: _round_axis(brep, body.faces) for body in brep.bodies}
     rings = _rings(found, {body.id: _widest(brep, body.faces) for body in brep.bodies if axes[body.id] is None})
-    return [replace(d, tags=(*d.tags, *_place(brep, d, axes.get(d.body) or _rim(brep, d), d in rings))) for d in found]
+    return [
+        replace(
+            d,
+            tags=(*d.tags, *_place(brep, d, axes.get(d.body) or _rim(brep, d), d in rings)),
+            depth=_depth_below_crown(brep, d),
+        )
+        for d in found
+    ]
+
+
+def _depth_below_crown(brep: Brep, found: Depression) -> float:
+    """How deep does it lie below the round wall that it is cut into, in metres? Keyways are dimensioned so (DIN 6885).
+
+    Where it runs out of the wall at both ends, only its two long edges are left, which lie below the crown of a shaft
+    and beyond that of a bore.
+    """
+    if found.kind is DepressionKind.PASSAGE:
+        return found.depth
+    host = _host(brep, found)
+    if host is None or host.kind is not SurfaceKind.CYLINDER:
+        host = _rim(brep, found)  # of a notch in a disc most of the rim is on the disc's faces
+    if host is None or found.width > KEY_SHARE * 2 * host.radius:
+        return found.depth
+    if abs(dot(found.normal, host.axis)) > SQUARE:
+        return found.depth
+    middle = dot(sub(found.center, foot(found.center, host.origin, host.axis)), found.normal)
+    bottom = middle - found.depth / 2
+    depth = host.radius - bottom if host.outward > 0 else -host.radius - bottom
+    return depth if abs(depth - found.depth) < CROWN_SHARE * found.depth else found.depth
 
 
 def _rings(found: list[Depression], axes: dict[int, FaceRecord | None]) -> list[Depression]:

@@ -12,6 +12,7 @@ from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
+from querycad_segworker.features.shared.regular import across_flats_and_corners
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import (
@@ -58,7 +59,8 @@ def recognise_prisms(brep: Brep) -> list[Prism]:
 
     The side faces of a prism are planes parallel to one direction, of which each meets the next in a convex edge (or
     a rounding) along that direction, all the way around. A cuboid has three such rings; the one around its shortest
-    direction is kept, as for a plate.
+    direction is kept, as for a plate; a regular hexagon or octagon comes before the rings of two of its sides and the
+    ends.
     """
     found: list[Prism] = []
     for direction, links in _links_by_direction(brep).items():
@@ -77,10 +79,14 @@ def recognise_prisms(brep: Brep) -> list[Prism]:
             else:
                 found.append(_prism(brep, ring, direction))
     kept: list[Prism] = []
-    for prism in sorted(found, key=lambda p: (p.height, p.faces)):
+    for prism in sorted(found, key=lambda p: (not (p.sides > 4 and _is_regular(brep, p)), p.height, p.faces)):
         if not any(len(set(prism.faces) & set(other.faces)) >= 2 for other in kept):
             kept.append(prism)
     return sorted(kept, key=lambda p: p.faces[0])
+
+
+def _is_regular(brep: Brep, prism: Prism) -> bool:
+    return across_flats_and_corners(brep, prism.faces, prism.normal) is not None
 
 
 def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
@@ -93,15 +99,27 @@ def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
         if a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE:
             _link(links, unit(sub(edge.end, edge.start)), a, b)
     for face in brep.faces:
-        if face.kind is SurfaceKind.CYLINDER and face.outward > 0 and is_blend(brep, face):
-            planes = [
-                brep.faces[other]
-                for edge, other in brep.neighbours(face.id)
-                if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.PLANE
-            ]
-            if len(planes) == 2:
-                _link(links, face.axis, planes[0], planes[1])
+        if _is_corner(brep, face):
+            _link(links, face.axis, *(brep.faces[side] for side in _sides_of_corner(brep, face)))
     return links
+
+
+def _is_corner(brep: Brep, face: FaceRecord) -> bool:
+    """Is it a rounded corner between two sides, or one that was turned down to a cylinder around the prism's axis?"""
+    return face.kind is SurfaceKind.CYLINDER and face.outward > 0 and len(_sides_of_corner(brep, face)) == 2
+
+
+def _sides_of_corner(brep: Brep, face: FaceRecord) -> list[int]:
+    """The plane faces beside a cylinder, in straight edges along it: tangent ones, or such as cut into it."""
+    wanted = EdgeConvexity.SMOOTH if is_blend(brep, face) else EdgeConvexity.CONVEX
+    beside = [
+        other
+        for edge, other in brep.neighbours(face.id)
+        if edge.convexity is wanted
+        and brep.faces[other].kind is SurfaceKind.PLANE
+        and (wanted is EdgeConvexity.SMOOTH or edge.kind is EdgeKind.LINE)
+    ]
+    return sorted(set(beside))
 
 
 def _link(links: dict[Vector, dict[int, set[int]]], direction: Vector, a: FaceRecord, b: FaceRecord) -> None:
@@ -130,12 +148,12 @@ def _faces_out(brep: Brep, ring: set[int], direction: Vector) -> bool:
 
 
 def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
-    """The edges along the prism in which its sides meet each other, or the roundings between them."""
+    """The edges along the prism in which its sides meet each other, or the corners between them."""
     return [
         edge
         for side in sorted(ring)
         for edge, other in brep.neighbours(side)
-        if (other in ring or (brep.faces[other].outward > 0 and is_blend(brep, brep.faces[other])))
+        if (other in ring or _is_corner(brep, brep.faces[other]))
         and edge.kind is EdgeKind.LINE
         and parallel(unit(sub(edge.end, edge.start)), direction, 1e-3)
     ]

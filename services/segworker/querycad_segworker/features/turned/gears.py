@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import OFF_ROUND, binned, dist, dot, mean, sub
+from querycad_segworker.vectors import OFF_ROUND, binned, cross, dist, dot, mean, sub, unit
 
 MIN_TEETH = 6
 """Fewer repetitions are a bolt pattern or a polygon; the smallest pinions have six teeth or more."""
@@ -130,6 +130,9 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
     facing = [f for ring in chosen for f in ring if _is_coaxial(f, axis, tolerances)]
     inner = sum(f.outward < 0 and axis.radius_of(f.point) < (min(radii) + max(radii)) / 2 for f in facing)
     tips = min if inner > len(facing) / 2 else max
+    if all(_looks_out(face, axis, tolerances) for ring in chosen for face in ring):
+        refuse("gear", ids, f"{teeth} flats around a round body, as of a nut: no flank rises between them")
+        return None
     single = [ring for ring in chosen if len(ring) == teeth]
     if per_tooth < MIN_FACES_PER_TOOTH:
         # The flanks of pointed teeth may be alike, and their number then twice that of the teeth.
@@ -164,6 +167,12 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
         body=body,
         internal=tips is min,
     )
+
+
+def _looks_out(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
+    """Does it look straight away from the axis, as a flat, a chamfer or a tip does and the flank of a tooth does not?"""
+    around = cross(axis.direction, sub(face.point, axis.at(axis.position(face.point))))
+    return _is_coaxial(face, axis, tolerances) or abs(dot(face.point_normal, unit(around))) < SQUARE
 
 
 def _touching(brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]]) -> list[tuple[int, list[FaceRecord]]]:

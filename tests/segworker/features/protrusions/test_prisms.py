@@ -1,0 +1,59 @@
+"""Prisms: a hexagon stays one, whatever stands on its ends and however its corners were turned."""
+
+import math
+
+import pytest
+from tests.segworker.shapes import chamfered, cut, cylinder, extruded, find, fuse, turned, upright
+
+FLATS = 10.0
+HEXAGON = [
+    (FLATS / math.sqrt(3) * math.cos(math.radians(60 * i)), FLATS / math.sqrt(3) * math.sin(math.radians(60 * i)))
+    for i in range(6)
+]
+
+
+def hexagons(shape: object) -> list[tuple[float, float]]:
+    """(height, width across flats) of the hexagonal prisms, millimetres."""
+    prisms = find(shape).of("prism")  # type: ignore[arg-type]
+    return [
+        (round(1e3 * (one.height or 0.0), 3), round(1e3 * (one.across_flats or 0.0), 3))
+        for one in prisms
+        if "hexagonal" in one.tags
+    ]
+
+
+@pytest.mark.parametrize("height", [3.0, 30.0])
+def test_a_hexagon_is_one_whether_it_is_low_or_high(height: float) -> None:
+    assert hexagons(extruded(HEXAGON, 0, height)) == [(height, FLATS)]
+
+
+def test_a_standoff_with_a_stud_and_a_bore_is_hexagonal_and_no_block() -> None:
+    standoff = cut(fuse(extruded(HEXAGON, 0, 30), cylinder(2.5, 8, (0, 0, 30))), cylinder(2.1, 12))
+    for shape in (standoff, turned(standoff, (0, 1, 0), 90)):
+        assert hexagons(shape) == [(30.0, FLATS)]
+        assert len(find(shape).of("prism")) == 1
+
+
+def test_a_block_with_one_broken_edge_stays_a_block() -> None:
+    block = extruded([(0, 0), (50, 0), (50, 15), (45, 20), (0, 20)], 0, 100)
+    assert hexagons(block) == []
+    assert all("hexagonal" not in one.tags for one in find(block).of("prism"))
+
+
+def test_a_hexagon_with_turned_corners_is_one_and_no_gear() -> None:
+    nut = cut(extruded(HEXAGON, 0, 8), cylinder(2.5, 8))
+    corners = cut(nut, cut(cylinder(20, 8), cylinder(5.6, 8)))
+    found = find(corners)
+    assert hexagons(corners) == [(8.0, FLATS)]
+    assert not found.of("gear")
+
+
+def test_a_shaft_with_two_flats_is_no_prism() -> None:
+    shaft = cut(cylinder(10, 40), extruded([(8, -20), (20, -20), (20, 20), (8, 20)], 20, 20))
+    shaft = cut(shaft, extruded([(-20, -20), (-8, -20), (-8, 20), (-20, 20)], 20, 20))
+    assert not find(shaft).of("prism")
+
+
+def test_broken_corners_of_a_block_make_no_octagon_across_flats() -> None:
+    block = extruded([(0, 0), (50, 0), (50, 20), (0, 20)], 0, 10)
+    assert not any(one.across_flats for one in find(chamfered(block, 0.5, *upright(block))).of("prism"))
