@@ -3,6 +3,7 @@
 import math
 
 import pytest
+from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import chamfered, cut, cylinder, extruded, find, fuse, turned, upright
 
 FLATS = 10.0
@@ -12,9 +13,9 @@ HEXAGON = [
 ]
 
 
-def hexagons(shape: object) -> list[tuple[float, float]]:
+def hexagons(shape: TopoDS_Shape) -> list[tuple[float, float]]:
     """(height, width across flats) of the hexagonal prisms, millimetres."""
-    prisms = find(shape).of("prism")  # type: ignore[arg-type]
+    prisms = find(shape).of("prism")
     return [
         (round(1e3 * (one.height or 0.0), 3), round(1e3 * (one.across_flats or 0.0), 3))
         for one in prisms

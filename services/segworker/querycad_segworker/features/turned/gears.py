@@ -112,8 +112,8 @@ def main_axes(walls: Sequence[Wall], tolerances: Tolerances) -> list[Axis]:
 
 def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolerances: Tolerances) -> Gear | None:
     rings = _touching(brep, _without_windows(brep, _rings(faces, axis, tolerances), axis))
-    if not rings:
-        return None
+    if all(_looks_out(face, axis, tolerances) for _, ring in rings for face in ring):
+        return None  # no flank rises between the flats of a nut
     # Two flanks a tooth may stand at nearly equal angles, and seem to repeat twice as often as the teeth.
     per_count: Counter[int] = Counter()
     for n in {count for count, _ in rings}:
@@ -130,9 +130,6 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
     facing = [f for ring in chosen for f in ring if _is_coaxial(f, axis, tolerances)]
     inner = sum(f.outward < 0 and axis.radius_of(f.point) < (min(radii) + max(radii)) / 2 for f in facing)
     tips = min if inner > len(facing) / 2 else max
-    if all(_looks_out(face, axis, tolerances) for ring in chosen for face in ring):
-        refuse("gear", ids, f"{teeth} flats around a round body, as of a nut: no flank rises between them")
-        return None
     single = [ring for ring in chosen if len(ring) == teeth]
     if per_tooth < MIN_FACES_PER_TOOTH:
         # The flanks of pointed teeth may be alike, and their number then twice that of the teeth.
@@ -170,7 +167,7 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
 
 
 def _looks_out(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
-    """Does it look straight away from the axis, as a flat, a chamfer or a tip does and the flank of a tooth does not?"""
+    """Does it look straight away from the axis, as flats, chamfers and tips do and the flanks of teeth do not?"""
     around = cross(axis.direction, sub(face.point, axis.at(axis.position(face.point))))
     return _is_coaxial(face, axis, tolerances) or abs(dot(face.point_normal, unit(around))) < SQUARE
 
