@@ -38,7 +38,7 @@ from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
 from .parts.depressions import blend_part, depression_part, turned_groove_part
-from .parts.flat_walls import flat_wall_part, recognise_flat_walls
+from .parts.flat_walls import flat_wall_part, recognise_flat_walls, sides_of_boxes
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
 from .parts.material_left import with_material_left
@@ -216,7 +216,7 @@ def _parts(
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
-    bodies = with_body_thickness(bodies, brep, prisms, turned, thickness.bodies)
+    bodies = with_body_thickness(bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies))
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))

@@ -126,3 +126,14 @@ def test_an_upright_plate_is_as_high_as_it_reaches_and_a_lying_one_as_thick() ->
     assert (upright.height, upright.thickness) == pytest.approx((52 * MM, 6 * MM))
     assert (lying.height, lying.thickness) == pytest.approx((8 * MM, 8 * MM))
     assert [wall.height for wall in find(corner()).of("wall") if "upright" in wall.tags] == pytest.approx([60 * MM])
+
+
+def test_a_bore_that_ends_level_with_the_floor_leaves_the_floor_and_the_sides_their_thickness() -> None:
+    tray = cut(box((100, 60, 40)), box((94, 54, 40), (3, 3, 4)))
+    post = cut(fuse(tray, cylinder(6, 12, (20, 20, 4))), cylinder(2, 12, (20, 20, 4)))
+    for shape in (tray, post):
+        found = find(shape)
+        assert [round(1e3 * (one.thickness or 0.0), 3) for one in found.of("floor")] == [4.0]
+        assert [round(1e3 * (one.thickness or 0.0), 3) for one in found.of("body")] == [3.0]
+    uneven = cut(box((100, 60, 40)), box((92, 54, 40), (5, 3, 4)))
+    assert find(uneven).of("body")[0].thickness is None

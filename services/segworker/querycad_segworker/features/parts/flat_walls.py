@@ -23,6 +23,10 @@ FILLED = 0.4
 """A side that fills less than this share of its box is a rim, or the cross-section of a wall."""
 FLATTER = 0.8
 """A wall is thinner than it is wide, by this factor at least; else it is a bar."""
+SAME = 0.01
+"""Thicknesses that differ by less than this share are one."""
+BOX = 3
+"""An open box has at least so many sides; two are those of a channel or a corner."""
 MADE_OF = 0.6
 """A body of walls, such as an angle bracket, has more than this share of its volume in them; holes and bends are the
 rest."""
@@ -196,6 +200,9 @@ def _wall(brep: Brep, faces: Collection[int]) -> FlatWall | None:
     if len(sides) != 2:
         return None
     small, large = sorted(sides.values(), key=lambda side: sum(face.area for face in side))
+    small = [face for face in small if not _is_disc(brep, face)]  # the bottom of a bore that ends level with a floor
+    if not small:
+        return None
     normal = small[0].axis
     thickness = dot(small[0].point, normal) - dot(large[0].point, normal)
     frame = _frame(brep, small)
@@ -206,19 +213,21 @@ def _wall(brep: Brep, faces: Collection[int]) -> FlatWall | None:
     thin = thickness < PLATE_RATIO * clear
     if thickness <= 0 or not (thin or (thickness < FLATTER * clear and thickness < PLATE_RATIO * length)):
         return None
-    if any(edge.closed and edge.kind is EdgeKind.CIRCLE for edge in (brep.edges[e] for e in _rims(small))):
-        return None  # a disc
     return FlatWall(
         thickness=thickness,
         length=length,
         width=width,
         normal=normal,
         center=add(frame.point(0.5, 0.5, 1.0), scale(normal, -thickness / 2)),
-        faces=tuple(sorted(faces)),
+        faces=tuple(sorted(face.id for face in (*small, *large))),
         body=first.body,
         is_thin=thin,
         tags=("ear",) if any(_is_ear(brep, face) for face in (*small, *large)) else (),
     )
+
+
+def _is_disc(brep: Brep, face: FaceRecord) -> bool:
+    return any(brep.edges[e].closed and brep.edges[e].kind is EdgeKind.CIRCLE for e in _rims([face]))
 
 
 def _frame(brep: Brep, side: Sequence[FaceRecord]) -> LocalFrame:
@@ -254,6 +263,16 @@ def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
         return replace(wall, tags=tags)
     roof = ("roof",) if any(normal[2] < UPRIGHT - 1 for normal in opens) else ()
     return replace(wall, is_floor=True, tags=(*tags, *roof))
+
+
+def sides_of_boxes(walls: Sequence[FlatWall]) -> dict[int, float]:
+    """The thickness that the sides of each body share which is an open box, metres; its floor may be thicker."""
+    found = {}
+    for body in {wall.body for wall in walls if wall.is_floor}:
+        sides = [wall.thickness for wall in walls if wall.body == body and wall.is_thin and not wall.is_floor]
+        if len(sides) >= BOX and max(sides) - min(sides) <= SAME * max(sides):
+            found[body] = sides[0]
+    return found
 
 
 def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:

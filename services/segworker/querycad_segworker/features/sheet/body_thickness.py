@@ -29,7 +29,7 @@ def with_body_thickness(
     """The same bodies with their thickness, where they have one.
 
     `prisms`: those of the model, plates among them; `turned`: what each body is as a turned one; `walls`: thicknesses
-    that most of a body's surface shares, by body id.
+    that most of a body's surface, or the sides of a box, share, by body id.
     """
     result = []
     own: dict[int, list[Prism]] = defaultdict(list)
@@ -123,7 +123,8 @@ def _low_prism(brep: Brep, record: BodyRecord, prisms: Sequence[Prism]) -> float
     extents = box_extents(faces_box(brep, record.faces))
     for prism in prisms:
         fills = all(abs(a - b) <= SAME * max(extents) for a, b in zip(prism.extents, extents, strict=True))
-        if fills and prism.height < (1 - SAME) * prism.width and _is_whole(brep, record, prism):
+        solid = record.volume > MOST * prism.length * prism.width * prism.height  # no open box
+        if fills and solid and prism.height < (1 - SAME) * prism.width and _is_whole(brep, record, prism):
             return prism.height
     return None
 
