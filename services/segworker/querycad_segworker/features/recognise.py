@@ -24,6 +24,7 @@ from .assemblies.bodies import (
     mass_of,
     model_part,
     weighed,
+    with_bearing_bores,
     with_bearing_roles,
     with_gear_measures,
     with_pipe_measures,
@@ -218,6 +219,7 @@ def _parts(
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
     bodies = with_body_thickness(bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies))
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
+    parts = with_bearing_bores(parts, brep, bearings)
     parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
     parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
     parts += _patterns(brep, parts)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import ball, box, compound, cone, cut, cylinder, find, torus, turned
+from tests.segworker.shapes import ball, box, compound, cone, cut, cylinder, find, shifted, torus, turned
 
 MM = 1e-3
 Z = (0.0, 0.0, 1.0)
@@ -97,3 +97,10 @@ def test_two_bearings_on_one_shaft_in_a_housing_are_two() -> None:
 )
 def test_what_merely_lies_on_one_axis_is_no_bearing(bodies: list[TopoDS_Shape]) -> None:
     assert find(compound(*bodies)).of("bearing") == []
+
+
+@pytest.mark.parametrize("degrees", [0, 37])
+def test_the_bore_of_the_inner_ring_takes_the_shaft(degrees: float) -> None:
+    shape = turned(compound(*ball_bearing(), shifted(ring(10, 14.2, 14), (100, 0, 0))), (1, 0, 0), degrees)
+    taken = [hole for hole in find(shape).of("hole") if "bearing_bore" in hole.tags]
+    assert [round(1e3 * (hole.diameter or 0.0), 3) for hole in taken] == [20.0]

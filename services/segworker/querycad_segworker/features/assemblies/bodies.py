@@ -139,6 +139,21 @@ def with_bearing_roles(bodies: Sequence[Part], bearings: Sequence[Bearing]) -> l
     return [part.model_copy(update={"tags": tags[i]}) if i in tags else part for i, part in enumerate(bodies)]
 
 
+def with_bearing_bores(parts: Sequence[Part], brep: Brep, bearings: Sequence[Bearing]) -> list[Part]:
+    """The same parts; the hole of each inner ring, which takes the shaft, is tagged 'bearing_bore'."""
+    inner = {one.rings[0]: one.inner_radius for one in bearings if not one.axial}
+    return [
+        part.model_copy(update={"tags": (*part.tags, "bearing_bore")})
+        if part.kind == "hole" and part.radius and _is_near(part.radius, inner.get(brep.faces[part.faces[0]].body))
+        else part
+        for part in parts
+    ]
+
+
+def _is_near(radius: float, other: float | None) -> bool:
+    return other is not None and abs(radius - other) <= COAXIAL * radius
+
+
 def with_gear_measures(bodies: Sequence[Part], brep: Brep, gears: Sequence[Gear], holes: Sequence[Hole]) -> list[Part]:
     """The same bodies; one that a gear is the widest of, but that is no shaft, has its diameter over the tips.
 
