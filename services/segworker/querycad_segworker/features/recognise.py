@@ -219,13 +219,16 @@ def _parts(
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
     bodies = with_body_thickness(bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies))
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
-    parts = with_bearing_bores(parts, brep, bearings)
-    parts += [*bodies, *_numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))]
-    parts.append(model_part(brep, shape, bodies[0] if len(bodies) == 1 else None))
+    shown = _numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))
+    parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
     parts += _patterns(brep, parts)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
     return with_relations(parts, shape, brep)
+
+
+def _only(bodies: Sequence[Part]) -> Part | None:
+    return bodies[0] if len(bodies) == 1 else None
 
 
 D = TypeVar("D", Depression, TurnedGroove)
