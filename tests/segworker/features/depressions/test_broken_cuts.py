@@ -10,16 +10,39 @@ from tests.segworker.shapes import box, cut, cylinder, extruded, find, plate, pr
 TRIANGLE = ((-10.0, -8.0), (10.0, -8.0), (0.0, 18.0))
 
 
-@pytest.mark.parametrize(("depth", "kinds"), [(3.0, ["pocket"]), (9.0, ["slot"])])
-def test_a_pocket_whose_corner_lies_in_a_step_is_a_pocket_unless_the_step_is_deeper(
-    depth: float, kinds: list[str]
+RECTANGLE = ((-10.0, -8.0), (10.0, -8.0), (10.0, 18.0), (-10.0, 18.0))
+
+
+@pytest.mark.parametrize(("depth", "mouth"), [(3.0, "closed"), (9.0, "open")])
+def test_a_pocket_whose_corner_lies_in_a_step_is_a_pocket_and_open_where_the_step_is_deeper(
+    depth: float, mouth: str
 ) -> None:
     step = box((70, 10, depth), (-35, 17, -depth))
     found = find(cut(plate(), extruded(TRIANGLE, -8, 9), step))
     assert len(found.of("step")) == 1
-    assert [part.kind for part in found.parts if part.kind in ("pocket", "slot", "channel", "cutout")] == kinds
-    if kinds == ["pocket"]:
-        assert "triangular" in found.of("pocket")[0].tags
+    (pocket,) = [part for part in found.parts if part.kind in ("pocket", "slot", "channel", "cutout")]
+    assert pocket.kind == "pocket"
+    assert {"triangular", mouth} <= set(pocket.tags)
+
+
+def test_a_rectangle_that_a_deeper_step_opens_along_a_side_is_a_slot_and_at_a_corner_a_pocket() -> None:
+    step = box((70, 10, 9), (-35, 17, -9))
+    (slot,) = find(cut(plate(), extruded(RECTANGLE, -8, 9), step)).of("slot")
+    assert "rectangular" in slot.tags
+    corner = box((25, 10, 9), (5, 17, -9))
+    (pocket,) = find(cut(plate(), extruded(RECTANGLE, -8, 9), corner)).of("pocket")
+    assert {"rectangular", "open"} <= set(pocket.tags)
+
+
+@pytest.mark.parametrize(("mouth", "kind"), [(8.0, "slot"), (3.0, "pocket")])
+def test_leaning_walls_make_a_dovetail_where_its_mouth_is_wide_and_else_a_triangle_without_its_tip(
+    mouth: float, kind: str
+) -> None:
+    section = ((-35.0, -8.0, -6.0), (-35.0, 8.0, -6.0), (-35.0, mouth / 2, 0.0), (-35.0, -mouth / 2, 0.0))
+    found = find(cut(plate(), prism(section, (40, 0, 0))))
+    (part,) = [part for part in found.parts if part.kind in ("pocket", "slot", "channel", "notch", "step")]
+    assert part.kind == kind
+    assert ("dovetail" in part.tags) == (kind == "slot")
 
 
 @pytest.mark.parametrize(("reach", "kind"), [(-4.0, "slot"), (10.0, "step")])
@@ -58,6 +81,15 @@ def test_a_corner_step_beside_a_steep_slope_is_no_v_groove() -> None:
     found = find(cut(plate(), box((25, 25, 14), (10, 0, -14)), slope))
     assert len(found.of("step")) == 1
     assert not found.of("slot")
+
+
+@pytest.mark.parametrize("half", [0.7, 4.0])
+def test_a_v_groove_may_be_narrow_and_parted_by_a_cut_across(half: float) -> None:
+    groove = prism(((-35, -half, 0), (-35, half, 0), (-35, 0, -12)), (70, 0, 0))
+    across = box((6, 20, 6), (0, -10, -6))
+    parts = find(cut(plate(), groove, across)).parts
+    assert [part.kind for part in parts if "v_shaped" in part.tags] == ["slot"]
+    assert not [part for part in parts if part.kind == "step"]
 
 
 @pytest.mark.parametrize("tilt", [0.0, 15.0, 30.0])

@@ -74,7 +74,27 @@ def group_depression(
     floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
         return _pocket(brep, group, floors, tolerances)
+    if pair is None or undercut(brep, group, floor, pair) is None:
+        held = _floor_held(graph, group, planes)
+        if held:
+            return replace(_pocket(brep, group, held, tolerances), is_open=True)
     return _open_on_floor(graph, group, floor, walls, pair)
+
+
+def _floor_held(graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord]) -> list[FaceRecord]:
+    """The pieces of a floor with walls square on it that turn so far that it is a pocket's, opened by another cut.
+
+    Three walls of a rectangle turn by 180 degrees, those of a triangle by 240. The walls of a T slot or dovetail with
+    a closed end turn as far about the way that it runs: those are asked for before.
+    """
+    for plane in planes:
+        pieces = graph.flush(plane.id) & group
+        if len(group) - len(pieces) < 3 or plane.id != min(pieces):
+            continue
+        around = tunnel_of(graph.brep, group - pieces)
+        if around is not None and around.turn > MORE_THAN_HALF and parallel(around.axis, plane.axis, SQUARE):
+            return [graph.brep.faces[i] for i in sorted(pieces)]
+    return []
 
 
 def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
@@ -180,7 +200,7 @@ def _pocket(brep: Brep, group: set[int], floors: Sequence[FaceRecord], tolerance
     floor, ids = floors[0], tuple(piece.id for piece in floors)
     outline, corner = outline_of(brep, floor.loops[0], tolerances)
     around = tunnel_of(brep, group.difference(ids))
-    if around is not None and (not around.closed or len(floors) > 1):
+    if around is not None and (not around.closed or not _is_surrounded(brep, floor, group)):
         outline = around.outline
     frame = frame_of(brep, group, floor.axis, floor.loops[0])
     pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body)
