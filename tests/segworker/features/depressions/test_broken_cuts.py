@@ -106,3 +106,50 @@ def test_a_trough_wider_than_the_disc_that_it_fits_is_no_woodruff_seat(width: fl
     found = find(cut(cylinder(40, 80), trough))
     assert len([part for part in found.parts if "woodruff" in part.tags]) == seats
     assert any(part.kind.cuts_in for part in found.parts)
+
+
+@pytest.mark.parametrize(("degrees", "kind"), [(30.0, "slot"), (60.0, "step")])
+def test_narrow_flanks_are_a_v_groove_without_what_lay_beside_one_and_wider_ones_an_undercut_step(
+    degrees: float, kind: str
+) -> None:
+    """The flank beside which a deep step was cut ends at an upright wall."""
+    run = 12 / math.tan(math.radians(degrees))
+    groove = prism(((-35, 20 - run, -12), (-35, 20 + run, 0), (-35, 22, -12)), (70, 0, 0))
+    beside = prism(((-35, 20 - run, -12), (-35, 25, -12), (-35, 25, 5), (-35, 20, 0)), (70, 0, 0))
+    (part,) = [part for part in find(cut(plate(), groove, beside)).parts if part.kind in ("slot", "step", "notch")]
+    assert part.kind == kind
+
+
+def test_a_pocket_that_a_slope_opens_beside_its_floor_opens_at_its_mouth() -> None:
+    slot = (box((20, 8, 12), (-10, -4, -12)), cylinder(4, 12, (-10, 0, -12)), cylinder(4, 12, (10, 0, -12)))
+    slope = prism(((-35, 3.5, -20), (-35, 25, -20), (-35, 25, 0)), (70, 0, 0))
+    (pocket,) = find(cut(plate(), *slot, slope)).of("pocket")
+    assert "obround" in pocket.tags
+    assert pocket.depth == pytest.approx(0.012)
+    assert pocket.length == pytest.approx(0.028)
+
+
+@pytest.mark.parametrize(("radius", "obround"), [(4.0, True), (3.0, False)])
+def test_two_half_rounds_of_one_radius_at_the_ends_of_a_flat_are_an_obround(radius: float, obround: bool) -> None:
+    """The flat across from it is cut away."""
+    ends = (cylinder(4, 8, (-10, 0, -8)), cylinder(radius, 8, (10, radius - 4, -8)))
+    across = box((20, 20, 18), (-10, 0, -18))
+    parts = find(cut(plate(), box((20, 5, 8), (-10, -4, -8)), *ends, across)).parts
+    (found,) = [part for part in parts if part.kind.cuts_in and part.depth == pytest.approx(0.008)]
+    assert ("obround" in found.tags) == obround
+
+
+def test_a_pocket_that_a_narrow_slot_opens_through_its_wall_is_no_t_slot() -> None:
+    across = box((6, 40, 14), (-3, -4, -14))
+    found = find(cut(plate(), box((30, 16, 8), (-15, -8, -8)), across))
+    (pocket,) = found.of("pocket")
+    assert {"rectangular", "open"} <= set(pocket.tags)
+    assert (pocket.length, pocket.width, pocket.depth) == pytest.approx((0.030, 0.016, 0.008))
+    (slot,) = found.of("slot")
+    assert (slot.width, slot.depth) == pytest.approx((0.006, 0.014))
+
+
+@pytest.mark.parametrize(("neck", "tagged"), [(8.0, True), (4.0, False)])
+def test_a_t_slot_has_a_mouth_of_a_third_of_its_width_at_least(neck: float, tagged: bool) -> None:
+    found = find(cut(plate(), box((70, 14, 4), (-35, -7, -12)), box((70, neck, 20), (-35, -neck / 2, -9))))
+    assert any("t_slot" in part.tags for part in found.parts) == tagged

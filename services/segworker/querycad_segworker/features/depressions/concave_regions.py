@@ -73,11 +73,11 @@ def group_depression(
         return _round_bottomed(brep, group, tunnel, planes)
     floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
-        return _pocket(brep, group, floors, tolerances)
+        return _pocket(brep, group, floors, planes, tolerances)
     if pair is None or undercut(brep, group, floor, pair) is None:
         held = _floor_held(graph, group, planes)
         if held:
-            return replace(_pocket(brep, group, held, tolerances), is_open=True)
+            return replace(_pocket(brep, group, held, planes, tolerances), is_open=True)
     return _open_on_floor(graph, group, floor, walls, pair)
 
 
@@ -196,8 +196,12 @@ def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
     return wall.kind is SurfaceKind.PLANE or parallel(wall.axis, floor.axis, 0.1)
 
 
-def _pocket(brep: Brep, group: set[int], floors: Sequence[FaceRecord], tolerances: Tolerances) -> Depression:
-    floor, ids = floors[0], tuple(piece.id for piece in floors)
+def _pocket(
+    brep: Brep, group: set[int], floors: Sequence[FaceRecord], planes: Sequence[FaceRecord], tolerances: Tolerances
+) -> Depression:
+    floor = floors[0]
+    owners = first_of_surface([floor, *(plane for plane in planes if plane.id != floor.id)])
+    ids = tuple(sorted({*(piece.id for piece in floors), *(i for i, owner in owners.items() if owner == floor.id)}))
     outline, corner = outline_of(brep, floor.loops[0], tolerances)
     around = tunnel_of(brep, group.difference(ids))
     if around is not None and (not around.closed or not _is_surrounded(brep, floor, group)):

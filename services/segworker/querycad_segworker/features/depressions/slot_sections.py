@@ -21,6 +21,9 @@ MAX_LEAN = math.sin(math.radians(50.0))
 """Flanks that lean more than this are ramps; dovetails have flanks of 45 to 60 degrees to the floor."""
 V_ANGLE_RAD = (math.radians(3.0), math.radians(160.0))
 """Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
+NARROW_RAD = math.radians(44.0)
+"""Floor and flank of a step that is undercut like a dovetail enclose 45 degrees at least: what encloses less is a V
+groove, also where another cut has taken what lay beside a flank."""
 SAME_WAY = math.cos(math.radians(45.0))
 """The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
 FLARE = math.cos(math.radians(44.0))
@@ -31,7 +34,8 @@ MUCH = 0.25
 LEVEL_RIMS = 0.8
 """The flanks of a dovetail end at one face, so they are equally high, but for a chamfer along one of them."""
 NECK_SHARE = 1 / 3
-"""The mouth of a dovetail is at least this share as wide as its bottom: the slide's tenon has to pull."""
+"""The mouth of a dovetail or T slot is at least this share as wide as its bottom: what slides in it has to pull. T
+slots of DIN 650 have half. A narrower mouth is where another cut opens a pocket."""
 
 Pair = tuple[FaceRecord, FaceRecord]
 
@@ -106,6 +110,9 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
     if necks is None:
         return None
     width = abs(dot(sub(necks[1].point, necks[0].point), pair[0].axis))
+    if width < NECK_SHARE * gap_between(brep, pair, floor):
+        refuse("slot", (floor.id, *(wall.id for wall in (*pair, *lips))), "too narrow between its lips for a T slot")
+        return None
     return Undercut("t_slot", width, frozenset(neck.id for neck in necks), None)
 
 
@@ -176,7 +183,8 @@ def _v_between(
     if any(not parallel(end.axis, along, math.sin(DRAFT_RAD)) for end in ends):
         return None
     first, second = ([face for piece in flank for face in _beside(brep, piece, along, normal)] for flank in (a, b))
-    if not any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second):
+    same_way = any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second)
+    if not same_way and opening_angle > NARROW_RAD:
         return None
     frame = frame_of(brep, group, normal, None, along)
     slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)
