@@ -153,3 +153,15 @@ def test_a_pocket_that_a_narrow_slot_opens_through_its_wall_is_no_t_slot() -> No
 def test_a_t_slot_has_a_mouth_of_a_third_of_its_width_at_least(neck: float, tagged: bool) -> None:
     found = find(cut(plate(), box((70, 14, 4), (-35, -7, -12)), box((70, neck, 20), (-35, -neck / 2, -9))))
     assert any("t_slot" in part.tags for part in found.parts) == tagged
+
+
+@pytest.mark.parametrize(("reach", "kind"), [(-4.0, "slot"), (12.0, "step")])
+def test_a_round_ended_slot_that_lost_the_foot_of_a_wall_is_a_slot_and_one_without_the_wall_a_step(
+    reach: float, kind: str
+) -> None:
+    slot = (box((30, 10, 8), (-35, -5, -8)), cylinder(5, 8, (-5, 0, -8)))
+    foot = prism(((-35, 3, -14), (-35, 25, -14), (-35, 25, reach), (-35, 4.5, reach)), (70, 0, 0))
+    parts = find(cut(plate(), *slot, foot)).parts
+    (found,) = [part for part in parts if part.kind in ("slot", "step", "notch") and part.depth == pytest.approx(0.008)]
+    assert found.kind == kind
+    assert ("obround" in found.tags) == (kind == "slot")

@@ -66,7 +66,9 @@ def group_depression(
         walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
     if pair is None and (bottom := _across(brep, group, planes)) is not None:
         floor, pair = bottom
+        ends = [brep.faces[i] for i in sorted(group) if brep.faces[i].kind is SurfaceKind.CYLINDER]
         walls = [plane for plane in planes if plane.id != floor.id]
+        walls += [end for end in ends if parallel(end.axis, floor.axis, SQUARE)]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
         return _passage(brep, group, tunnel)
     if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
@@ -176,19 +178,24 @@ def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
 
 
 def _across(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> tuple[FaceRecord, Pair] | None:
-    """The floor between two walls that face each other, where all else runs straight across from one to the other.
+    """The floor between two walls that face each other, where all else runs straight across or rounds the end.
 
-    As the floor that a disc cutter leaves, flat and rising at its end, when another cut took its corner with a wall.
+    As the floor that a disc cutter leaves, flat and rising at its end, when another cut took its corner with a wall; or
+    the round end that an end mill leaves, when another cut took the foot of a wall.
     """
     pair = facing_pair(planes, None)
     if pair is None:
         return None
-    rest = [brep.faces[i] for i in sorted(group) if i not in (pair[0].id, pair[1].id)]
+    owners = first_of_surface([*pair, *(plane for plane in planes if plane.id not in (pair[0].id, pair[1].id))])
+    rest = [brep.faces[i] for i in sorted(group) if owners.get(i) not in (pair[0].id, pair[1].id)]
     flat = [face for face in rest if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, pair[0].axis)) < SQUARE]
-    rounds = [f for f in rest if f.kind is SurfaceKind.CYLINDER and parallel(f.axis, pair[0].axis, SQUARE)]
-    if not flat or len(flat) + len(rounds) < len(rest):
+    if not flat:
         return None
-    return max(flat, key=lambda face: face.area), pair
+    floor = max(flat, key=lambda face: face.area)
+    rounds = [f for f in rest if f.kind is SurfaceKind.CYLINDER]
+    across = all(parallel(f.axis, pair[0].axis, SQUARE) for f in rounds)
+    at_end = all(parallel(f.axis, floor.axis, SQUARE) and f.outward < 0 for f in rounds) and len(flat) == 1
+    return (floor, pair) if len(flat) + len(rounds) == len(rest) and (across or at_end) else None
 
 
 def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
