@@ -66,15 +66,37 @@ def group_depression(
         walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
     if pair is None and (bottom := _across(brep, group, planes)) is not None:
         floor, pair = bottom
+        ends = [brep.faces[i] for i in sorted(group) if brep.faces[i].kind is SurfaceKind.CYLINDER]
         walls = [plane for plane in planes if plane.id != floor.id]
+        walls += [end for end in ends if parallel(end.axis, floor.axis, SQUARE)]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
         return _passage(brep, group, tunnel)
     if tunnel is not None and not any(_stands_square(wall, floor) for wall in walls):
         return _round_bottomed(brep, group, tunnel, planes)
     floors = [brep.faces[f] for f in sorted(graph.flush(floor.id))]
     if all(_is_walled_in(graph, piece, walls, group, others) for piece in floors):
-        return _pocket(brep, group, floors, tolerances)
+        return _pocket(brep, group, floors, planes, tolerances)
+    if pair is None or undercut(brep, group, floor, pair) is None:
+        held = _floor_held(graph, group, planes)
+        if held:
+            return replace(_pocket(brep, group, held, planes, tolerances), is_open=True)
     return _open_on_floor(graph, group, floor, walls, pair)
+
+
+def _floor_held(graph: ConcaveGraph, group: set[int], planes: Sequence[FaceRecord]) -> list[FaceRecord]:
+    """The pieces of a floor with walls square on it that turn so far that it is a pocket's, opened by another cut.
+
+    Three walls of a rectangle turn by 180 degrees, those of a triangle by 240. The walls of a T slot or dovetail with
+    a closed end turn as far about the way that it runs: those are asked for before.
+    """
+    for plane in planes:
+        pieces = graph.flush(plane.id) & group
+        if len(group) - len(pieces) < 3 or plane.id != min(pieces):
+            continue
+        around = tunnel_of(graph.brep, group - pieces)
+        if around is not None and around.turn > MORE_THAN_HALF and parallel(around.axis, plane.axis, SQUARE):
+            return [graph.brep.faces[i] for i in sorted(pieces)]
+    return []
 
 
 def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
@@ -156,19 +178,24 @@ def _is_surrounded(brep: Brep, face: FaceRecord, group: set[int]) -> bool:
 
 
 def _across(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> tuple[FaceRecord, Pair] | None:
-    """The floor between two walls that face each other, where all else runs straight across from one to the other.
+    """The floor between two walls that face each other, where all else runs straight across or rounds the end.
 
-    As the floor that a disc cutter leaves, flat and rising at its end, when another cut took its corner with a wall.
+    As the floor that a disc cutter leaves, flat and rising at its end, when another cut took its corner with a wall; or
+    the round end that an end mill leaves, when another cut took the foot of a wall.
     """
     pair = facing_pair(planes, None)
     if pair is None:
         return None
-    rest = [brep.faces[i] for i in sorted(group) if i not in (pair[0].id, pair[1].id)]
+    owners = first_of_surface([*pair, *(plane for plane in planes if plane.id not in (pair[0].id, pair[1].id))])
+    rest = [brep.faces[i] for i in sorted(group) if owners.get(i) not in (pair[0].id, pair[1].id)]
     flat = [face for face in rest if face.kind is SurfaceKind.PLANE and abs(dot(face.axis, pair[0].axis)) < SQUARE]
-    rounds = [f for f in rest if f.kind is SurfaceKind.CYLINDER and parallel(f.axis, pair[0].axis, SQUARE)]
-    if not flat or len(flat) + len(rounds) < len(rest):
+    if not flat:
         return None
-    return max(flat, key=lambda face: face.area), pair
+    floor = max(flat, key=lambda face: face.area)
+    rounds = [f for f in rest if f.kind is SurfaceKind.CYLINDER]
+    across = all(parallel(f.axis, pair[0].axis, SQUARE) for f in rounds)
+    at_end = all(parallel(f.axis, floor.axis, SQUARE) and f.outward < 0 for f in rounds) and len(flat) == 1
+    return (floor, pair) if len(flat) + len(rounds) == len(rest) and (across or at_end) else None
 
 
 def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
@@ -176,11 +203,15 @@ def _stands_square(wall: FaceRecord, floor: FaceRecord) -> bool:
     return wall.kind is SurfaceKind.PLANE or parallel(wall.axis, floor.axis, 0.1)
 
 
-def _pocket(brep: Brep, group: set[int], floors: Sequence[FaceRecord], tolerances: Tolerances) -> Depression:
-    floor, ids = floors[0], tuple(piece.id for piece in floors)
+def _pocket(
+    brep: Brep, group: set[int], floors: Sequence[FaceRecord], planes: Sequence[FaceRecord], tolerances: Tolerances
+) -> Depression:
+    floor = floors[0]
+    owners = first_of_surface([floor, *(plane for plane in planes if plane.id != floor.id)])
+    ids = tuple(sorted({*(piece.id for piece in floors), *(i for i, owner in owners.items() if owner == floor.id)}))
     outline, corner = outline_of(brep, floor.loops[0], tolerances)
     around = tunnel_of(brep, group.difference(ids))
-    if around is not None and (not around.closed or len(floors) > 1):
+    if around is not None and (not around.closed or not _is_surrounded(brep, floor, group)):
         outline = around.outline
     frame = frame_of(brep, group, floor.axis, floor.loops[0])
     pocket = depression_in(DepressionKind.POCKET, outline, frame, group, ids, floor.body)

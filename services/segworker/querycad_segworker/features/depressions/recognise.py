@@ -10,7 +10,7 @@ from dataclasses import replace
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.clearance import IsClear
-from querycad_segworker.features.shared.extruded_walls import MORE_THAN_HALF, tunnel_of
+from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_HALF, tunnel_of
 from querycad_segworker.features.shared.frames import bow_of, edge_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
@@ -29,6 +29,8 @@ from .windows import recognise_windows
 
 UPRIGHT = math.sin(math.radians(45.0))
 """Faces that lean less than this off the direction of a depression are its walls, the others its floor."""
+STRAIGHT = 0.9998
+"""Cosine above which two directions are one: 1.1 degrees, as ACROSS has."""
 GROOVE_SHARE = 0.25
 """A groove around an island takes at most this share of the width of its outline on either side."""
 
@@ -50,19 +52,15 @@ def recognise_depressions(
     found = recognise_cavities(brep)
     found.extend(window for window in recognise_windows(brep, tolerances) if not set(window.faces) & set(taken))
     used = set(taken).union(*(cut.faces for cut in found))
-    for face in brep.faces:
-        for loop in face.loops:
-            if loop.outer or (face.id in used and face.id in taken):
-                continue
-            sunk = graph.behind(face, loop)
-            if not sunk or sunk & used:
-                continue
-            behind = _behind_rim(brep, graph, face, loop, sunk, tolerances)
-            if not behind:
-                used.update(sunk)  # closed all around: no step or slot, which run out at a border
-            for depression in behind:
-                used.update(depression.faces)
-                found.append(depression)
+    for face, loop, sunk in _rims(brep, graph, used):
+        if sunk & used:
+            continue
+        behind = _behind_rim(brep, graph, face, loop, sunk, tolerances)
+        if not behind:
+            used.update(sunk)  # closed all around: no step or slot, which run out at a border
+        for depression in behind:
+            used.update(depression.faces)
+            found.append(depression)
     groups = graph.concave_groups(used)
     for group in sorted(groups, key=len, reverse=True):  # a T slot owns its neck, which is a smaller group
         cut = None if group & used else group_depression(brep, group, graph, tolerances, used)
@@ -76,6 +74,34 @@ def recognise_depressions(
     if is_clear is not None:
         found = united_slots(brep, found, tolerances, is_clear, found_walls)
     return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
+
+
+def _rims(brep: Brep, graph: ConcaveGraph, used: Collection[int]) -> list[tuple[FaceRecord, Loop, set[int]]]:
+    """All rims with the faces that sink in behind them; first those that the walls run square to.
+
+    Those are mouths; the others may be where another cut opens a wall.
+    """
+    found = []
+    for face in brep.faces:
+        for loop in face.loops:
+            if loop.outer or (face.id in used and face.id in graph.taken):
+                continue
+            sunk = graph.behind(face, loop)
+            if sunk:
+                found.append((face, loop, sunk))
+    return sorted(found, key=lambda rim: not _runs_square(brep, rim[0], rim[2]))
+
+
+def _runs_square(brep: Brep, host: FaceRecord, sunk: Collection[int]) -> bool:
+    """Does all that sinks in behind a rim in `host` run straight in or straight across?"""
+    if host.kind is not SurfaceKind.PLANE:
+        return False
+    for face in (brep.faces[i] for i in sunk):
+        along = abs(dot(face.axis, host.axis))
+        straight = along > STRAIGHT or (face.kind is SurfaceKind.PLANE and along < ACROSS)
+        if face.kind not in (SurfaceKind.PLANE, SurfaceKind.CYLINDER) or not straight:
+            return False
+    return True
 
 
 def _behind_rim(

@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.extruded_walls import first_of_surface
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
@@ -18,14 +19,23 @@ DRAFT_RAD = math.radians(10.0)
 """Walls may lean by this draft angle and still stand square on their floor."""
 MAX_LEAN = math.sin(math.radians(50.0))
 """Flanks that lean more than this are ramps; dovetails have flanks of 45 to 60 degrees to the floor."""
-V_ANGLE_RAD = (math.radians(10.0), math.radians(160.0))
+V_ANGLE_RAD = (math.radians(3.0), math.radians(160.0))
 """Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
+NARROW_RAD = math.radians(44.0)
+"""Floor and flank of a step that is undercut like a dovetail enclose 45 degrees at least: what encloses less is a V
+groove, also where another cut has taken what lay beside a flank."""
 SAME_WAY = math.cos(math.radians(45.0))
 """The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
 FLARE = math.cos(math.radians(44.0))
 """What a groove is cut into looks its way; beside a step cut square into a block lie faces at 45 degrees to that."""
 MUCH = 0.25
 """A face that ends a flank over less than this share of its length is what another cut left there."""
+
+LEVEL_RIMS = 0.8
+"""The flanks of a dovetail end at one face, so they are equally high, but for a chamfer along one of them."""
+NECK_SHARE = 1 / 3
+"""The mouth of a dovetail or T slot is at least this share as wide as its bottom: what slides in it has to pull. T
+slots of DIN 650 have half. A narrower mouth is where another cut opens a pocket."""
 
 Pair = tuple[FaceRecord, FaceRecord]
 
@@ -81,7 +91,10 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
     """Is the slot wider below than at its mouth? A T slot by lips above it, a dovetail by leaning flanks."""
     leans = [dot(wall.axis, floor.axis) for wall in pair]
     if all(lean < -math.sin(DRAFT_RAD) for lean in leans):
-        return Undercut("dovetail", gap_between(brep, pair, floor), frozenset(), math.acos(min(1.0, -leans[0])))
+        neck = _dovetail_neck(brep, floor, pair)
+        if neck is None:
+            return None
+        return Undercut("dovetail", neck, frozenset(), math.acos(min(1.0, -leans[0])))
     lips = []
     for wall in pair:
         above = [
@@ -97,7 +110,30 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
     if necks is None:
         return None
     width = abs(dot(sub(necks[1].point, necks[0].point), pair[0].axis))
+    if width < NECK_SHARE * gap_between(brep, pair, floor):
+        refuse("slot", (floor.id, *(wall.id for wall in (*pair, *lips))), "too narrow between its lips for a T slot")
+        return None
     return Undercut("t_slot", width, frozenset(neck.id for neck in necks), None)
+
+
+def _dovetail_neck(brep: Brep, floor: FaceRecord, pair: Pair) -> float | None:
+    """How wide is the mouth between leaning flanks, in metres? None where it is no dovetail's.
+
+    Then the walls are those of a triangle that another cut has opened: at a corner, which leaves a narrow mouth, or
+    askew.
+    """
+    side = _level(pair[0].axis, floor.axis)
+    rims = []
+    for wall in pair:
+        ends = [p for e in brep.face_edges[wall.id] for p in (brep.edges[e].start, brep.edges[e].end)]
+        rims.append(max(ends, key=lambda p: dot(p, floor.axis)))
+    heights = [dot(sub(rim, floor.point), floor.axis) for rim in rims]
+    neck = abs(dot(sub(rims[1], rims[0]), side))
+    leans = sum(h * abs(dot(w.axis, floor.axis)) / abs(dot(w.axis, side)) for h, w in zip(heights, pair, strict=True))
+    if min(heights) < LEVEL_RIMS * max(heights) or neck < NECK_SHARE * (neck + leans):
+        refuse("slot", (floor.id, pair[0].id, pair[1].id), "its leaning walls leave no mouth that a dovetail has")
+        return None
+    return neck
 
 
 def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
@@ -120,32 +156,38 @@ def v_slot(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depress
 
     A wall at right angles to both may close an end.
     """
-    if not 2 <= len(planes) <= 4 or len(group) > len(planes) + 1:
+    owners = first_of_surface(planes)
+    flanks = [plane for plane in planes if owners[plane.id] == plane.id]
+    if not 2 <= len(flanks) <= 4 or len(group) > len(planes) + 1:
         return None
-    for i, a in enumerate(planes):
-        for b in planes[i + 1 :]:
-            slot = _v_between(brep, group, a, b, [p for p in planes if p.id not in (a.id, b.id)])
+    pieces = {flank.id: [plane for plane in planes if owners[plane.id] == flank.id] for flank in flanks}
+    for i, a in enumerate(flanks):
+        for b in flanks[i + 1 :]:
+            ends = [flank for flank in flanks if flank.id not in (a.id, b.id)]
+            slot = _v_between(brep, group, pieces[a.id], pieces[b.id], ends)
             if slot is not None:
                 return slot
     return None
 
 
 def _v_between(
-    brep: Brep, group: set[int], a: FaceRecord, b: FaceRecord, ends: Sequence[FaceRecord]
+    brep: Brep, group: set[int], a: Sequence[FaceRecord], b: Sequence[FaceRecord], ends: Sequence[FaceRecord]
 ) -> Depression | None:
-    along = unit(cross(a.axis, b.axis))
-    normal = unit(add(a.axis, b.axis))
-    opening_angle = math.pi - math.acos(max(-1.0, min(1.0, dot(a.axis, b.axis))))
+    """`a` and `b`: the pieces of two flanks, which other cuts may have parted."""
+    along = unit(cross(a[0].axis, b[0].axis))
+    normal = unit(add(a[0].axis, b[0].axis))
+    opening_angle = math.pi - math.acos(max(-1.0, min(1.0, dot(a[0].axis, b[0].axis))))
     if norm(along) == 0 or not V_ANGLE_RAD[0] < opening_angle < V_ANGLE_RAD[1]:
         refuse("slot", group, "two flanks that enclose too much or too little for a V groove")
         return None
     if any(not parallel(end.axis, along, math.sin(DRAFT_RAD)) for end in ends):
         return None
-    first, second = (_beside(brep, face, along, normal) for face in (a, b))
-    if not any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second):
+    first, second = ([face for piece in flank for face in _beside(brep, piece, along, normal)] for flank in (a, b))
+    same_way = any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second)
+    if not same_way and opening_angle > NARROW_RAD:
         return None
     frame = frame_of(brep, group, normal, None, along)
-    slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a.body, is_open=True)
+    slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)
     return replace(slot, tags=("v_shaped",), angle=opening_angle)
 
 

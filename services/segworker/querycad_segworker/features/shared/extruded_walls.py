@@ -103,6 +103,8 @@ def section_of(faces: Collection[FaceRecord], corners: Sequence[float] = (), *, 
     rounds = [f for f in faces if f.kind is SurfaceKind.CYLINDER]
     if len(flats) == 2 and rounds and _is_obround(flats[0], flats[1], rounds):
         return "obround"
+    if len(flats) == 1 and _is_half_obround(flats[0], rounds):
+        return "obround"
     if not flats:
         return "circular"
     if len(flats) == 1 or (closed and len(flats) == 2):
@@ -160,6 +162,24 @@ def _is_obround(a: FaceRecord, b: FaceRecord, rounds: Collection[FaceRecord]) ->
     """Do two flats face each other at the diameter of the rounds between them?"""
     gap = dot(sub(b.point, a.point), a.axis)
     return dot(a.axis, b.axis) < -0.999 and all(abs(abs(gap) - 2 * f.radius) < 0.02 * abs(gap) for f in rounds)
+
+
+def _is_half_obround(flat: FaceRecord, rounds: Collection[FaceRecord]) -> bool:
+    """Do two rounds of one radius lie at the ends of a flat, as where another cut took the flat across from it?
+
+    Each turns by more than a right angle, or it would be the rounded corner of another outline.
+    """
+    if len(rounds) != 2:
+        return False
+    a, b = rounds
+    heights = [dot(sub(f.origin, flat.point), flat.axis) for f in rounds]
+    near = 0.02 * a.radius
+    return (
+        all(abs(height - a.radius) < near for height in heights)
+        and abs(a.radius - b.radius) < near
+        and min(a.sweep, b.sweep) > math.pi / 2 + REGULAR_RAD
+        and Axis(a.origin, a.axis).radius_of(b.origin) > near
+    )
 
 
 def upwards(direction: Vector) -> Vector:
