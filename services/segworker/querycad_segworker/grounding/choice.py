@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 
 from querycad_contracts import Measure, Part, Rank
 from querycad_language.lexicon import lexicon
+from querycad_segworker.relations.nearby import to_nearest
 from querycad_segworker.vectors import dot
 
 from .inventory import by_size, extreme, measured
-from .nearby import to_nearest
 from .ways import Request, Way
 
 MOST_GROUPS = 8

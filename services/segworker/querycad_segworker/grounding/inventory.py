@@ -9,12 +9,12 @@ from itertools import pairwise
 
 from querycad_contracts import Grounded, Measure, Part, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
+from querycad_segworker.relations.nearby import Nearby
+from querycad_segworker.relations.roles import ROLES, Kinds
 from querycad_segworker.vectors import dot, line_distance, norm, sub
 
 from .names import all_words, holds, share, vocabulary
-from .nearby import Nearby
 from .printed import printed_labels
-from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping
 
 from querycad_contracts import Measure, Part, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
+from querycad_segworker.relations.roles import ROLES
 
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
-from .roles import ROLES
 from .ways import Request, Way, kept
 
 DRAWN_M = 0.05e-3

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from querycad_contracts import Grounded, Part, Place
-from querycad_segworker.vectors import dot
+from querycad_contracts import Grounded, Place
+from querycad_segworker.relations.related import related
 
-from .between import lying_between
 from .names import all_words
-from .nearby import Nearby
-from .places import coaxial, encloses, held, is_inside, next_to, touches
 from .ways import Request, Way, pruned, score
-
-_DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
-"""(axis, sign) of words for places beside others."""
 
 
 def placed(request: Request, way: Way) -> Iterator[Way]:
@@ -74,48 +68,6 @@ def _held_by(request: Request, way: Way, place: Place, grounded: Grounded) -> It
 def _worth(grounded: Grounded) -> float:
     """What speaks for a holder, as one number that is 0 for a plain one."""
     return max(-5.0, min(1.0, score(grounded.features)))
-
-
-def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:  # noqa: PLR0911 - one case a relation
-    """Those that stand so to one of the holders; none where the relation is not known."""
-    match relation:
-        case "with":
-            pairs = nearby.pairs(holders, found)
-            having = {p.id for h, near in pairs for p in near if h.id != p.id and is_inside(h, p)}
-            return [p for p in found if p.id in having] or next_to(found, holders, nearby)
-        case "near":
-            return next_to(found, holders, nearby)
-        case "between":
-            ids = {h.id for h in holders}
-            apart = lying_between([p for p in found if p.id not in ids], holders)
-            return lying_between(apart, holders, whole=True) or apart
-        case "around":
-            around = [p for p in found if any(encloses(p, h) for h in holders)]
-            edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
-            return around or next_to(edges, holders, nearby)
-        case "above" | "below" | "left" | "right" | "front" | "behind":
-            axis, sign = _DIRECTIONS[relation]
-            first = min((sign * h.center[axis] for h in holders), default=float("inf"))
-            return [p for p in found if sign * p.center[axis] - first > 5e-5]
-        case "opposite":
-            normals = {h.normal for h in holders if h.normal}
-            return [p for p in found if p.normal and any(dot(p.normal, normal) < -0.9 for normal in normals)]
-        case "through":
-            return held(found, "in", holders, nearby) or [
-                p for p, near in nearby.pairs(found, holders) if any(touches(p, h) for h in near)
-            ]
-        case "":
-            own = held(found, "", holders, nearby)
-            pairs = nearby.pairs(found, holders)
-            return (
-                own
-                or [p for p, near in pairs if any(coaxial(p, h) and touches(p, h) for h in near)]
-                or next_to(found, holders, nearby)
-            )
-        case _:
-            own = held(found, "of" if relation == "for" else relation, holders, nearby)
-            ids = {h.id for h in holders}
-            return own or [p for p in found if not ids.isdisjoint(p.children)]
 
 
 def seen(request: Request, way: Way) -> Iterator[Way]:
