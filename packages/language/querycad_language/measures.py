@@ -209,7 +209,7 @@ def options(measure: Measure, part: Part, overall: bool = False) -> list[tuple[s
     lines = (meanings for needed, meanings in _lines(measure) if any(map(groups.issuperset, needed)))
     found: dict[str, Grade] = {}
     for expression, grade in next(lines, ()):
-        for index, axis in (("[along]", _along(part)), ("[across]", _across(part))):
+        for index, axis in (("[along]", along_axis(part)), ("[across]", _across(part))):
             if index in expression:
                 expression = "" if axis is None else expression.replace(index, f"[{axis}]")
         if expression and _has(part, expression):
@@ -240,7 +240,7 @@ def _meaning(text: str) -> tuple[str, Grade]:
 def _groups(part: Part) -> Iterator[str]:
     """What the lines of the table may be for: the kind of the part, and in capitals what else tells parts apart."""
     yield part.kind
-    stepped, whole, along = len(part.radii) > 1, part.kind in WHOLE, _along(part)
+    stepped, whole, along = len(part.radii) > 1, part.kind in WHOLE, along_axis(part)
     local = part.local_size
     named = {
         "WHOLE": whole,
@@ -260,14 +260,14 @@ def _groups(part: Part) -> Iterator[str]:
 
 def _is_plain_tube(part: Part) -> bool:
     """Is a body a tube and nothing else, by its volume? A flange with a hub is none."""
-    along = _along(part)
+    along = along_axis(part)
     if along is None or part.volume is None:
         return True
     tube = math.pi * (max(part.radii) ** 2 - min(part.radii) ** 2) * part.extents[along]
     return abs(part.volume - tube) <= 0.05 * tube
 
 
-def _along(part: Part) -> int | None:
+def along_axis(part: Part) -> int | None:
     """Which of x, y, z is nearest to the axis of a part?"""
     return None if part.axis is None else max(range(3), key=[abs(x) for x in part.axis].__getitem__)
 
