@@ -4,30 +4,8 @@ from __future__ import annotations
 
 from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFilter
 
-from .forms import (
-    LONGEST,
-    Angle,
-    Behind,
-    Boundary,
-    Check,
-    Combine,
-    Count,
-    Distance,
-    Every,
-    Exists,
-    Form,
-    Get,
-    Origin,
-    Parallel,
-    Parts,
-    Plane,
-    Reduce,
-    Several,
-    Touching,
-    Towards,
-    Uniform,
-    Within,
-)
+from . import forms
+from .forms import Distance, Form, Get, Reduce
 
 _MEASURES = {
     Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y",
@@ -39,8 +17,8 @@ _MEASURES = {
     Measure.INERTIA: "moments of inertia, in kg m2 about x, y, z through the centre of mass,",
 }  # fmt: skip
 _RELATIONS = {
-    Relation.EQUAL: "", Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ",
-    Relation.AT_MOST: "at most ", Relation.MORE: "more than ", Relation.AT_LEAST: "at least ", Relation.BETWEEN: "",
+    Relation.UNEQUAL: "other than ", Relation.ABOUT: "about ", Relation.LESS: "less than ",
+    Relation.AT_MOST: "at most ", Relation.MORE: "more than ", Relation.AT_LEAST: "at least ",
 }  # fmt: skip
 _REDUCES = {
     Reduce.DIFFERENT: "different values of the ", Reduce.TOTAL: "total ", Reduce.MEAN: "average ",
@@ -55,74 +33,66 @@ _COMPARATIVES = {
 _OPERATIONS = {"minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with"}
 
 
+_MODES = {"centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides "}
+_AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
+_TOWARDS = {
+    "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",
+    "none": "sides without {0}", "": "side of {0}: {2}",
+}  # fmt: skip
+
+
 def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a form
     """What is asked, in plain words: 'diameter of the 8 counterbored holes visible from the top'."""
     match form:
         case Get(measures, target, reduce, density, overall):
             material = f" at {density:g} kg/m3" if density else ""
-            names = " and ".join(_measure(measure) for measure in measures)
+            names = " and ".join(map(_measure, measures))
             return f"{_REDUCES[reduce]}{'overall ' if overall else ''}{names} of {noun_phrase(target)}{material}"
-        case Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT as measure):
+        case forms.Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT as measure):
             return f"number of {measure.removesuffix('_count')}s of the whole model"
-        case Count(target, measure):
-            return (
-                f"number of {'different ' + _measure(measure) + ' values of ' if measure else ''}{noun_phrase(target)}"
-            )
+        case forms.Count(target, measure):
+            values = f"different {_measure(measure)} values of " if measure else ""
+            return f"number of {values}{noun_phrase(target)}"
         case Distance(first, second, "overlap"):
             return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
         case Distance(first, second, mode, axis, reduce):
-            how = {
-                "centers": "between centres ",
-                "surfaces": "between surfaces ",
-                "outsides": "over the outsides ",
-                "usual": "",
-            }[mode]
-            along = (
-                ""
-                if axis is None
-                else " along " + ("x", "y", "z")[axis]
-                if axis < LONGEST
-                else " along a side of the model"
-            )
-            both = (
-                f"of {_anchor(first)} from each other"
-                if second == "each other"
-                else f"from {_anchor(first)} to {_anchor(second)}"
-            )
-            return f"{_REDUCES[reduce]}distance {how}{both}{along}"
-        case Several(forms):
-            return " and ".join(describe(one) for one in forms)
-        case Angle(first, second):
+            both = f"from {_anchor(first)} to {_anchor(second)}"
+            if second == "each other":
+                both = f"of {_anchor(first)} from each other"
+            along = _AXES.get(axis, " along a side of the model")
+            return f"{_REDUCES[reduce]}distance {_MODES.get(mode, '')}{both}{along}"
+        case forms.Several(several):
+            return " and ".join(map(describe, several))
+        case forms.Angle(first, second):
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
-        case Combine(operation, left, right):
+        case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
-        case Check(left, relation, low, high):
+        case forms.Check(left, relation, low, high):
             value = describe(low) if isinstance(low, Get) else _length(low)
             value = f"{value} to {_length(high)}" if high is not None else value
-            return f"whether the {describe(left)} is {_RELATIONS[relation]}{value}"
-        case Exists(target):
+            return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
+        case forms.Exists(target):
             return f"whether there is {noun_phrase(target)}"
-        case Every(target, among):
-            return f"whether {noun_phrase(target)} {'are' if target.plural else 'is'} {noun_phrase(among)}"
-        case Uniform(get):
+        case forms.Every(target, among):
+            return f"whether {noun_phrase(target)} {_is(target)} {noun_phrase(among)}"
+        case forms.Uniform(get):
             return f"whether the {describe(get)} is the same for all"
-        case Parallel(first, second, square):
+        case forms.Parallel(first, second, square):
             other = f" and {noun_phrase(second)}" if second else ""
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
-        case Parts(target):
+        case forms.Parts(target):
             return noun_phrase(target)
-        case Touching(target, other, held):
+        case forms.Touching(target, other, held):
             return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
-        case Within(target, box):
+        case forms.Within(target, box):
             return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
-        case Towards(target, _, "way"):
-            return f"side from which {noun_phrase(target)} {'are' if target.plural else 'is'} reached"
-        case Towards(target, _, "none"):
-            return f"sides without {noun_phrase(target)}"
-        case Towards(target, _, "most"):
-            return f"side that most of {noun_phrase(target)} are seen from"
-        case Towards(target, sides):
-            return f"side of {noun_phrase(target)}: {', '.join(sides[:-1])} or {sides[-1]}"
+        case forms.Towards(target, sides, seen):
+            either = f"{', '.join(sides[:-1])} or {sides[-1]}" if sides else ""
+            return _TOWARDS[seen].format(noun_phrase(target), _is(target), either)
+
+
+def _is(query: PartQuery) -> str:
+    return "are" if query.plural else "is"
 
 
 def _measure(measure: Measure) -> str:
@@ -133,13 +103,13 @@ def _anchor(anchor: object) -> str:
     match anchor:
         case PartQuery():
             return noun_phrase(anchor)
-        case Plane(side, of):
+        case forms.Plane(side, of):
             return f"the {side.value if side else 'end'} of {noun_phrase(of)}"
-        case Boundary(side):
+        case forms.Boundary(side):
             return f"the {side.value} of the model" if side else "the edge"
-        case Behind():
+        case forms.Behind():
             return "the outside behind it"
-        case Origin():
+        case forms.Origin():
             return "the origin"
         case _:
             return "the middle of the model"
@@ -151,18 +121,17 @@ def noun_phrase(query: PartQuery | None) -> str:
         return "the whole model"
     if query.ids:
         return ", ".join(query.ids)
-    words = [str(query.count)] if query.count else []
-    words += [_rank(rank) for rank in query.ranks if rank.measure or rank.side]
-    words += (
-        [side.value for side in query.ends]
-        + [f"no {name}" for name in query.lacking]
-        + list(query.colors)
-        + list(query.unknown)
-    )
-    words += [name for name in query.adjectives if name not in query.noun.split()] + [
-        name.upper() for name in query.threads
+    words = [
+        *([str(query.count)] if query.count else []),
+        *(_rank(rank) for rank in query.ranks if rank.measure or rank.side),
+        *query.ends,
+        *(f"no {name}" for name in query.lacking),
+        *query.colors,
+        *query.unknown,
+        *(name for name in query.adjectives if name not in query.noun.split()),
+        *map(str.upper, query.threads),
+        plural_of(query.noun) if query.plural and query.noun else query.noun or "part",
     ]
-    words += [plural_of(query.noun) if query.plural and query.noun else query.noun or "part"]
     tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
     tail += [f"visible from the {' or '.join(query.sides)}"] if query.sides else []
@@ -192,15 +161,14 @@ def _rank(rank: Rank) -> str:
     nth = {1: "", 2: "second ", 3: "third "}.get(rank.nth, f"{rank.nth}th ")
     if rank.side:
         return f"{nth}{rank.side.value}most"
-    return f"{nth}{'largest' if rank.most else 'smallest'}" + (
-        f" (by {_measure(rank.measure)})" if rank.measure and rank.measure is not Measure.MAGNITUDE else ""
-    )
+    by = "" if rank.measure in (None, Measure.MAGNITUDE) else f" (by {_measure(rank.measure)})"
+    return f"{nth}{'largest' if rank.most else 'smallest'}{by}"
 
 
 def _size(size: SizeFilter) -> str:
     named = f"{_measure(size.measure)} " if size.measure else ""
     high = f" to {_length(size.high)}" if size.high is not None else ""
-    return f"of {named}{_RELATIONS[size.relation]}{_length(size.low)}{high}"
+    return f"of {named}{_RELATIONS.get(size.relation, '')}{_length(size.low)}{high}"
 
 
 def _place(place: Place) -> str:

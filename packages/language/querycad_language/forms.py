@@ -212,11 +212,7 @@ Form: TypeAlias = (
 
 def queries(form: object) -> Iterator[PartQuery]:
     """The part queries of a form, each once, in the order in which they are written."""
-    seen: list[PartQuery] = []
-    for query in _queries(form):
-        if query not in seen:
-            seen.append(query)
-            yield query
+    return iter(dict.fromkeys(_queries(form)))
 
 
 def _queries(form: object) -> Iterator[PartQuery]:

@@ -39,7 +39,7 @@ from querycad_contracts import (
 )
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
-from querycad_segworker.grounding.vision import networks_in
+from querycad_segworker.fusing.vision import networks_in
 from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import Artefacts, ModelStore

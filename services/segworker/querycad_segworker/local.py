@@ -30,11 +30,11 @@ from querycad_language.phrases import noun_phrase
 
 from .eyes.sights import Fetch, Sights, nothing_elsewhere, part_of
 from .face_table import chosen, owned
+from .fusing.region import faces_of_id, region
+from .fusing.vision import Keep, Networks, Vision, keep_here, no_networks
 from .grounding.find import find, present
 from .grounding.ground import ground
 from .grounding.inventory import Inventory
-from .grounding.region import faces_of_id, region
-from .grounding.vision import Keep, Networks, Vision, keep_here, no_networks
 from .measuring import Kernel
 from .model import Artefacts, Model
 from .vectors import cross, dot, line_distance, norm

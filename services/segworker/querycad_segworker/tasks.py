@@ -58,7 +58,7 @@ from querycad_contracts import (
 )
 
 from .errors import DiskFull, FileProblem, NotRead
-from .grounding.vision import Networks, networks_in
+from .fusing.vision import Networks, networks_in
 from .ingest import IngestLimits, Progress, ingest
 from .local import LocalSegCad
 from .model import Artefacts, ModelStore, sheets_of

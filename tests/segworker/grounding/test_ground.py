@@ -8,8 +8,9 @@ import pytest
 from tests.made import body, hole, inventory, part, whole
 
 from querycad_contracts import Grounded, Measure, Part, PartQuery, Place, Rank, Relation, Side, SizeFilter
+from querycad_segworker.grounding import ground as grounding
 from querycad_segworker.grounding.find import find
-from querycad_segworker.grounding.ground import ground
+from querycad_segworker.grounding.ground import KEPT, ground
 from querycad_segworker.grounding.inventory import Inventory
 
 BLIND: dict[str, Any] = {"tags": ("blind", "circular", "vertical"), "sides": (Side.TOP,), "bottom": "flat"}
@@ -283,3 +284,31 @@ def test_what_restricts_is_named_where_nothing_is_so(query: PartQuery, says: str
     found = find(PLATE, query.model_copy(update={"sense": none}))
     assert not found.parts
     assert found.message == says
+
+
+def test_a_query_is_grounded_once_a_model(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[PartQuery] = []
+    grounds = grounding._ways
+
+    def counted(known: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
+        made.append(query)
+        return grounds(known, query, depth)
+
+    monkeypatch.setattr(grounding, "_ways", counted)
+    plate = inventory(*(part(f"hole-{number}", (0.01 * number, 0.0, 0.0)) for number in range(3)))
+    asked = PartQuery(
+        noun="hole",
+        words=("hole",),
+        plural=True,
+        places=(Place(relation="in", what=PartQuery(noun="slot", words=("slot",), definite=True)),),
+    )
+    first = ground(plate, asked)
+    again = asked.model_copy(update={"words": (), "sense": 2})  # as a program asks
+    assert ground(plate, again) == first
+    assert ground(plate, asked, limit=1) == first[:1]
+    assert [query.noun for query in made] == ["hole", "slot"]
+    assert ground(Inventory(plate.parts), asked) == first
+    assert len(made) == 4  # another model is another one
+    for count in range(2 * KEPT):
+        ground(plate, asked.model_copy(update={"count": count, "places": ()}))
+    assert len(plate.grounded) == KEPT

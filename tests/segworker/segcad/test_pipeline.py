@@ -11,7 +11,7 @@ from PIL import Image
 from tests.segworker.shapes import Found, cut, cylinder, find, plate, write_step
 
 from querycad_contracts import AnswerRecord, GroundedBy, Side, Status
-from querycad_segworker.grounding.vision import networks_in
+from querycad_segworker.fusing.vision import networks_in
 from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -43,11 +44,11 @@ class Unwritable(Exception):
 class Draft:
     """One program. `option`: which meaning of a measure is taken for these parts."""
 
-    def __init__(self, grounds: Grounds, whole: Part, option: int) -> None:
+    def __init__(self, grounds: Grounds, whole: Part, option: int, overall: bool) -> None:
         self.grounds = grounds
         self.whole = whole
         self.option = option
-        self.overall = False
+        self.overall = overall
         self.lines: list[str] = []
         self.names: dict[PartQuery, str] = {}
         self.reads: list[Read] = []
@@ -65,20 +66,19 @@ class Draft:
         """The parts that a query was grounded on."""
         return self.grounds[query][0]
 
+    def all_of(self, *queries: object) -> list[Part]:
+        """The parts of all that are queries."""
+        return [part for query in queries if isinstance(query, PartQuery) for part in self.of(query)]
+
     def read(self, measure: Measure, parts: Sequence[Part], scalar: bool = False) -> str:
         """The expression of a measure for parts of these kinds, '{0}' for the part; one number of each if `scalar`."""
         if not parts:
             return "{0}." + measure.value
-        counts: dict[str, int] = {}
-        for part in parts:
-            counts[part.kind] = counts.get(part.kind, 0) + 1
-        usual = max(counts, key=lambda kind: counts[kind])
+        usual, _ = Counter(part.kind for part in parts).most_common(1)[0]
         sample = next(part for part in parts if part.kind == usual)
-        known = [
-            one
-            for one in options(measure, sample, self.overall)
-            if not (scalar and (one[0][0] == "[" or one[0].endswith(_VECTORS)))
-        ]
+        known = options(measure, sample, self.overall)
+        if scalar:
+            known = [one for one in known if not (one[0].startswith("[") or one[0].endswith(_VECTORS))]
         if self.option >= len(known):
             raise Unwritable
         expression, grade = known[self.option]

@@ -2,55 +2,42 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
-from querycad_language.forms import (
-    Angle,
-    Check,
-    Combine,
-    Count,
-    Distance,
-    Every,
-    Exists,
-    Form,
-    Get,
-    Parallel,
-    Parts,
-    Reduce,
-    Several,
-    Touching,
-    Towards,
-    Uniform,
-    Within,
-)
+from querycad_language import forms
+from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import answer_type, is_length, of_several
 
-from .distances import (
-    SLACK,
-    angle_between,
-    directions,
-    distance,
-    most_seen,
-    none_seen,
-    overlapping,
-    several,
-    touching,
-    towards,
-    way_from,
-)
+from .distances import SLACK, distance, overlapping, touching
 from .draft import Draft, Grounds, Unwritable, Written
+from .sides import angle_between, directions, towards
 
-_KNOWN = ("width", "depth", "height", "center_of_mass")
-_SYMBOLS = {
-    Relation.LESS: ("<", "-"),
-    Relation.AT_MOST: ("<=", "+"),
-    Relation.MORE: (">", "+"),
-    Relation.AT_LEAST: (">=", "-"),
-}
-
-
+_OF_SHAPE = {
+    "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "half_extents", "volume", "area",
+    "thickness", "name",
+}  # fmt: skip
+"""What the guest's `shape` has; the rest is read of the part that stands for the model."""
+_SIZES = ({Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT}, {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT})
+"""Three measures of the whole that are its extents."""
+_DENSE = {Measure.MASS: "{0}.volume", Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]"}
+"""Measures that take a density, and what it is multiplied with of the whole."""
+_STEPPED = (Measure.RADIUS, Measure.DIAMETER)
+_OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
+"""Of stepped parts all steps have these measures, where several values are wanted."""
+_COMBINED = {
+    "minus": "{0} - ({1})", "plus": "{0} + {1}", "apart": "abs({0} - ({1}))", "ratio": "({0}) / ({1})",
+    "share": "100 * ({0}) / ({1})",
+}  # fmt: skip
+_COMPARED = {
+    Relation.LESS: f"v < {{low}} - {SLACK:g}", Relation.AT_MOST: f"v <= {{low}} + {SLACK:g}",
+    Relation.MORE: f"v > {{low}} + {SLACK:g}", Relation.AT_LEAST: f"v >= {{low}} - {SLACK:g}",
+    Relation.BETWEEN: f"{{low}} - {SLACK:g} <= v <= {{high}} + {SLACK:g}",
+    Relation.EQUAL: "abs(v - {low}) <= {slack}", Relation.UNEQUAL: "abs(v - {low}) > {slack}",
+    Relation.ABOUT: "abs(v - {low}) <= 0.1 * {low}",
+}  # fmt: skip
 _SCALARS = frozenset((
     AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER, AnswerType.COUNT,
 ))  # fmt: skip
@@ -58,119 +45,122 @@ _SCALARS = frozenset((
 
 def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written:
     """The program for a form. `option`: which meaning of the measure for these parts. Raises Unwritable."""
-    draft = Draft(grounds, whole, option)
+    measured = getattr(form, "left", form)
+    draft = Draft(grounds, whole, option, overall=isinstance(measured, Get) and measured.overall)
     result, kind = _form(draft, form)
     return Written("\n".join([*draft.lines, f"solution = {result}"]), kind, tuple(draft.reads), option)
 
 
-def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: C901, PLR0911, PLR0912 - one case a form
+def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
     match form:
         case Get():
-            draft.overall = form.overall
-            return _get(draft, form)
-        case Count(target, None):
-            return f"len({draft.parts(target)})", AnswerType.COUNT
-        case Count(target, Measure.MIRROR_PLANES):
-            if any("axisymmetric" in part.tags for part in draft.of(target)):  # they are more than can be counted
-                raise Unwritable
-            return f"sum(len(p.mirror_planes) for p in {draft.parts(target)})", AnswerType.COUNT
-        case Count(_, Measure.FACE_COUNT | Measure.EDGE_COUNT):
-            return f"shape.{form.measure}", AnswerType.COUNT
-        case Count(target, measure) if measure is not None:
-            values = _listed(draft, measure, target)
-            steps = _steps(measure, draft.of(target), draft.read(measure, draft.of(target), True), draft.parts(target))
-            return f"len(different({steps or values}))", AnswerType.COUNT
-        case Exists(target):
-            return f"len({draft.parts(target)}) > 0", AnswerType.BOOLEAN
-        case Parts(target):
-            return draft.parts(target), AnswerType.PARTS
-        case Touching():
-            return touching(draft, form), AnswerType.PARTS
-        case Towards(target, sides, "none"):
-            return none_seen(draft, target, sides), AnswerType.TEXTS
-        case Towards(target, _, "way"):
-            return way_from(draft, target), AnswerType.TEXTS
-        case Towards(target, sides, seen):
-            return (most_seen if seen else towards)(draft, target, sides), AnswerType.TEXT
-        case Within(target, box):
-            found = "[shape]" if target is None else draft.parts(target)
-            fits = f"all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r}))"
-            return f"all({fits} for p in {found})", AnswerType.BOOLEAN
+            return _of_whole(draft, form) if form.target is None else _of_parts(draft, form, form.target)
+        case Count():
+            return _count(draft, form.target, form.measure), AnswerType.COUNT
         case Distance():
             return distance(draft, form)
-        case Several(forms):
-            return several(draft, forms), AnswerType.LENGTHS
-        case Angle(first, second):
+        case forms.Several(several):
+            for index, one in enumerate(several):
+                draft.lines.append(f"value{index} = {distance(draft, one)[0]}")
+            return f"[{', '.join(f'value{index}' for index in range(len(several)))}]", AnswerType.LENGTHS
+        case forms.Angle(first, second):
             return angle_between(draft, first, second), AnswerType.ANGLE
-        case Combine():
-            draft.overall = isinstance(form.left, Get) and form.left.overall
+        case forms.Combine():
             return _combine(draft, form)
-        case Check():
-            draft.overall = isinstance(form.left, Get) and form.left.overall
-            return _check(draft, form), AnswerType.BOOLEAN
-        case Every(target, among):
+        case forms.Parts(target):
+            return draft.parts(target), AnswerType.PARTS
+        case forms.Touching():
+            return touching(draft, form), AnswerType.PARTS
+        case forms.Towards():
+            return towards(draft, form)
+    return _decided(draft, form), AnswerType.BOOLEAN
+
+
+def _decided(draft: Draft, form: Form) -> str:
+    """Yes or no."""
+    match form:
+        case forms.Check():
+            return _check(draft, form)
+        case forms.Exists(target):
+            return f"len({draft.parts(target)}) > 0"
+        case forms.Every(target, among):
             found, kept = draft.parts(target), draft.parts(among)
-            return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})", AnswerType.BOOLEAN
-        case Uniform(get):
-            assert get.target is not None
-            return f"len(different({_listed(draft, get.measures[0], get.target)}, 5e-05)) == 1", AnswerType.BOOLEAN
-        case Parallel(first, second, square):
-            angles = directions(draft, first, second, Reduce.EACH)
+            return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
+        case forms.Uniform(get) if get.target is not None:
+            return f"len(different({_values(draft, get.measures[0], get.target)}, 5e-05)) == 1"
+        case forms.Parallel(first, second, square):
             limit = "abs(angle - 1.5707963267948966)" if square else "angle"
-            return f"all({limit} < 0.01 for angle in {angles})", AnswerType.BOOLEAN
+            return f"all({limit} < 0.01 for angle in {directions(draft, first, second, Reduce.EACH)})"
+        case forms.Within(target, box):
+            found = "[shape]" if target is None else draft.parts(target)
+            return f"all(all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r})) for p in {found})"
     raise Unwritable
 
 
-def _listed(draft: Draft, measure: Measure, target: PartQuery) -> str:
+def _count(draft: Draft, target: PartQuery, measure: Measure | None) -> str:
+    if measure in (Measure.FACE_COUNT, Measure.EDGE_COUNT):
+        return f"shape.{measure}"
+    if measure is None:
+        return f"len({draft.parts(target)})"
+    if measure is Measure.MIRROR_PLANES:
+        if any("axisymmetric" in part.tags for part in draft.of(target)):  # they are more than can be counted
+            raise Unwritable
+        return f"sum(len(p.mirror_planes) for p in {draft.parts(target)})"
+    return f"len(different({_values(draft, measure, target, steps=measure in _STEPPED)}))"
+
+
+def _values(draft: Draft, measure: Measure, target: PartQuery, steps: bool = False) -> str:
+    """The numbers that parts have; with the radii or diameters of all `steps`, where parts have several."""
     expression = draft.read(measure, draft.of(target), scalar=True)
+    return _listed(draft, expression, target, steps)
+
+
+def _listed(draft: Draft, expression: str, target: PartQuery, steps: bool = False) -> str:
+    stepped = any(len(part.radii) > 1 for part in draft.of(target))
+    if steps and stepped and expression in ("{0}.radius", "{0}.diameter"):
+        scale = "2 * " if expression == "{0}.diameter" else ""
+        radii = "(p.radii if hasattr(p, 'radii') else [p.radius])"
+        return f"[{scale}r for p in {draft.parts(target)} for r in {radii}]"
     return f"[{expression.format('p')} for p in {draft.parts(target)}]"
 
 
-def _steps(measure: Measure, parts: Sequence[Part], expression: str, name: str) -> str:
-    """The radii or diameters of all steps, where parts have several; else nothing."""
-    named = measure in (Measure.RADIUS, Measure.DIAMETER) and expression == f"{{0}}.{measure.value}"
-    if not named or all(len(part.radii) < 2 for part in parts):
-        return ""
-    scale = "2 * " if measure is Measure.DIAMETER else ""
-    return f"[{scale}r for p in {name} for r in (p.radii if hasattr(p, 'radii') else [p.radius])]"
-
-
-def _get(draft: Draft, form: Get) -> tuple[str, AnswerType]:
-    if form.target is None:
-        return _of_whole(draft, form)
-    parts = draft.of(form.target)
+def _of_parts(draft: Draft, form: Get, target: PartQuery) -> tuple[str, AnswerType]:
+    parts, name = draft.of(target), draft.parts(target)
     if not parts:
         raise Unwritable
-    name = draft.parts(form.target)
     if len(form.measures) > 1:
         return _rows(draft, form.measures, parts, name)
     measure = form.measures[0]
     if measure is Measure.COLOR:
         draft.lines.append(f"names = [p.name for p in {name}]")
         return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
-    if measure is Measure.TIP and draft.read(measure, parts) == "{0}.tip":
+    expression = draft.read(measure, parts)
+    if expression == "{0}.tip":
         draft.lines.append(f"tips = [tip for p in {name} for tip in p.tips]")
-        return "tips[0] if len(tips) == 1 else tips", answer_type(measure, True)
-    expression = draft.read(measure, parts) if measure is not Measure.TIP else "{0}.center"
-    if measure is Measure.INERTIA:
-        expression = expression.replace("[i][i]", f"[i][i] * {_density(form):g}")
-    if measure is Measure.MASS:
-        expression = f"{expression} * {_density(form):g}"
-    kind = answer_type(measure)
-    if measure in (Measure.SIZE, Measure.MAGNITUDE):
-        kind = (
-            AnswerType.SIZE
-            if "extents" in expression and "[" not in expression and "(" not in expression
-            else AnswerType.LENGTH
-        )
+        return "tips[0] if len(tips) == 1 else tips", AnswerType.POINTS
+    if measure in _DENSE:
+        expression = _dense(form, expression)
     if expression.startswith("[*"):
         if len(parts) > 1:
             raise Unwritable
-        return f"[{expression.format('p')} for p in {name}][0]", AnswerType.LENGTHS
-    values = f"[{expression.format('p')} for p in {name}]"
-    if form.reduce in (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE):
-        values = _steps(measure, parts, expression, name) or values
-    return _reduced(draft, values, form.reduce, kind)
+        return f"{_listed(draft, expression, target)}[0]", AnswerType.LENGTHS
+    steps = measure in _STEPPED and form.reduce in _OF_STEPS
+    return _reduced(draft, _listed(draft, expression, target, steps), form.reduce, _type(measure, expression))
+
+
+def _type(measure: Measure, expression: str) -> AnswerType:
+    """The type of a value of a measure, as it is read."""
+    if measure in (Measure.SIZE, Measure.MAGNITUDE):
+        return AnswerType.SIZE if expression.endswith(".extents") else AnswerType.LENGTH
+    return answer_type(measure)
+
+
+def _dense(form: Get, expression: str) -> str:
+    """Times the stated density in kg/m3. Raises Unwritable where none is stated: a file holds none."""
+    if form.density is None:
+        raise Unwritable
+    density = f" * {form.density:g}"
+    return expression.replace("[i][i]", f"[i][i]{density}") if "[i][i]" in expression else expression + density
 
 
 def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name: str) -> tuple[str, AnswerType]:
@@ -181,71 +171,51 @@ def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name
     kinds = {answer_type(measure) for measure in measures}
     if kinds <= _SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
         listed = [f"round({value}, 9)" for value in listed]
-    values = ", ".join(listed)
+    draft.lines.append(f"values = [({', '.join(listed)}) for p in {name}]")
     kind = answer_type(measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
-    draft.lines.append(f"values = [({values}) for p in {name}]")
     return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
 
 
 def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
-    scalar = kind in _SCALARS
-    many = of_several(kind)
-    match reduce:
-        case Reduce.EACH:
-            return values, many
-        case Reduce.DIFFERENT:
-            return (f"different({values})" if scalar else f"sorted(set({values}))"), many
-        case Reduce.TOTAL if scalar:
-            return f"sum({values})", kind
-        case Reduce.MEAN if scalar:
-            draft.lines.append(f"values = {values}")
-            return "sum(values) / len(values)", kind
-        case Reduce.LARGEST if scalar:
-            return f"max({values})", kind
-        case Reduce.SMALLEST if scalar:
-            return f"min({values})", kind
-        case Reduce.RANGE if scalar:
-            draft.lines.append(f"values = {values}")
-            return "[min(values), max(values)]", many
-        case _:
-            draft.lines.append(f"values = {values}")
-            same = "len(different(values, 1e-05)) == 1" if scalar else "len(values) == 1"
-            if kind is AnswerType.TEXTS:
-                same = "all(v == values[0] for v in values)"
-            if kind is AnswerType.DIRECTION and "approach" not in values:  # one way each
-                same = "all(abs(a - b) < 1e-06 for v in values for a, b in zip(v, values[0]))"
-            return f"values[0] if {same} else values", kind
+    scalar, many = kind in _SCALARS, of_several(kind)
+    if reduce is Reduce.EACH:
+        return values, many
+    if reduce is Reduce.DIFFERENT:
+        return (f"different({values})" if scalar else f"sorted(set({values}))"), many
+    at_once = {Reduce.TOTAL: "sum", Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
+    if scalar and reduce in at_once:
+        return f"{at_once[reduce]}({values})", kind
+    draft.lines.append(f"values = {values}")
+    if scalar and reduce is Reduce.MEAN:
+        return "sum(values) / len(values)", kind
+    if scalar and reduce is Reduce.RANGE:
+        return "[min(values), max(values)]", many
+    same = "len(different(values, 1e-05)) == 1" if scalar else "len(values) == 1"
+    if kind is AnswerType.TEXTS:
+        same = "all(v == values[0] for v in values)"
+    if kind is AnswerType.DIRECTION and "approach" not in values:  # one way each
+        same = "all(abs(a - b) < 1e-06 for v in values for a, b in zip(v, values[0]))"
+    return f"values[0] if {same} else values", kind
 
 
 def _of_whole(draft: Draft, form: Get) -> tuple[str, AnswerType]:
-    if form.measures[0] is Measure.INERTIA:
-        moments = _of_model(draft, "[{0}.inertia[i][i]")
-        return f"{moments} * {_density(form):g} for i in range(3)]", AnswerType.NUMBERS
-    if form.measures[0] is Measure.MASS:
-        return f"shape.volume * {_density(form):g}", AnswerType.NUMBER
-    if form.measures[0] in (Measure.NAME, Measure.COLOR):
-        name = form.measures[0].value
-        return f"[body.{name} for body in shape.bodies]", AnswerType.TEXTS
-    if set(form.measures) == {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT} or set(form.measures) == {
-        Measure.WIDTH,
-        Measure.DEPTH,
-        Measure.HEIGHT,
-    }:
+    measure, *others = form.measures
+    if measure in _DENSE:
+        return _of_model(draft, _dense(form, _DENSE[measure])), answer_type(measure)
+    if measure in (Measure.NAME, Measure.COLOR):
+        return f"[body.{measure.value} for body in shape.bodies]", AnswerType.TEXTS
+    if set(form.measures) in _SIZES:
         return "shape.extents", AnswerType.SIZE
-    values = [draft.beside(measure, form.measures, [draft.whole]) for measure in form.measures]
+    values = [draft.beside(one, form.measures, [draft.whole]) for one in form.measures]
     known = [_of_model(draft, value) for value in values]
-    if len(values) == 1:
-        measure = form.measures[0]
-        kind = answer_type(measure)
-        if measure in (Measure.SIZE, Measure.MAGNITUDE):
-            kind = AnswerType.SIZE if known[0] == "shape.extents" else AnswerType.LENGTH
-        return known[0], kind
-    return f"[{', '.join(known)}]", answer_type(form.measures[0], True)
+    if others:
+        return f"[{', '.join(known)}]", answer_type(measure, True)
+    return known[0], _type(measure, known[0])
 
 
 def _of_model(draft: Draft, expression: str) -> str:
     """What is read of `shape`; of the part that stands for the model where the shape does not have it."""
-    if _of_shape(expression.format("shape")):
+    if _OF_SHAPE.issuperset(re.findall(r"\{0\}\.(\w+)", expression)):
         return expression.format("shape")
     line = 'model = find_parts({"noun": "object"})[0]'
     if line not in draft.lines:
@@ -253,83 +223,44 @@ def _of_model(draft: Draft, expression: str) -> str:
     return expression.format("model")
 
 
-def _scalar(draft: Draft, get: Get | Count, pick: str = "max") -> str:
-    """One number of a part or the whole, or of parts; of several parts the largest."""
+def _scalar(draft: Draft, get: Get | Count) -> str:
+    """One number of the whole, or of parts: of several the largest."""
     if isinstance(get, Count):
         return f"len({draft.parts(get.target)})"
-    if get.target is None:
-        if get.measures[0] in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
-            raise Unwritable
-        return _of_whole(draft, get)[0]
-    expression = draft.read(get.measures[0], draft.of(get.target), scalar=True)
-    return f"{pick}({expression.format('p')} for p in {draft.parts(get.target)})"
+    if get.target is not None:
+        expression = draft.read(get.measures[0], draft.of(get.target), scalar=True)
+        return f"max({expression.format('p')} for p in {draft.parts(get.target)})"
+    if get.measures[0] in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
+        raise Unwritable
+    return _of_whole(draft, get)[0]
 
 
-def _combine(draft: Draft, form: Combine) -> tuple[str, AnswerType]:
-    kind = AnswerType.COUNT if isinstance(form.left, Count) else answer_type(form.left.measures[0])
-    each = isinstance(form.left, Get) and form.left.target is not None and form.left.target.plural
-    if form.operation == "minus" and isinstance(form.left, Get) and form.left.target is not None and each:
-        left = draft.read(form.left.measures[0], draft.of(form.left.target)).format("p")
-        return f"[{left} - {_scalar(draft, form.right)} for p in {draft.parts(form.left.target)}]", answer_type(
-            form.left.measures[0], True
-        )
-    left, right = _scalar(draft, form.left), _scalar(draft, form.right)
-    match form.operation:
-        case "ratio":
-            return f"({left}) / ({right})", AnswerType.NUMBER
-        case "share":
-            return f"100 * ({left}) / ({right})", AnswerType.NUMBER
-        case "plus":
-            return f"{left} + {right}", kind
-        case "apart":
-            return f"abs({left} - ({right}))", kind
+def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
+    left = form.left
+    kind = AnswerType.COUNT if isinstance(left, Count) else answer_type(left.measures[0])
+    if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
+        value = draft.read(left.measures[0], draft.of(left.target)).format("p")
+        return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
+    result = _COMBINED[form.operation].format(_scalar(draft, left), _scalar(draft, form.right))
+    return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
+
+
+def _check(draft: Draft, form: forms.Check) -> str:
+    match form.left:
+        case Count(target):
+            return f"len({draft.parts(target)}) == {int(form.low) if isinstance(form.low, float) else 0}"
+        case Distance(mode="overlap"):
+            return f"len({overlapping(draft, form.left)}) > 0"
+        case Distance():
+            apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
+            values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
+        case Get(measures, PartQuery() as target):
+            values = _values(draft, measures[0], target)
         case _:
-            return f"{left} - ({right})", kind
-
-
-def _check(draft: Draft, form: Check) -> str:
-    if isinstance(form.left, Count):
-        return f"len({draft.parts(form.left.target)}) == {int(form.low) if isinstance(form.low, float) else 0}"
-    measure = Measure.LENGTH if isinstance(form.left, Distance) else form.left.measures[0]
-    if isinstance(form.left, Distance) and form.left.mode == "overlap":
-        return f"len({overlapping(draft, form.left)}) > 0"
-    if isinstance(form.left, Distance):
-        apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
-        values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
-    elif form.left.target is None:
-        if measure in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
-            raise Unwritable
-        values = f"[{_of_whole(draft, form.left)[0]}]"
-    else:
-        values = _listed(draft, measure, form.left.target)
+            values = f"[{_scalar(draft, form.left)}]"
     low = repr(form.low) if isinstance(form.low, float) else _scalar(draft, form.low)
     draft.lines.append(f"values = {values}")
-    slack = (
-        "5e-05" if is_length(measure) else f"{abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9:g}"
-    )
-    match form.relation:
-        case Relation.BETWEEN:
-            return f"all({low} - {SLACK:g} <= v <= {form.high!r} + {SLACK:g} for v in values)"
-        case Relation.EQUAL:
-            return f"all(abs(v - {low}) <= {slack} for v in values)"
-        case Relation.UNEQUAL:
-            return f"all(abs(v - {low}) > {slack} for v in values)"
-        case Relation.ABOUT:
-            return f"all(abs(v - {low}) <= 0.1 * {low} for v in values)"
-        case _:
-            symbol, sign = _SYMBOLS[form.relation]
-            return f"all(v {symbol} {low} {sign} {SLACK:g} for v in values)"
-
-
-def _density(form: Get) -> float:
-    """The stated density in kg/m3. Raises Unwritable where none is: a STEP file holds none."""
-    if form.density is None:
-        raise Unwritable
-    return form.density
-
-
-def _of_shape(expression: str) -> bool:
-    """Does the guest's `shape` have what is read of it?"""
-    known = {*_KNOWN, "center", "extents", "min_corner", "half_extents", "volume", "area", "thickness", "name"}
-    names = [piece.split("[")[0].split(")")[0].split(" ")[0].split(",")[0] for piece in expression.split("shape.")[1:]]
-    return all(name in known for name in names)
+    share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
+    length = isinstance(form.left, Distance) or is_length(form.left.measures[0])
+    compared = _COMPARED[form.relation].format(low=low, high=repr(form.high), slack="5e-05" if length else f"{share:g}")
+    return f"all({compared} for v in values)"

@@ -27,7 +27,7 @@ def segment(options: argparse.Namespace) -> int:
 
 
 def _segment(options: argparse.Namespace, artefacts: Artefacts, model: Model, faces: tuple[Face, ...]) -> int:
-    from querycad_segworker.grounding.fusion import sightings
+    from querycad_segworker.fusing.fusion import sightings
     from querycad_segworker.segcad.engines.known import KnownParts
     from querycad_segworker.segcad.engines.null_models import NULL_MODELS
     from querycad_segworker.segcad.inspection.show import SHEET, look_and_draw, save_views

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Face, Part, PartKind, Side, Vector
-from querycad_segworker.grounding.region import region_id
+from querycad_segworker.fusing.region import region_id
 
 MOST = 96
 """Candidates of a model, the largest first: more numbers than this nobody reads, and each costs room in a picture."""

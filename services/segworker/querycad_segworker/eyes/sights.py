@@ -11,8 +11,8 @@ from PIL import Image
 from pydantic import TypeAdapter, ValidationError
 
 from querycad_contracts import Face, Grounding, MarkedPicture, Part, PictureRequest, Sight
-from querycad_segworker.grounding.region import faces_of_id, region
-from querycad_segworker.grounding.vision import Keep
+from querycad_segworker.fusing.region import faces_of_id, region
+from querycad_segworker.fusing.vision import Keep
 from querycad_segworker.model import Artefacts, sheet_name
 
 VERSION = 1
@@ -118,7 +118,7 @@ class Sights:
 
         `guessed`: geometry has no name of its own for it, so that what was seen goes before.
         """
-        from querycad_segworker.grounding.fusion import Sighting, by_vision, fuse  # brings NumPy
+        from querycad_segworker.fusing.fusion import Sighting, by_vision, fuse  # brings NumPy
 
         phrase = by_words.description
         sight = self.known(phrase)

@@ -1,1 +1,1 @@
-"""Grounding: from a description in words, and from what is seen of it, to the parts of one model."""
+"""Grounding: from a description in words to the parts of one model."""

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from querycad_contracts import Measure, Part, Rank
+from querycad_contracts import Measure, Part, PartQuery, Rank
 from querycad_language.lexicon import lexicon
+from querycad_segworker.relations.nearby import to_nearest
+from querycad_segworker.relations.orders import by_size, extreme, measured, size
 from querycad_segworker.vectors import dot
 
-from .inventory import by_size, extreme, measured
-from .nearby import to_nearest
 from .ways import Request, Way
 
 MOST_GROUPS = 8
@@ -51,23 +51,21 @@ def ranked(request: Request, way: Way) -> Iterator[Way]:
 
 
 def _first_of(request: Request, parts: Sequence[Part], rank: Rank) -> list[Part]:
+    most = rank.most
     if rank.side is not None:
-        outward = rank.side.outward
-        return extreme(parts, [round(dot(p.center, outward), 7) for p in parts], True, rank.nth, rank.count)
-    if rank.near is not None:
+        outward, most = rank.side.outward, True
+        values = [round(dot(p.center, outward), 7) for p in parts]
+    elif rank.near is not None:
         others = [other for other in request.best(rank.near) if other.kind != "model"]
-        parts = [p for p in parts if p.id not in {other.id for other in others}]
-        if not others or not parts:
-            return []
+        ids = {other.id for other in others}
+        parts = [p for p in parts if others and p.id not in ids]
         values = list(map(to_nearest(others), parts))
     elif rank.edge:
         parts = [p for p in parts if p.edge_distance is not None]
-        values = [p.edge_distance for p in parts if p.edge_distance is not None]
-        if not parts:
-            return []
+        values = [p.edge_distance or 0.0 for p in parts]
     else:
         values = _values(parts, rank)
-    return extreme(parts, values, rank.most, rank.nth, rank.count)
+    return extreme(parts, values, most, rank.nth, rank.count)
 
 
 def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
@@ -82,60 +80,62 @@ def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
     return [step(p.radii) if sized and p.radii else measured(p, order) for p in parts]
 
 
-def counted(request: Request, way: Way) -> Iterator[Way]:
+def counted(request: Request, way: Way) -> Sequence[Way]:
     """As many as are said, or a group of that many alike."""
-    if not request.query.count or request.query.ranks:
-        yield way
-        return
-    if len(way.parts) == request.query.count:
-        yield way.to(way.parts, "count_agrees")
-        return
-    groups = [group for group in by_size(way.parts) if len(group) == request.query.count]
-    for group in groups[:3]:
-        yield way.to(group, "count_group", 1.0 / len(groups))
-    yield way.to(way.parts, "count_differs", min(2.0, abs(math.log((len(way.parts) or 0.5) / request.query.count))))
+    count = request.query.count
+    if not count or request.query.ranks:
+        return [way]
+    if len(way.parts) == count:
+        return [way.to(way.parts, "count_agrees")]
+    groups = [group for group in by_size(way.parts) if len(group) == count]
+    differs = min(2.0, abs(math.log((len(way.parts) or 0.5) / count)))
+    return [
+        *(way.to(group, "count_group", 1.0 / len(groups)) for group in groups[:3]),
+        way.to(way.parts, "count_differs", differs),
+    ]
 
 
-def single(request: Request, way: Way) -> Iterator[Way]:
+def single(request: Request, way: Way) -> Sequence[Way]:
     """Of 'the hole' where there are several, all or those of one size; of 'the holes' too, which need not be all."""
+    query, groups = request.query, by_size(way.parts)
     if not way.parts:
-        yield way.to((), "empty")
-        return
-    groups = by_size(way.parts)
-    if request.query.plural:
-        yield way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
-        query = request.query
-        # Nothing checks the 'vent' of a vent slot; a tag checks the 'blind' of a blind hole.
-        noun = lexicon().nouns.get(query.noun)
-        flat = noun is not None and noun.senses[0].kind == ("face",)  # planes, which 'flat face' says
-        loose = (
-            noun is not None and " " in query.noun and not (flat or any((*noun.senses[0].tags, *noun.senses[0].any)))
-        )
-        told = way.unchecked or query.unknown or loose or any(not place.relation for place in query.places)
-        if not told or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
-            return  # 'the holes' are all of them, 'the grip studs' may be those of one size
-        groups = [group for group in groups if len(group) > 1]
-    elif len(way.parts) == 1:
-        yield way.to(way.parts, "one_for_one")
-        return
-    elif len(groups) == 1:
-        yield way.to(way.parts, "alike_for_one")
-        return
-    else:
-        yield way.to(way.parts, "several_for_one")
-        if request.query.sample or len(groups) > MOST_GROUPS:
-            groups = [max(groups, key=lambda group: measured(group[0], "size"))] if not request.query.sample else []
-    sizes = [measured(group[0], "size") for group in groups]
-    for group, size in zip(groups, sizes, strict=True):
+        return [way.to((), "empty")]
+    if query.plural:
+        every = way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
+        if not _is_loose(query, way) or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
+            return [every]  # 'the holes' are all of them, 'the grip studs' may be those of one size
+        return [every, *_of_groups(query, way, [group for group in groups if len(group) > 1])]
+    if len(groups) == 1:
+        return [way.to(way.parts, "one_for_one" if len(way.parts) == 1 else "alike_for_one")]
+    if query.sample:
+        groups = []
+    elif len(groups) > MOST_GROUPS:
+        groups = [max(groups, key=lambda group: size(group[0]))]
+    return [way.to(way.parts, "several_for_one"), *_of_groups(query, way, groups)]
+
+
+def _is_loose(query: PartQuery, way: Way) -> bool:
+    """Is some word of it not checked? Nothing checks the 'vent' of a vent slot; a tag checks a blind hole's 'blind'."""
+    if way.unchecked or query.unknown or any(not place.relation for place in query.places):
+        return True
+    noun = lexicon().nouns.get(query.noun)
+    if noun is None or " " not in query.noun:
+        return False
+    first = noun.senses[0]
+    return not (first.kind == ("face",) or any((*first.tags, *first.any)))  # planes are what 'flat face' says
+
+
+def _of_groups(query: PartQuery, way: Way, groups: Sequence[Sequence[Part]]) -> Iterator[Way]:
+    """Those of one kind and size."""
+    sizes = [size(group[0]) for group in groups]
+    for group, own in zip(groups, sizes, strict=True):
         features = {
-            "group_for_plural" if request.query.plural else "group_for_one": 1.0,
-            "group_unchecked": float(bool(way.unchecked and request.query.plural)),
-            "group_one": float(len(group) == 1),
-            "group_largest": float(size == max(sizes)),
-            "group_smallest": float(size == min(sizes)),
-            "group_most": float(len(group) == max(map(len, groups)) > 1),
-            "group_central": float(any("central" in part.tags for part in group)),
+            "group_for_plural" if query.plural else "group_for_one": True,
+            "group_unchecked": bool(way.unchecked and query.plural),
+            "group_one": len(group) == 1,
+            "group_largest": own == max(sizes),
+            "group_smallest": own == min(sizes),
+            "group_most": len(group) == max(map(len, groups)) > 1,
+            "group_central": any("central" in part.tags for part in group),
         }
-        yield Way(
-            tuple(group), {**way.features, **{name: value for name, value in features.items() if value}}, way.unchecked
-        )
+        yield Way(tuple(group), way.features | {name: 1.0 for name, holds in features.items() if holds}, way.unchecked)

@@ -4,22 +4,30 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cached_property
-from itertools import pairwise
+from functools import cached_property, partial
 
 from querycad_contracts import Grounded, Measure, Part, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
-from querycad_segworker.vectors import dot, line_distance, norm, sub
+from querycad_segworker.relations.nearby import Nearby
+from querycad_segworker.relations.orders import (
+    SAME_SIZE,
+    by_size,
+    end_of,
+    first,
+    measured,
+    off_center,
+    out_to_corner,
+    size,
+    without_twins,
+)
+from querycad_segworker.relations.roles import ROLES, Kinds
+from querycad_segworker.vectors import dot
 
 from .names import all_words, holds, share, vocabulary
-from .nearby import Nearby
 from .printed import printed_labels
-from .roles import ROLES, Kinds
 
 CORNER_SHARE = 0.5
 """In a corner is what lies at least half-way out to two edges."""
-SAME_SIZE = 1.02
-"""Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
 CORE_TOLERANCE_M = 0.005e-3
 """Cores are no drill sizes: who draws one gives it three digits of a millimetre."""
 SMALL_UNIFIED = {"4-40", "6-32", "8-32", "10-24", "10-32"}
@@ -37,7 +45,6 @@ _IMPLIED = {
 }
 """Attributes that all parts of a kind have."""
 _TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
-_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
 
 
 class Inventory:
@@ -70,7 +77,7 @@ class Inventory:
     def alike(self) -> list[list[Part]]:
         """What is cut in or stands out, in groups of one kind and size: most parts first, then the largest."""
         groups = by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
-        return sorted(groups, key=lambda group: (len(group), measured(group[0], "size")), reverse=True)
+        return sorted(groups, key=lambda group: (len(group), size(group[0])), reverse=True)
 
     @cached_property
     def largest(self) -> float:
@@ -135,22 +142,23 @@ class Inventory:
     def _picked(self, found: list[Part], pick: str) -> list[Part]:
         if not found:
             return found
-        if pick == "lowest":
-            lowest = min(part.center[2] - part.extents[2] / 2 for part in found)
-            near = 0.02 * max(part.extents[2] for part in found) + 1e-9
-            return [part for part in found if part.center[2] - part.extents[2] / 2 <= lowest + near]
-        if pick == "elongated":
-            return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
-        if pick == "standing":
-            return [part for part in found if self._stands(part)]
-        if pick == "most":
-            groups = by_size(found)
-            return max(groups, key=len) if max(map(len, groups)) > 2 else []
-        sizes = [measured(part, "size") for part in found]
+        match pick:
+            case "elongated":
+                return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
+            case "standing":
+                return [part for part in found if self._stands(part)]
+            case "most":
+                group = max(by_size(found), key=len)
+                return group if len(group) > 2 else []
+            case "lowest":
+                near = 0.02 * max(part.extents[2] for part in found) + 1e-9
+                return first(found, lambda part: part.extents[2] / 2 - part.center[2], near)
+        largest = max(size(part) for part in found)
         if pick == "wide":
-            return [part for part, size in zip(found, sizes, strict=True) if size >= WIDE * max(sizes)]
-        limit = max(sizes) if pick == "largest" else min(sizes)
-        return [part for part, size in zip(found, sizes, strict=True) if abs(size - limit) <= 1e-3 * limit]
+            return first(found, size, (1 - WIDE) * largest)
+        if pick == "largest":
+            return first(found, size, 1e-3 * largest)
+        return first(found, lambda part: -size(part), 1e-3 * min(size(part) for part in found))
 
     def _stands(self, part: Part) -> bool:
         """Does it stand out of its body, instead of being the body's own outline?"""
@@ -163,13 +171,12 @@ class Inventory:
         """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
         walls = []
         inner = [p for p in self.kinds.get("cylinder") if "inner" in p.tags and p.radius]
+        pick = max if step == "widest" else min
         for hole in holes:
-            own = [p for p in inner if set(p.faces) <= set(hole.faces)]
-            pick = max if step == "widest" else min
-            wall = pick(own, key=lambda part: part.radius or 0.0, default=None)
-            if wall is not None and len({round(p.radius or 0.0, 7) for p in own}) > 1:
+            own = {round(p.radius or 0.0, 7): p for p in reversed(inner) if set(p.faces) <= set(hole.faces)}
+            if len(own) > 1:
                 opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
-                walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
+                walls.append(own[pick(own)].model_copy(update={"sides": opening or hole.sides}))
         return walls
 
     # Names
@@ -192,137 +199,48 @@ class Inventory:
         """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
         kept = list(found)
         for side in sides:
-            if len(kept) > 1:
-                reach = [dot(part.center, side.outward) for part in kept]
-                near = 0.02 * self.largest
-                kept = [part for part, at in zip(kept, reach, strict=True) if at >= max(reach) - near]
+            kept = first(kept, partial(_towards, side), 0.02 * self.largest)
         return kept
 
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
         """Those that an adjective such as 'large' or 'outer' chooses among parts that differ in a measure or place."""
         if adjective.order is None or len(found) < 2 or self.model is None:
             return list(found)
-        if adjective.order == "corner":
-            return [part for part in found if self._out(part) >= CORNER_SHARE - 1e-6] or list(found)
-        order = adjective.order
-        values = [self._off_center(p) if order == "distance" else measured(p, order) for p in found]
+        order, middle = adjective.order, self.model
+        if order == "corner":
+            return [part for part in found if out_to_corner(part, middle) >= CORNER_SHARE - 1e-6] or list(found)
+        values = [off_center(p, middle) if order == "distance" else measured(p, order) for p in found]
         return end_of(found, values, adjective.most, count)
 
-    def _off_center(self, part: Part) -> float:
-        assert self.model is not None
-        if part.axis is not None:
-            return line_distance(part.center, self.model.center, part.axis)
-        return norm(sub(part.center, self.model.center))
 
-    def _out(self, part: Part) -> float:
-        """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
-        assert self.model is not None
-        axis = part.axis
-        offsets = [
-            abs(c - m) / (e / 2) if e > 0 else 0.0
-            for c, m, e in zip(part.center, self.model.center, self.model.extents, strict=True)
-        ]
-        along = 2 if axis is None else max(range(3), key=lambda i: abs(axis[i]))
-        return min(value for i, value in enumerate(offsets) if i != along)
-
-
-def measured(part: Part, order: str) -> float:
-    """What a word such as 'long' compares; a part without that measure goes by its extents."""
-    across = part.diameter or ((part.length * part.width) ** 0.5 if part.length and part.width else None)
-    value = {
-        "size": across,
-        "length": part.depth if part.kind == "hole" else part.length or part.height,
-        "width": part.width or part.diameter,
-        "depth": part.depth,
-        "height": part.height or part.extents[2],
-        "thickness": part.thickness or part.diameter or part.width,
-    }.get(order)
-    return value if value is not None else max(part.extents)
+def _towards(side: Side, part: Part) -> float:
+    return dot(part.center, side.outward)
 
 
 def values_of(part: Part, measure: Measure | None) -> list[float]:
     """Which values may a stated size be: those of the measure, or, without one, all that a part is named by?"""
-    steps = [2 * radius for radius in part.radii]
-    own = {
-        Measure.DIAMETER: [part.diameter, *steps],
-        Measure.RADIUS: [part.radius, *part.radii],
-        Measure.INNER_DIAMETER: [part.diameter, *steps[:1]],
-        Measure.OUTER_DIAMETER: [part.diameter, *steps],
-        Measure.DEPTH: [part.depth],
-        Measure.HEIGHT: [part.height],
-        Measure.WIDTH: [part.width, *(steps if part.kind == "hole" else ())],
-        Measure.LENGTH: [part.nominal_length]
-        if part.nominal_length
-        else [part.length, part.depth if part.kind == "hole" else part.height],
-        Measure.THICKNESS: [part.thickness, part.height],
-        Measure.ANGLE: [part.angle],
-        Measure.AREA: [part.area],
-        Measure.VOLUME: [part.volume],
-    }
-    if measure in own:
-        found = own[measure]
-    elif part.kind in ("fillet", "round", "bend"):
-        found = [part.radius]
-    elif part.diameter is not None:
-        found = [part.diameter, *steps]
-    else:
-        found = [part.width, part.length, part.thickness, part.height, part.depth]
+    steps, hole = [2 * radius for radius in part.radii], part.kind == "hole"
+    found: list[float | None]
+    match measure:
+        case Measure.DIAMETER | Measure.OUTER_DIAMETER:
+            found = [part.diameter, *steps]
+        case Measure.INNER_DIAMETER:
+            found = [part.diameter, *steps[:1]]
+        case Measure.RADIUS:
+            found = [part.radius, *part.radii]
+        case Measure.WIDTH:
+            found = [part.width, *(steps if hole else ())]
+        case Measure.LENGTH:
+            plain = [part.length, part.depth if hole else part.height]
+            found = [part.nominal_length] if part.nominal_length else plain
+        case Measure.THICKNESS:
+            found = [part.thickness, part.height]
+        case Measure.DEPTH | Measure.HEIGHT | Measure.ANGLE | Measure.AREA | Measure.VOLUME:
+            found = [getattr(part, measure.value)]
+        case _ if part.kind in ("fillet", "round", "bend"):
+            found = [part.radius]
+        case _ if part.diameter is not None:
+            found = [part.diameter, *steps]
+        case _:
+            found = [part.width, part.length, part.thickness, part.height, part.depth]
     return [value for value in found if value is not None]
-
-
-def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: int | None) -> list[Part]:
-    """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
-    ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)
-    sizes = [value for _, value in ranked]
-    floor = 0.01 * max(sizes) + 1e-9
-    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in pairwise(sizes)]
-    if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
-        return [part for part, _ in ranked[:count]]
-    widest = max(steps)
-    if widest <= SAME_SIZE:
-        return list(found)
-    first = next((i for i, step in enumerate(steps) if step >= 1.5), steps.index(widest))
-    return [part for part, _ in ranked[: first + 1]]
-
-
-def extreme(found: Sequence[Part], values: Sequence[float], most: bool, nth: int = 1, count: int = 1) -> list[Part]:
-    """The first `count`, or the `nth`, of an order, with those that are alike."""
-    ranked: list[float] = []
-    for value in sorted(values, reverse=most):
-        if not ranked or abs(value - ranked[-1]) > 1e-6 + 1e-4 * abs(value):
-            ranked.append(value)
-    if count > 1:
-        order = sorted(zip(values, range(len(found)), strict=True), reverse=most)[:count]
-        return [found[i] for _, i in order]
-    if nth > len(ranked):
-        return []
-    limit = ranked[nth - 1]
-    return [part for part, value in zip(found, values, strict=True) if abs(value - limit) <= 1e-6 + 1e-4 * abs(limit)]
-
-
-def by_size(found: Sequence[Part]) -> list[list[Part]]:
-    """Groups of parts of one kind and size."""
-    groups: list[list[Part]] = []
-    for part in found:
-        size = measured(part, "size")
-        for group in groups:
-            other = measured(group[0], "size")
-            if part.kind == group[0].kind and max(size, other) <= SAME_SIZE * min(size, other) + 1e-9:
-                group.append(part)
-                break
-        else:
-            groups.append([part])
-    return groups
-
-
-def without_twins(found: list[Part]) -> list[Part]:
-    """Without those that are another one over again, as a protrusion is a block: most of their faces are the same."""
-    if len({part.kind for part in found} & _SOLIDS) < 2:
-        return found
-    kept: list[Part] = []
-    for part in found:
-        faces = set(part.faces)
-        twins = (p for p in kept if p.kind != part.kind and {p.kind, part.kind} <= _SOLIDS)
-        if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
-            kept.append(part)
-    return kept

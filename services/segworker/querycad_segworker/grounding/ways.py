@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 from querycad_contracts import Grounded, Part, PartQuery
 from querycad_language.weights import weights
@@ -45,7 +46,8 @@ class Request:
         return found[0].parts if found else ()
 
 
-Step = Callable[[Request, Way], Iterator[Way]]
+Step = Callable[[Request, Way], Iterable[Way]]
+T = TypeVar("T")
 
 
 def score(features: dict[str, float]) -> float:
@@ -63,13 +65,17 @@ def pruned(ways: Sequence[Way]) -> list[Way]:
     return list(best.values())[:BEAM]
 
 
-def kept(way: Way, kept: Sequence[Part], name: str, said: str) -> Iterator[Way]:
+def through(ways: Sequence[Way], items: Iterable[T], step: Callable[[Way, T], Iterable[Way]]) -> Sequence[Way]:
+    """The ways after a step for each of the items, one after the other."""
+    for item in items:
+        ways = [after for way in ways for after in step(way, item)]
+    return ways
+
+
+def kept(way: Way, kept: Sequence[Part], name: str, said: str) -> Sequence[Way]:
     """Those that a restriction keeps; where it keeps none: none at all, or all with the restriction unchecked."""
     if kept:
-        yield way.to(kept, f"{name}_agrees")
-        return
+        return [way.to(kept, f"{name}_agrees")]
     if not way.parts:
-        yield way
-        return
-    yield way.to((), f"{name}_empties")
-    yield way.to(way.parts, f"{name}_dropped", unchecked=said)
+        return [way]
+    return [way.to((), f"{name}_empties"), way.to(way.parts, f"{name}_dropped", unchecked=said)]

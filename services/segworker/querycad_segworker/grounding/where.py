@@ -2,64 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from functools import partial
 
-from querycad_contracts import Grounded, Part, Place
-from querycad_segworker.vectors import dot
+from querycad_contracts import Grounded, Part, Place, Side
+from querycad_segworker.relations.related import related
 
-from .between import lying_between
 from .names import all_words
-from .nearby import Nearby
-from .places import coaxial, encloses, held, is_inside, next_to, touches
-from .ways import Request, Way, pruned, score
+from .ways import Request, Way, pruned, score, through
 
-_DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
-"""(axis, sign) of words for places beside others."""
+MOST_DEEP = 3
+"""Places are looked at in queries that stand in no more others than that."""
 
 
-def placed(request: Request, way: Way) -> Iterator[Way]:
+def placed(request: Request, way: Way) -> Sequence[Way]:
     """Those that stand so to others: 'in the flange', 'between the lugs'."""
-    ways = [way]
+    ways: Sequence[Way] = [way]
     for place in request.query.places:
-        ways = pruned([after for one in ways for after in _at_place(request, one, place)])
-    yield from ways
+        if place.what is not None and request.depth <= MOST_DEEP:
+            ways = pruned(through(ways, [(place, request.ground(place.what, 3))], partial(_at_place, request)))
+    return ways
 
 
-def _at_place(request: Request, way: Way, place: Place) -> Iterator[Way]:
-    if place.what is None or not way.parts or request.depth > 3:
-        yield way
-        return
-    name = _kind_of(place)
-    said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
-    holders = request.ground(place.what, 3)
-    found = False
-    for grounded in holders:
-        for after in _held_by(request, way, place, grounded):
-            found = True
-            yield after
+def _at_place(request: Request, way: Way, asked: tuple[Place, Sequence[Grounded]]) -> Sequence[Way]:
+    place, holders = asked
+    if not way.parts or place.what is None:
+        return [way]
+    name = "compound" if not place.relation else "trait" if place.relation == "with" else "place"
+    held = [after for grounded in holders if grounded.parts for after in _held_by(request, way, place, grounded, name)]
     if place.relation == "for":
-        yield way.to(way.parts, "purpose")
-        return
-    known = any(grounded.parts for grounded in holders)
-    yield way.to(way.parts, f"{name}_dropped" if known else f"{name}_unknown", unchecked=said)
-    if not found and known:
-        yield way.to((), f"{name}_empties")
-    elif not known and place.relation == "with":
-        yield way.to(() if not place.negated else way.parts, f"{name}_empties")
+        return [*held, way.to(way.parts, "purpose")]
+    said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
+    if any(grounded.parts for grounded in holders):
+        dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)
+        return [*held, dropped] if held else [dropped, way.to((), f"{name}_empties")]
+    unknown = way.to(way.parts, f"{name}_unknown", unchecked=said)
+    if place.relation != "with":
+        return [unknown]
+    return [unknown, way.to(way.parts if place.negated else (), f"{name}_empties")]
 
 
-def _kind_of(place: Place) -> str:
-    return "compound" if not place.relation else "trait" if place.relation == "with" else "place"
-
-
-def _held_by(request: Request, way: Way, place: Place, grounded: Grounded) -> Iterator[Way]:
+def _held_by(request: Request, way: Way, place: Place, grounded: Grounded, name: str) -> Sequence[Way]:
     """The parts that stand so to one way of grounding the place."""
-    if not grounded.parts:
-        return
-    name = _kind_of(place)
     if grounded.parts[0].kind == "model":
-        yield way.to(way.parts, f"{name}_whole", 1.0)
-        return
+        return [way.to(way.parts, f"{name}_whole")]
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     if place.side is not None:
@@ -67,8 +53,7 @@ def _held_by(request: Request, way: Way, place: Place, grounded: Grounded) -> It
     if place.negated:
         known = {id(p) for p in kept}
         kept = [p for p in way.parts if id(p) not in known]
-    if kept:
-        yield way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))
+    return [way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))] if kept else []
 
 
 def _worth(grounded: Grounded) -> float:
@@ -76,77 +61,34 @@ def _worth(grounded: Grounded) -> float:
     return max(-5.0, min(1.0, score(grounded.features)))
 
 
-def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:  # noqa: PLR0911 - one case a relation
-    """Those that stand so to one of the holders; none where the relation is not known."""
-    match relation:
-        case "with":
-            pairs = nearby.pairs(holders, found)
-            having = {p.id for h, near in pairs for p in near if h.id != p.id and is_inside(h, p)}
-            return [p for p in found if p.id in having] or next_to(found, holders, nearby)
-        case "near":
-            return next_to(found, holders, nearby)
-        case "between":
-            ids = {h.id for h in holders}
-            apart = lying_between([p for p in found if p.id not in ids], holders)
-            return lying_between(apart, holders, whole=True) or apart
-        case "around":
-            around = [p for p in found if any(encloses(p, h) for h in holders)]
-            edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
-            return around or next_to(edges, holders, nearby)
-        case "above" | "below" | "left" | "right" | "front" | "behind":
-            axis, sign = _DIRECTIONS[relation]
-            first = min((sign * h.center[axis] for h in holders), default=float("inf"))
-            return [p for p in found if sign * p.center[axis] - first > 5e-5]
-        case "opposite":
-            normals = {h.normal for h in holders if h.normal}
-            return [p for p in found if p.normal and any(dot(p.normal, normal) < -0.9 for normal in normals)]
-        case "through":
-            return held(found, "in", holders, nearby) or [
-                p for p, near in nearby.pairs(found, holders) if any(touches(p, h) for h in near)
-            ]
-        case "":
-            own = held(found, "", holders, nearby)
-            pairs = nearby.pairs(found, holders)
-            return (
-                own
-                or [p for p, near in pairs if any(coaxial(p, h) and touches(p, h) for h in near)]
-                or next_to(found, holders, nearby)
-            )
-        case _:
-            own = held(found, "of" if relation == "for" else relation, holders, nearby)
-            ids = {h.id for h in holders}
-            return own or [p for p in found if not ids.isdisjoint(p.children)]
-
-
-def seen(request: Request, way: Way) -> Iterator[Way]:
+def seen(request: Request, way: Way) -> Sequence[Way]:
     """Those visible from the sides; at that end; facing there. 'The left leg' is the leftmost one."""
-    ways = [way]
-    if request.query.ends and way.parts:
-        named = [p for p in way.parts if any(side.value in all_words(p.name) for side in request.query.ends)]
-        ends = request.inventory.at_end(way.parts, request.query.ends)
-        seen = [p for p in way.parts if set(request.query.ends) & set(p.sides)]
-        ways = [way.to(named, "end_named")] if named else [way.to(ends, "end_adjective")]
-        if seen and not named and len(seen) < len(way.parts):
-            ways.append(way.to(seen, "end_seen"))
-    if request.query.sides:
-        ways = [after for one in ways for after in _from_sides(request, one)]
-    if request.query.unseen:
-        ways = [
-            one.to([p for p in one.parts if not set(request.query.unseen) & set(p.sides)], "side_agrees")
-            for one in ways
-        ]
-    yield from ways
+    query = request.query
+    ways = _at_ends(request, way, query.ends) if query.ends and way.parts else [way]
+    if query.sides:
+        ways = [after for one in ways for after in _from_sides(request, one, query.sides)]
+    if query.unseen:
+        unseen = set(query.unseen)
+        ways = [one.to([p for p in one.parts if unseen.isdisjoint(p.sides)], "side_agrees") for one in ways]
+    return ways
 
 
-def _from_sides(request: Request, way: Way) -> Iterator[Way]:
+def _at_ends(request: Request, way: Way, ends: Sequence[Side]) -> Sequence[Way]:
+    named = [p for p in way.parts if not set(all_words(p.name)).isdisjoint(ends)]
+    if named:
+        return [way.to(named, "end_named")]
+    farthest = way.to(request.inventory.at_end(way.parts, ends), "end_adjective")
+    seen = _seen(way, ends)
+    return [farthest, way.to(seen, "end_seen")] if 0 < len(seen) < len(way.parts) else [farthest]
+
+
+def _from_sides(request: Request, way: Way, sides: Sequence[Side]) -> Sequence[Way]:
     if not way.parts:
-        yield way
-        return
-    seen = [p for p in way.parts if set(request.query.sides) & set(p.sides)]
-    if seen:
-        yield way.to(seen, "side_agrees")
-    else:
-        yield way.to((), "side_empties")
-    ends = request.inventory.at_end(way.parts, request.query.sides)
-    if ends and len(ends) < len(way.parts):
-        yield way.to(ends, "side_end" if not seen else "side_end_instead")
+        return [way]
+    seen, ends = _seen(way, sides), request.inventory.at_end(way.parts, sides)
+    first = way.to(seen, "side_agrees" if seen else "side_empties")
+    return [first, way.to(ends, "side_end_instead" if seen else "side_end")] if len(ends) < len(way.parts) else [first]
+
+
+def _seen(way: Way, sides: Sequence[Side]) -> list[Part]:
+    return [p for p in way.parts if not set(p.sides).isdisjoint(sides)]

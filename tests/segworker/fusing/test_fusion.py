@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from querycad_contracts import Convexity, Evidence, Face, Grounding, Part, Side, SurfaceKind
-from querycad_segworker.grounding.fusion import Sighting, by_vision, fuse, sightings
-from querycad_segworker.grounding.region import faces_of_id, region, region_id
+from querycad_segworker.fusing.fusion import Sighting, by_vision, fuse, sightings
+from querycad_segworker.fusing.region import faces_of_id, region, region_id
 from querycad_segworker.segcad.merge import Find
 from querycad_segworker.segcad.pipeline import Seen
 from querycad_segworker.visibility.faces import FaceVisibility

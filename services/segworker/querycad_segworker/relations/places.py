@@ -1,19 +1,14 @@
-"""How does a part stand to the place that a description names: in it, on it, beside it?"""
+"""How does a part stand to another one, its place: in it, carried by it, on its axis?"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from querycad_contracts import Part
 from querycad_segworker.vectors import cross, line_distance, norm
-
-from .nearby import Nearby
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
 MADE_OF = ("pattern", "gear")
 """Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
-STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))
 
 
 def carries(place: Part, part: Part) -> bool:
@@ -40,33 +35,6 @@ def is_inside(part: Part, place: Part) -> bool:
             for point in points
         )
     )
-
-
-def next_to(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> list[Part]:
-    """Those whose boxes meet that of a holder."""
-    return [p for p, near in nearby.pairs(found, holders) if any(h.id != p.id and touches(p, h) for h in near)]
-
-
-def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:
-    """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
-    pairs = nearby.pairs(found, holders)
-    on = relation == "on"
-    if carried := [p for p, near in pairs if any(carries(h, p) and not (on and _is_of(p, h)) for h in near)]:
-        return carried
-    if on:
-        standing = [(p, near) for p, near in pairs if p.kind in STANDING_OUT or p.kind == "cylinder"]
-        if upon := [p for p, near in standing if any(touches(p, h) and not is_inside(p, h) for h in near)]:
-            return upon
-    ids = {h.id for h in holders}
-    own = {p.id for p in found if p.kind == "pattern" and not ids.isdisjoint(p.children)}
-    inside = [p for p, near in pairs if p.id in own or any(is_inside(p, h) for h in near)]
-    return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders, nearby)
-
-
-def _is_of(part: Part, place: Part) -> bool:
-    """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
-    raised = part.kind in STANDING_OUT or part.kind == "cylinder"
-    return raised and place.kind in STANDING_OUT - {"body"} and set(part.faces) <= set(place.faces)
 
 
 def touches(part: Part, place: Part) -> bool:

@@ -9,18 +9,15 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from tests.made import inventory, part
+from tests.made import part
 
-from querycad_contracts import Grounded, Part, PartQuery, Place
-from querycad_segworker.grounding import ground as grounding
-from querycad_segworker.grounding.between import lying_between
-from querycad_segworker.grounding.ground import KEPT, ground
-from querycad_segworker.grounding.inventory import Inventory
-from querycad_segworker.grounding.nearby import Nearby, to_nearest
-from querycad_segworker.grounding.places import TOUCH_M, carries, coaxial, encloses, is_inside, touches
-from querycad_segworker.grounding.where import related
+from querycad_contracts import Part
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
+from querycad_segworker.relations.between import lying_between
+from querycad_segworker.relations.nearby import Nearby, to_nearest
+from querycad_segworker.relations.places import TOUCH_M, carries, coaxial, encloses, is_inside, touches
+from querycad_segworker.relations.related import related
 from querycad_segworker.vectors import dot, norm, sub
 
 EXAMPLES = [Path(__file__).parents[3] / f"examples/{name}.step" for name in ("bearing_assembly", "bracket", "housing")]
@@ -167,29 +164,3 @@ def scattered(seed: int, step: float = 0.005, reach: float = 0.05) -> tuple[Part
             )
         )
     return tuple(parts)
-
-
-def test_a_query_is_grounded_once_a_model(monkeypatch: pytest.MonkeyPatch) -> None:
-    made: list[PartQuery] = []
-    grounds = grounding._ways
-
-    def counted(known: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
-        made.append(query)
-        return grounds(known, query, depth)
-
-    monkeypatch.setattr(grounding, "_ways", counted)
-    plate = inventory(*(part(f"hole-{number}", (0.01 * number, 0.0, 0.0)) for number in range(3)))
-    asked = PartQuery(noun="hole", words=("hole",), plural=True, places=(Place(relation="in", what=SLOT),))
-    first = ground(plate, asked)
-    again = asked.model_copy(update={"words": (), "sense": 2})  # as a program asks
-    assert ground(plate, again) == first
-    assert ground(plate, asked, limit=1) == first[:1]
-    assert [query.noun for query in made] == ["hole", "slot"]
-    assert ground(Inventory(plate.parts), asked) == first
-    assert len(made) == 4  # another model is another one
-    for count in range(2 * KEPT):
-        ground(plate, asked.model_copy(update={"count": count, "places": ()}))
-    assert len(plate.grounded) == KEPT
-
-
-SLOT = PartQuery(noun="slot", words=("slot",), definite=True)

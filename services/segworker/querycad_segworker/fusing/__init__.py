@@ -1,0 +1,1 @@
+"""What vision found, beside what geometry recognised: the stage after those of the paper, see docs/segcad.md."""

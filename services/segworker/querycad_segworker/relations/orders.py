@@ -1,0 +1,115 @@
+"""Which of some parts come first in an order, and which are alike? By their measures and middles."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import pairwise
+
+from querycad_contracts import Part
+from querycad_segworker.vectors import line_distance, norm, sub
+
+SAME_SIZE = 1.02
+"""Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
+
+
+def off_center(part: Part, model: Part) -> float:
+    """How far is the axis of a part, or its middle, from the middle of the model?"""
+    if part.axis is not None:
+        return line_distance(part.center, model.center, part.axis)
+    return norm(sub(part.center, model.center))
+
+
+def out_to_corner(part: Part, model: Part) -> float:
+    """How far out towards two edges does it lie: 0 in the middle of one, 1 in the corner?"""
+    offsets = [
+        abs(c - m) / (e / 2) if e > 0 else 0.0 for c, m, e in zip(part.center, model.center, model.extents, strict=True)
+    ]
+    axis = part.axis or (0.0, 0.0, 1.0)
+    along = max(range(3), key=lambda i: abs(axis[i]))
+    return min(value for i, value in enumerate(offsets) if i != along)
+
+
+def first(found: Sequence[Part], value: Callable[[Part], float], near: float) -> list[Part]:
+    """Those with the highest value, and with one near to it."""
+    values = [value(part) for part in found]
+    return [part for part, own in zip(found, values, strict=True) if own >= max(values) - near]
+
+
+def size(part: Part) -> float:
+    """How large is a part: across what is round, else by its sides?"""
+    return measured(part, "size")
+
+
+def measured(part: Part, order: str) -> float:
+    """What a word such as 'long' compares; a part without that measure goes by its extents."""
+    across = part.diameter or ((part.length * part.width) ** 0.5 if part.length and part.width else None)
+    value = {
+        "size": across,
+        "length": part.depth if part.kind == "hole" else part.length or part.height,
+        "width": part.width or part.diameter,
+        "depth": part.depth,
+        "height": part.height or part.extents[2],
+        "thickness": part.thickness or part.diameter or part.width,
+    }.get(order)
+    return value if value is not None else max(part.extents)
+
+
+def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: int | None) -> list[Part]:
+    """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
+    ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)
+    sizes = [value for _, value in ranked]
+    floor = 0.01 * max(sizes) + 1e-9
+    steps = [(max(a, b) + floor) / (min(a, b) + floor) for a, b in pairwise(sizes)]
+    if count and count < len(ranked) and steps[count - 1] > SAME_SIZE:
+        return [part for part, _ in ranked[:count]]
+    widest = max(steps)
+    if widest <= SAME_SIZE:
+        return list(found)
+    first = next((i for i, step in enumerate(steps) if step >= 1.5), steps.index(widest))
+    return [part for part, _ in ranked[: first + 1]]
+
+
+def extreme(found: Sequence[Part], values: Sequence[float], most: bool, nth: int = 1, count: int = 1) -> list[Part]:
+    """The first `count`, or the `nth`, of an order, with those that are alike."""
+    order = sorted(zip(values, range(len(found)), strict=True), reverse=most)
+    if count > 1:
+        return [found[i] for _, i in order[:count]]
+    ranked: list[float] = []
+    for value, _ in order:
+        if not ranked or abs(value - ranked[-1]) > 1e-6 + 1e-4 * abs(value):
+            ranked.append(value)
+    limits = ranked[nth - 1 : nth]
+    return [
+        part
+        for part, value in zip(found, values, strict=True)
+        if any(abs(value - limit) <= 1e-6 + 1e-4 * abs(limit) for limit in limits)
+    ]
+
+
+def by_size(found: Sequence[Part]) -> list[list[Part]]:
+    """Groups of parts of one kind and size."""
+    groups: list[list[Part]] = []
+    for part in found:
+        group = next((group for group in groups if _alike(part, group[0])), None)
+        if group is None:
+            groups.append([part])
+        else:
+            group.append(part)
+    return groups
+
+
+def _alike(part: Part, other: Part) -> bool:
+    small, large = sorted((size(part), size(other)))
+    return part.kind == other.kind and large <= SAME_SIZE * small + 1e-9
+
+
+def without_twins(found: list[Part]) -> list[Part]:
+    """Without those that are another one over again, as a protrusion is a block: most of their faces are the same."""
+    kept: list[Part] = []
+    for part in found:
+        faces = set(part.faces)
+        twins = (p for p in kept if p.kind != part.kind and {p.kind, part.kind} <= _SOLIDS)
+        if not any(2 * len(faces & set(p.faces)) > min(len(faces), len(p.faces)) for p in twins):
+            kept.append(part)
+    return kept
