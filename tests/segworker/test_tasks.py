@@ -84,6 +84,23 @@ def test_an_ingest_tells_what_the_file_holds(table: Table, model: str) -> None:
     assert summary["units"] == ["millimetre"]
 
 
+def test_an_ingest_tells_how_many_bytes_are_kept_of_older_versions_too(
+    settings: SegworkerSettings, table: Table, model: str
+) -> None:
+    folder = settings.models / model[:2] / model
+
+    def kept() -> tuple[int, int]:
+        told = table[TaskName.INGEST]({"model": model, "file_name": "flange.step"})["value"]["kept_bytes"]
+        return told, sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+    before, there = kept()
+    assert before == there > 100_000
+    (folder / "v1").mkdir()
+    (folder / "v1" / "model.json").write_text("x" * 1000)
+    assert kept() == (before + 1000, there + 1000)
+    shutil.rmtree(folder / "v1")
+
+
 def test_the_user_s_name_of_the_file_is_kept_not_its_hash(
     settings: SegworkerSettings, table: Table, model: str
 ) -> None:

@@ -3,6 +3,7 @@
 import { Vector3 } from "three";
 import type { LengthUnit, Part } from "./api/types";
 import { dimensionsOf, type Value } from "./dimensions";
+import { told } from "./told";
 import type { Model } from "./viewer/model";
 import type { Dimension, Label } from "./viewer/overlay";
 
@@ -45,12 +46,12 @@ export function lighting(parts: readonly Part[], model?: Model, value?: Value, u
 function groupsOf(parts: readonly Part[]): Group[] {
   const alike = new Map<string, Part[]>();
   for (const part of parts) {
-    const key = `${part.kind}|${part.label.replace(ID, "")}`;
+    const key = `${part.kind}|${told(part).replace(ID, "")}`;
     alike.set(key, [...(alike.get(key) ?? []), part]);
   }
   return [...alike.values()].map((own, index) => ({
     color: COLORS[index % COLORS.length]!,
-    label: own.length > 1 ? `${own.length}× ${own[0]!.label.replace(ID, "")}` : own[0]!.label,
+    label: own.length > 1 ? `${own.length}× ${told(own[0]!).replace(ID, "")}` : told(own[0]!),
     parts: own,
   }));
 }

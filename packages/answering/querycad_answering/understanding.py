@@ -29,6 +29,7 @@ from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
+from .because import grounds_of
 from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
@@ -177,7 +178,7 @@ class Understanding:
                     return Understood(verdict=Verdict(failure=missing))
                 rest = [one for i, one in enumerate(found) if i != index]
                 others = self._others(best.candidate, rest, unit)
-                notes = [*beside(best.candidate, unit)]
+                notes = [*beside(best.candidate, unit), *self._because(best.candidate, run, unit)]
                 if (other := self._standing(best.candidate, run, unit)) is not None:
                     others, notes = (other[0], *others)[:SHOWN], [*notes, other[1]]
                 return self._understood(best, verdict, others, notes)
@@ -269,6 +270,15 @@ class Understanding:
         note = of_height(found, answer.text)
         meaning = f"height along {'xyz'[found.axis]} of the whole model"
         return Alternative(codegen="parser", code=code, answer=answer, understood_as=meaning), note
+
+    def _because(self, candidate: Candidate, run: Run, unit: LengthUnit) -> Iterator[str]:
+        """What was compared, of an answer of yes or no."""
+        for ground in grounds_of(candidate):
+            asked = {"code": ground.code, "expects": ground.expects}
+            program = _program(candidate).model_copy(update=asked)
+            answer = judge(program, run(program), unit, Expectation()).answer
+            if answer is not None and answer.text:
+                yield f"{ground.called}: {answer.text}"
 
     def _understood(
         self, best: Value, verdict: Verdict, others: tuple[Alternative, ...], notes: Sequence[str]

@@ -321,6 +321,9 @@ class ModelSummary(Frozen):
     )
     warnings: tuple[str, ...]
     timings_ms: dict[str, float] = Field(description="What each stage of reading the file took.")
+    kept_bytes: int = Field(
+        0, ge=0, description="What is kept of what was read, beside the file: it counts towards a tenant's share, too."
+    )
 
 
 class RunRequest(Frozen):

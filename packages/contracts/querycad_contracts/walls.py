@@ -12,6 +12,7 @@ import resource
 import sys
 
 PR_SET_NO_NEW_PRIVS, PR_SET_SECCOMP, SECCOMP_MODE_FILTER = 38, 22, 2
+PR_SET_PDEATHSIG, PR_GET_PDEATHSIG = 1, 2
 LANDLOCK_RESTRICT_SELF = 446
 BPF_INSTRUCTION_BYTES = 8
 CAPABILITIES_VERSION = 0x20080522
@@ -59,9 +60,12 @@ def shut_in(limits: dict[str, int], user: int | None, landlock: int | None, secc
     """
     libc = ctypes.CDLL(None, use_errno=True)
     if user is not None:
+        ends_with_parent = ctypes.c_int()
+        _must(libc.prctl(PR_GET_PDEATHSIG, ctypes.byref(ends_with_parent)))
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
+        _must(libc.prctl(PR_SET_PDEATHSIG, ends_with_parent.value, 0, 0, 0))  # a change of user forgets it
     for name, most in limits.items():
         resource.setrlimit(getattr(resource, name), (most, most))
     _must(libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))

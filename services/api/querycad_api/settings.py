@@ -20,7 +20,7 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
     api_address_connections: int = Field(256, ge=1, description="Of these, from one address; a proxy needs more.")
     upload_mib: int = Field(512, ge=1, description="Largest file accepted.")
     wait_s: int = Field(60, ge=0, le=600, description="Longest wait that a client's `Prefer: wait` is granted.")
-    tenant_mib: int = Field(20480, ge=1, description="Uploaded files that a tenant may have, together.")
+    tenant_mib: int = Field(20480, ge=1, description="Files of a tenant and what is read of them, together.")
     tenant_answers: int = Field(20000, ge=1, description="Answers kept for a tenant; the oldest go first.")
     tenant_answers_mib: int = Field(
         1024, ge=1, description="Size of a tenant's answers, together; the oldest go first."

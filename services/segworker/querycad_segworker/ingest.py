@@ -9,7 +9,8 @@ import shutil
 import signal
 import tempfile
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from . import errors
 from .errors import DiskFull, FileProblem, KernelDied, KernelKilled, NotStep
 from .files.sniff import MAX_FILE_BYTES, check_file, kind_of, missing_entities
 from .files.unpack import unpack
-from .kernel_process import MEMORY_BYTES, KernelProcess, host_missing, start_host
+from .kernel_process import MEMORY_BYTES, KernelProcess, host_missing, start_host, take_back
 from .model import Artefacts, ModelStore, file_sha256
 
 Progress = Callable[[str], None]
@@ -75,7 +76,8 @@ def ingest(
             source = scratch / "cleaned.step"
             source.write_bytes(cleaned)
         _run_child(source, file_name or path.name, sha256, scratch, limits or IngestLimits(), progress)
-        (scratch / "unpacked").unlink(missing_ok=True)
+        for made in (scratch / "unpacked", scratch / "cleaned.step"):
+            made.unlink(missing_ok=True)
         return store.keep(sha256, scratch)
     except OSError as error:
         if error.errno in DiskFull.CODES:
@@ -95,8 +97,8 @@ def _run_child(
     if progress is not None:
         progress("read")
     with tempfile.TemporaryFile() as log:
-        arguments = (str(source), file_name, sha256, str(scratch), limits.memory_bytes, " ".join(host_missing()))
-        with KernelProcess("ingest", *arguments, errors=log.fileno()) as child:
+        arguments = (str(source), str(scratch), limits.memory_bytes, sha256, file_name, " ".join(host_missing()))
+        with _given(scratch), KernelProcess("ingest", *arguments, errors=log.fileno()) as child:
             timer = threading.Timer(limits.duration_s, child.kill)
             timer.start()
             try:
@@ -126,6 +128,15 @@ def _run_child(
             _log.debug("it said: %s", said)
         kind = getattr(errors, result["problem"], FileProblem)
         raise kind(result["message"])
+
+
+@contextmanager
+def _given(scratch: Path) -> Iterator[None]:
+    """The folder may be given to the kernel's user; it is taken back when his process has ended."""
+    try:
+        yield
+    finally:
+        take_back(scratch)
 
 
 def _death(code: int, timed_out: bool, said: str, source: Path, limits: IngestLimits) -> str:

@@ -5,12 +5,15 @@ from __future__ import annotations
 import gc
 import json
 import mmap
+import os
 import resource
+import shutil
 import sys
 import time
 import traceback
 from dataclasses import replace
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -43,9 +46,23 @@ LEAST_BYTES = 32 * 2**20
 """What the smallest file needs."""
 
 
-def work(source: str, file_name: str, sha256: str, folder: str, memory_bytes: int, missing: str) -> None:
-    """As `main`, with arguments as data: what `kernel_host` calls."""
-    main(Path(source), file_name, sha256, Path(folder), memory_bytes, missing)
+COPY = "source"
+
+
+def work(
+    opened: BinaryIO, source: str, _folder: str, memory_bytes: int, sha256: str, file_name: str, missing: str
+) -> None:
+    """As `main`, in the current folder, with arguments as data: what `kernel_host` calls.
+
+    A file that this user may not open, but has open, is copied: the kernel takes paths alone.
+    """
+    path = Path(source)
+    if not os.access(path, os.R_OK):
+        path = Path(COPY)
+        with path.open("xb") as copy:
+            shutil.copyfileobj(opened, copy)
+    main(path, file_name, sha256, Path(), memory_bytes, missing)
+    Path(COPY).unlink(missing_ok=True)
 
 
 def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: int, missing: str = "") -> None:
@@ -62,8 +79,8 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
         outcome = {"problem": type(problem).__name__, "message": str(problem)}
     except MemoryError:
         outcome = {"problem": "KernelDied", "message": "the file needs more memory than is allowed for reading"}
-    except OSError:
-        raise  # of the disk's: the parent says so
+    except (OSError, ImportError):
+        raise  # of the disk's or the installation's: the parent says so
     except Exception:
         # What a file's text passes for may be no geometry: a face without an area, a body without an edge. The log says
         # where it was noticed; it is the file's fault, as no sound one does this.

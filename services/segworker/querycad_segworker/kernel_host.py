@@ -1,43 +1,45 @@
 """Forks a process for every piece of the CAD kernel's work: `python -m querycad_segworker.kernel_host DESCRIPTOR`.
 
 The kernel and what goes with it take 1.5 to 2 s of processor time to import, more than most files take to read. The
-host imports them once and starts no thread, so that its forks are whole; each does one piece of work and ends. Who
-asks is told first which walls are missing, as a JSON list. It sends one byte with four descriptors over the socket
+host imports them once and starts no thread, so that its forks are whole; each does one piece of work and ends. Who asks
+is told first which walls are missing, as a JSON list. It sends one byte with four descriptors over the socket
 DESCRIPTOR: a line, standard input, output and error. The first line of standard input is JSON, the name of the work and
-its arguments; the fork shuts itself in before it looks at a file. Over the line the host tells the exit code, negative
-for a signal; who closes it has the process killed. When the socket closes, the host ends, and its forks.
+its arguments, of which the first is a file's path; the fork opens it and shuts itself in before it looks into it. Over
+the line the host tells the exit code, negative for a signal; who closes it has the process killed. When the socket
+closes, the host ends, and its forks.
 """
 
 from __future__ import annotations
 
 import contextlib
+import encodings
 import gc
+import importlib
 import json
 import os
+import pkgutil
 import selectors
 import signal
 import socket
 import sys
 import traceback
 from collections.abc import Callable
+from pathlib import Path
 from typing import Final
 
 from querycad_contracts import end_with_parent
 
 from . import ingest_child
 from .brep import measure
-from .kernel_process import Reach, missing_walls, shut_in
+from .kernel_process import Reach, missing_walls, shut_in, user_of_work
 from .meshes import measure as mesh_measure
 
-WORK: Final[dict[str, tuple[Callable[..., None], Callable[..., Reach]]]] = {
-    "ingest": (
-        ingest_child.work,
-        lambda source, _name, _sha256, folder, memory_bytes, _missing: Reach((source,), (folder,), memory_bytes),
-    ),
-    "measure": (measure.work, lambda kernel_faces: Reach((kernel_faces,))),
-    "measure_mesh": (mesh_measure.work, lambda mesh: Reach((mesh,))),
+WORK: Final[dict[str, Callable[..., None]]] = {
+    "ingest": ingest_child.work,
+    "measure": measure.work,
+    "measure_mesh": mesh_measure.work,
 }
-"""By name: what is done, and what it may reach with these arguments."""
+"""By name: what is done with an open file and with arguments, which begin with those of `Reach`."""
 
 
 class _Host:
@@ -57,6 +59,8 @@ class _Host:
         signal.set_wakeup_fd(self._signalled.fileno(), warn_on_full_buffer=False)
         self._selector.register(self._control, selectors.EVENT_READ)
         self._selector.register(self._ended, selectors.EVENT_READ)
+        if "unprivileged_user" not in self._missing and user_of_work() is not None:
+            _load_codecs()
         gc.collect()
         gc.freeze()  # forks share these pages as long as nobody counts in them
         self._control.sendall(json.dumps(self._missing).encode())
@@ -107,9 +111,9 @@ class _Host:
                 os.close(descriptor)
             os.close(line)
             name, *arguments = json.loads(sys.stdin.readline())
-            work, reach = WORK[name]
-            shut_in(reach(*arguments), self._missing)
-            work(*arguments)
+            with Path(arguments[0]).open("rb") as opened:  # the user that it becomes may not
+                shut_in(Reach(*arguments[:3]), self._missing)
+                WORK[name](opened, *arguments)
             code = 0
         except BaseException:
             traceback.print_exc()
@@ -135,6 +139,13 @@ class _Host:
     def _kill_all(self) -> None:
         for process in self._lines:
             os.kill(process, signal.SIGKILL)
+
+
+def _load_codecs() -> None:
+    """Imports what Python imports only when a file names it: another user may not be able to reach the installation."""
+    for codec in pkgutil.iter_modules(encodings.__path__):
+        with contextlib.suppress(ImportError):  # of another system
+            importlib.import_module(f"encodings.{codec.name}")
 
 
 if __name__ == "__main__":

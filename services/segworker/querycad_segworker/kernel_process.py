@@ -1,19 +1,22 @@
 """Processes that work with the CAD kernel: their crash is an exit code. They are forked by `kernel_host`.
 
 One host serves this process; it is started when the first is needed, and ends with this process. A file that takes the
-kernel over is behind the walls of `querycad_contracts.walls`, as a program that takes its interpreter over is.
+kernel over is behind the walls of `querycad_contracts.walls`, as a program that takes its interpreter over is. Where
+this process is root, or may do as much, they have a user of their own, who reads what was opened for him before.
 """
 
 from __future__ import annotations
 
 import atexit
 import contextlib
+import itertools
 import json
 import logging
 import os
 import signal
 import site
 import socket
+import stat
 import subprocess
 import sys
 import tempfile
@@ -50,6 +53,12 @@ CALLS: Final = (
 )  # fmt: skip
 """What computes and keeps files; no socket, no process, no other user, no signal."""
 DEVICES: Final = ("/dev/null", "/dev/full", "/dev/zero")
+USER: Final = 65533
+"""Not the number of nobody, which the sandbox's interpreters have: they could signal one another."""
+LACKING: Final = ("unprivileged_user", "landlock", "seccomp")
+"""Walls that some machines have not."""
+CHANGING_USER: Final = {"CAP_CHOWN": 0, "CAP_KILL": 5, "CAP_SETGID": 6, "CAP_SETUID": 7}
+"""What it takes to give a folder to another user, to become him, to end what he runs, and to take the folder back."""
 
 log = logging.getLogger(__name__)
 
@@ -58,35 +67,79 @@ log = logging.getLogger(__name__)
 class Reach:
     """What a piece of the kernel's work needs beside its own code."""
 
-    reads: Sequence[str] = ()
-    """Files."""
-    writes: Sequence[str] = ()
-    """Folders."""
+    reads: str | None = None
+    """A file."""
+    writes: str | None = None
+    """A folder, which becomes the current one: a user who may not enter those above it works in it all the same."""
     memory_bytes: int = MEMORY_BYTES
 
 
 def shut_in(reach: Reach, missing: Sequence[str] = ()) -> None:
-    """Raises the walls around this process, for good, but for those that are `missing`. Raises OSError, ImportError."""
+    """Raises the walls around this process, for good, but for those that are `missing`. Raises OSError, ImportError.
+
+    Where it changes its user, the folder that it writes is given to him: `take_back` undoes that.
+    """
     landlock = None if "landlock" in missing else _ruleset(reach)
     seccomp = None if "seccomp" in missing else _seccomp()
-    walls.shut_in(LIMITS | {"RLIMIT_AS": reach.memory_bytes}, None, landlock, seccomp)
+    user = None if "unprivileged_user" in missing else user_of_work()
+    if reach.writes is not None:
+        os.chdir(reach.writes)
+        if user is not None:
+            os.chown(".", user, user)
+    walls.shut_in(LIMITS | {"RLIMIT_AS": reach.memory_bytes}, user, landlock, seccomp)
+
+
+def user_of_work() -> int | None:
+    """As whom is the kernel's work done here? None: as who does all else, where that is not root and may not change.
+
+    Raises PermissionError where it is root, and may not become another.
+    """
+    status = Path("/proc/self/status").read_text(encoding="utf-8", errors="replace")
+    effective = next((int(line.split()[1], 16) for line in status.splitlines() if line.startswith("CapEff:")), 0)
+    lacking = [name for name, bit in CHANGING_USER.items() if not effective >> bit & 1]
+    if not lacking:
+        return USER
+    if os.geteuid() == 0:
+        raise PermissionError(f"root without {', '.join(lacking)} cannot become another user")
+    return None
+
+
+def take_back(folder: Path) -> None:
+    """Makes a folder that `shut_in` gave away, and what was made in it, this user's own again, and nobody else's.
+
+    Call it when the process that was shut in has ended. What is neither a file nor a folder is removed.
+    """
+    if folder.stat().st_uid == os.geteuid():
+        return
+    os.chown(folder, os.geteuid(), os.getegid())
+    for _, folders, files, at in os.fwalk(folder):
+        for name in (*folders, *files):
+            mode = os.stat(name, dir_fd=at, follow_symlinks=False).st_mode
+            if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
+                os.unlink(name, dir_fd=at)
+                continue
+            os.chown(name, os.geteuid(), os.getegid(), dir_fd=at, follow_symlinks=False)
+            os.chmod(name, 0o700 if stat.S_ISDIR(mode) else 0o600, dir_fd=at)
 
 
 def missing_walls() -> tuple[str, ...]:
     """Which walls can not be raised here? Tried in a fork; call it where there is one thread."""
     if sys.platform != "linux":
-        return ("landlock", "seccomp", "no_new_privileges")
-    for missing in ((), ("landlock",), ("seccomp",), ("landlock", "seccomp")):
-        child = os.fork()
-        if not child:
-            code = 1
-            with contextlib.suppress(OSError, ImportError, ValueError):
-                shut_in(Reach(writes=(tempfile.gettempdir(),)), missing)
-                code = 0
-            os._exit(code)
-        if os.waitpid(child, 0)[1] == 0:
-            return missing
-    return ("landlock", "seccomp", "resource_limits", "no_new_privileges")
+        return (*LACKING, "no_new_privileges")
+    with tempfile.TemporaryDirectory() as folder:
+        for missing in (some for n in range(len(LACKING) + 1) for some in itertools.combinations(LACKING, n)):
+            child = os.fork()
+            if not child:
+                code = 1
+                with contextlib.suppress(OSError, ImportError, ValueError):
+                    shut_in(Reach(writes=folder), missing)
+                    code = 0
+                os._exit(code)
+            ended = os.waitpid(child, 0)[1]
+            take_back(Path(folder))
+            if ended == 0:
+                return missing
+    return (*LACKING, "resource_limits", "no_new_privileges")
 
 
 def must_be_up(missing: Sequence[str]) -> None:
@@ -98,8 +151,8 @@ def must_be_up(missing: Sequence[str]) -> None:
 
 
 def _ruleset(reach: Reach) -> int:
-    reads = [path for path in reach.reads if Path(path).exists()]  # the work says of one that is missing
-    return walls.landlock_ruleset(reads, _installation(), [*reach.writes], [*DEVICES])
+    reads = [reach.reads] if reach.reads and Path(reach.reads).exists() else []  # the work says of one that is missing
+    return walls.landlock_ruleset(reads, _installation(), [reach.writes] if reach.writes else [], [*DEVICES])
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,7 +71,7 @@ class Mesh:
         )
 
     @classmethod
-    def load(cls, path: Path) -> Mesh:
+    def load(cls, path: Path | BinaryIO) -> Mesh:
         """Which mesh did `save` keep?"""
         with np.load(path) as arrays:
             return cls(

@@ -6,6 +6,7 @@ import hashlib
 import shutil
 import tempfile
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,6 +75,14 @@ class Artefacts:
     def kernel_faces(self) -> Path:
         """The faces in the kernel's binary format, for measurements that need exact surfaces; not there of a mesh."""
         return self.folder / "faces.bin"
+
+    def size_bytes(self) -> int:
+        """What is kept of the model, older versions included?"""
+        total = 0
+        with suppress(FileNotFoundError):  # it is being deleted
+            for path in self.folder.parent.rglob("*"):
+                total += path.stat().st_size if path.is_file() else 0
+        return total
 
     def load_model(self) -> Model:
         """What was recognised?"""

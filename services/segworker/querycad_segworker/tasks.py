@@ -190,9 +190,10 @@ class Tasks:
         def progress(stage: str) -> None:
             self.told(task.model, ReadingStage(stage))
 
-        found = summary(self.cache.read(task.model, task.file_name, progress, task.anew).load_model())
+        artefacts = self.cache.read(task.model, task.file_name, progress, task.anew)
+        found = summary(artefacts.load_model())
         self.cache.drop_if_deleted(task.model)
-        return found
+        return found.model_copy(update={"kept_bytes": artefacts.size_bytes()})
 
     def shape(self, task: ModelTask) -> Shape:
         """What is the whole model?"""

@@ -33,6 +33,7 @@ def test_old_pictures_and_what_broke_off_go_and_nothing_else(tmp_path: Path) -> 
     ]
     gone = [file(tmp_path / "pictures/old.png", 31), file(tmp_path / "upload-old", 1.1)]
     gone.append(file(tmp_path / "models/ab/abcd/v1/drawn/left.png", 31))
+    gone.append(file(tmp_path / "models/ab/abcd/v1/sight/hole.png", 31))
     file(tmp_path / "draw-old/top.png", 1.1)
     gone.append(aged(tmp_path / "draw-old", 1.1))
     assert remove_expired(tmp_path, 30, NOW_S) == len(gone)

@@ -42,6 +42,7 @@ export interface ModelResource {
 export interface Part {
   id: string;
   kind: string;
+  tags: string[];
   label: string;
   faces: number[];
   center: Vector;

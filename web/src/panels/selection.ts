@@ -5,6 +5,7 @@ import type { Face, Part } from "../api/types";
 import { h } from "../dom";
 import type { Session } from "../session";
 import { texts } from "../texts";
+import { told } from "../told";
 import { measure } from "../units";
 import type { Hit } from "../viewer/viewer";
 
@@ -43,7 +44,7 @@ export class SelectionBox {
     );
     const [part] = parts;
     if (!part) return;
-    const name = parts.length > 1 ? `${parts.length}× ${part.label}` : `${part.id}, ${part.label}`;
+    const name = parts.length > 1 ? `${parts.length}× ${told(part)}` : `${part.id}, ${told(part)}`;
     this.render(name, [], parts.length > 1 ? [] : suited(part, undefined));
   }
 
@@ -56,7 +57,7 @@ export class SelectionBox {
       texts.selection.area(measure(face.area, unit, 2)),
       body && texts.selection.body(body),
     ].filter((fact) => typeof fact === "string" && fact !== "") as string[];
-    const name = isFeature ? `${part!.id}, ${part!.label}` : texts.selection.face(face.id, face.kind);
+    const name = isFeature ? `${part!.id}, ${told(part!)}` : texts.selection.face(face.id, face.kind);
     this.render(name, facts, suited(isFeature ? part : undefined, face));
   }
 

@@ -1,4 +1,4 @@
-"""Removes what nobody needs any more: old pictures and views, what broke off, and files that could not be read.
+"""Removes what nobody needs any more: old pictures, views and sights, what broke off, and files that could not be read.
 
 A picture that is asked for again is drawn again. What is in a bucket is expired by a rule of the bucket's own.
 """
@@ -50,7 +50,8 @@ async def drop_failed(application: Application, before: datetime) -> int:
 def remove_expired(home: Path, answers_days: int, now_s: float) -> int:
     """How many files and folders in `home` were too old at that time, and are gone now? Raises OSError."""
     aged = [(path, answers_days * DAY_S) for path in home.glob("pictures/*.png")]
-    aged += [(path, answers_days * DAY_S) for path in home.glob("models/*/*/*/drawn/*")]
+    for made in ("drawn", "sight"):
+        aged += [(path, answers_days * DAY_S) for path in home.glob(f"models/*/*/*/{made}/*")]
     aged += [(path, DAY_S) for pattern in UNFINISHED for path in home.glob(pattern)]
     old = [path for path, age_s in aged if _changed_s(path) < now_s - age_s]
     for path in old:

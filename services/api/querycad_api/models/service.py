@@ -57,7 +57,7 @@ async def add(services: Services, file: BinaryIO, file_name: str | None) -> tupl
                     await asyncio.to_thread(services.files.remove, upload_name(upload.sha256))
                 most = services.settings.tenant_mib
                 raise QuotaReached(
-                    f"with this file, yours would be more than {most} MiB: delete models first"
+                    f"with this file, yours and what is read of them would be more than {most} MiB: delete models first"
                 ) from None
     known = resource if new else await services.model(resource.id)
     if new or known.status is ModelStatus.FAILED:  # what failed may have been the machine

@@ -3,7 +3,7 @@
 querycad:model:<tenant>:<id>   hash: resource (ModelResource as uploaded), ingest (id of the task that reads its
                                file), outcome (TaskOutcome[ModelSummary])
 querycad:models:<tenant>       sorted set: ids of the tenant's models by the time of their upload
-querycad:sizes:<tenant>        hash: bytes of each uploaded file of the tenant, by model
+querycad:sizes:<tenant>        hash: bytes of each uploaded file of the tenant and of what was read of it, by model
 querycad:answers:<tenant>      sorted set: ids of the tenant's jobs by the time of the question
 querycad:bytes:<tenant>        hash: bytes of each answer of the tenant, by job, and their `sum`
 querycad:owners:<id>           set: tenants that have a model with this content; its files go with the last one
@@ -45,6 +45,8 @@ DAY_S = 24 * 3600
 TOTALS = "querycad:totals"
 PENDING = "querycad:pending"
 READING = "querycad:reading"
+UNREAD = 4
+"""A file that is not read yet counts as so many: what is read of a file has three times its bytes, in the median."""
 RECORD_BYTES = 2**21
 """An answer about 24 parts takes 20,000, their faces included; one about 1,360 holes 950,000."""
 LONGEST_QUESTION = 2000
@@ -67,7 +69,7 @@ def models_key(tenant: str) -> str:
 
 
 def sizes_key(tenant: str) -> str:
-    """Where are the sizes of the tenant's files?"""
+    """Where are the sizes of the tenant's models?"""
     return f"querycad:sizes:{tenant}"
 
 

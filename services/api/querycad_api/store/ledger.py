@@ -13,6 +13,7 @@ from querycad_contracts import (
     JobEvent,
     JobEventKind,
     ModelResource,
+    ModelSummary,
     QuestionTask,
     RunStatus,
     TaskOutcome,
@@ -30,6 +31,7 @@ from .keyspace import (
     model_key,
     model_of,
     now,
+    sizes_key,
 )
 from .scripts import BEGIN_JOB, FINISH_JOB, FINISH_MODEL, WAIT_JOB
 
@@ -89,10 +91,11 @@ class Ledger:
         self._begin_job = redis.register_script(BEGIN_JOB)
         self._wait_job = redis.register_script(WAIT_JOB)
 
-    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[Any], uploaded: str = "") -> None:
+    def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[ModelSummary], uploaded: str = "") -> None:
         """Keeps what came of reading the model's file, if it is still the one `uploaded` then; empty: whichever."""
-        keys = [model_key(tenant, model), model_events_key(tenant, model), READING]
-        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded])
+        keys = [model_key(tenant, model), model_events_key(tenant, model), READING, sizes_key(tenant)]
+        kept_bytes = outcome.value.kept_bytes if outcome.value is not None else 0
+        self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded, model, kept_bytes])
 
     def read_again(self, tenant: str, model: str) -> None:
         """Makes a model unread, whose file an api will have read anew within seconds."""

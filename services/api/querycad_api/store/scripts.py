@@ -81,7 +81,7 @@ redis.call('SADD', KEYS[3], ARGV[5])
 redis.call('HSET', KEYS[4], ARGV[2], ARGV[4])
 return 1
 """
-"""Keys: model, the tenant's models, the content's owners, sizes of the tenant's files. Arguments: resource, id, time,
+"""Keys: model, the tenant's models, the content's owners, sizes of the tenant's models. Arguments: resource, id, time,
 bytes, tenant, bytes that the tenant may have. 0: it is there already; -1, and nothing is done: it is too much."""
 FINISH_JOB = """
 if redis.call('HEXISTS', KEYS[1], 'task') == 0 or redis.call('HSETNX', KEYS[1], 'record', ARGV[1]) == 0 then
@@ -141,9 +141,11 @@ if redis.call('HSETNX', KEYS[1], 'outcome', ARGV[1]) == 0 then
 end
 redis.call('XADD', KEYS[2], '*', 'kind', 'done')
 redis.call('ZREM', KEYS[3], ARGV[2])
+redis.call('HSET', KEYS[4], ARGV[4], cjson.decode(resource).size_bytes + ARGV[5])
 return 1
 """
-"""Keys: model, its events, models that are read. Arguments: outcome, member of the last, time of the upload. What came
+"""Keys: model, its events, models that are read, sizes of the tenant's models. Arguments: outcome, member of the third,
+time of the upload, id, bytes of what was read. What came
 of a file that was deleted while it was read is none of the same file's that was uploaded anew."""
 RESERVE = """
 redis.call('ZREMRANGEBYSCORE', KEYS[1], 0, ARGV[2])

@@ -38,6 +38,7 @@ from .keyspace import (
     PENDING,
     READING,
     TOTALS,
+    UNREAD,
     answers_key,
     asked_key,
     bytes_key,
@@ -88,7 +89,7 @@ class Once:
 
 
 class TooMuchStored(Exception):
-    """The tenant's files would be more than it may have."""
+    """The tenant's files, and what is read of them, would be more than it may have."""
 
 
 class State:
@@ -102,7 +103,7 @@ class State:
         stored_bytes: int = 20 * 2**30,
         answer_bytes: int = 2**30,
     ) -> None:
-        """What is kept for a tenant at most: `answers` in number, bytes of uploaded files, bytes of answers."""
+        """What is kept for a tenant at most: `answers` in number, bytes of files and of what was read, of answers."""
         self._redis = redis
         self._kept_s = answers_days * DAY_S
         self._answers, self._stored_bytes, self._answer_bytes = answers, stored_bytes, answer_bytes
@@ -134,7 +135,7 @@ class State:
     async def add_model(self, tenant: str, resource: ModelResource) -> bool:
         """Keeps a new model; False when it was there already. Raises TooMuchStored."""
         keys = [model_key(tenant, resource.id), models_key(tenant), owners_key(resource.id), sizes_key(tenant)]
-        time, size = resource.created.timestamp(), resource.size_bytes
+        time, size = resource.created.timestamp(), UNREAD * resource.size_bytes
         added = await self._add_model(
             keys, [resource.model_dump_json(), resource.id, time, size, tenant, self._stored_bytes]
         )

@@ -6,8 +6,9 @@ import json
 import sys
 from collections.abc import Callable, Sequence
 from functools import cache
+from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from OCP.BinTools import BinTools
 from OCP.BRep import BRep_Builder, BRep_Tool
@@ -21,6 +22,7 @@ from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as S
 from OCP.GeomAbs import GeomAbs_SurfaceType
 from OCP.gp import gp_Ax3, gp_Dir, gp_Pnt, gp_Trsf
 from OCP.GProp import GProp_GProps
+from OCP.Storage import Storage_StreamReadError
 from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
@@ -152,10 +154,12 @@ def _shells(faces: Sequence[TopoDS_Face]) -> list[TopoDS_Shell]:
     return shells
 
 
-def _load_faces(path: Path) -> list[TopoDS_Face]:
+def _load_faces(kept: BinaryIO) -> list[TopoDS_Face]:
     shape = TopoDS_Shape()
-    if not BinTools.Read_s(shape, str(path)):
-        raise UnreadableFile("the model's faces could not be read again")
+    try:
+        BinTools.Read_s(shape, BytesIO(kept.read()))
+    except Storage_StreamReadError as error:
+        raise UnreadableFile("the model's faces could not be read again") from error
     faces = []
     iterator = TopoDS_Iterator(shape)
     while iterator.More():
@@ -190,13 +194,13 @@ def _measured(faces: Sequence[TopoDS_Face], request: dict[str, Any], planes: Cal
     return edge_distance(faces, request["first"], planes())
 
 
-def work(kernel_faces: str) -> None:
-    """Answers requests about the kept faces, one JSON object a line, until standard input ends.
+def work(kept: BinaryIO, *_: str) -> None:
+    """Answers requests about the kept faces, which are open, one JSON object a line, until standard input ends.
 
     {"what": "distance" | "overlap" | "edge_distance" | "extent", "first": [face ids], "second": [face ids],
     "direction": [x, y, z]} is answered by {"value": number} or {"problem": sentence}.
     """
-    faces = _load_faces(Path(kernel_faces))
+    faces = _load_faces(kept)
     planes = cache(lambda: PlaneFaces(faces))
     for line in sys.stdin:
         request = json.loads(line)

@@ -5,8 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
-from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 from numpy.typing import NDArray
@@ -184,9 +183,9 @@ def _measured(mesh: Mesh, request: dict[str, Any]) -> float:
     return edge_distance(mesh, request["first"])
 
 
-def work(kept: str) -> None:
+def work(kept: BinaryIO, *_: str) -> None:
     """Answers requests about a kept mesh as `brep.measure.work` does about kept faces."""
-    mesh = Mesh.load(Path(kept))
+    mesh = Mesh.load(kept)
     for line in sys.stdin:
         request = json.loads(line)
         try:
