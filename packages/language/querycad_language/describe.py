@@ -6,6 +6,7 @@ from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFi
 
 from . import forms
 from .forms import Distance, Form, Get, Reduce
+from .lexicon import lexicon
 
 _MEASURES = {
     Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y",
@@ -181,7 +182,9 @@ def _length(value: float) -> str:
 
 
 def plural_of(noun: str) -> str:
-    """What several of these are called: 'boss' gives 'bosses'."""
+    """What several of these are called: 'boss' gives 'bosses', 'foot' gives 'feet'."""
+    if (many := lexicon().plurals.get(noun)) is not None:
+        return many
     if noun.endswith(("s", "x", "ch", "sh")):
         return f"{noun}es"
     return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"

@@ -157,6 +157,17 @@ class Lexicon:
         """Adjectives that say that all of something is meant: 'complete'."""
         return frozenset(name for name, adjective in self.adjectives.items() if adjective.whole)
 
+    @cached_property
+    def plurals(self) -> dict[str, str]:
+        """Plurals that no rule gives, by their singulars: 'feet' of 'foot'."""
+        return {one: many for many, one in reversed(self.irregular.items())}
+
+    def is_comparative(self, word: str) -> bool:
+        """Does it compare two: 'larger', 'shorter'?"""
+        return any(
+            category == "scale" and value.degree in ("more", "less") for category, value in self.phrases.get(word, ())
+        )
+
     def words(self, category: str) -> Iterator[str]:
         """All phrases of a category."""
         return (phrase for phrase, meanings in self.phrases.items() if any(c == category for c, _ in meanings))

@@ -44,6 +44,7 @@ _BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
 
 _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.RADIUS: {
+        "bend+STEPPED": "radius; ~max(radii)",  # of sheet: inside and outside
         "bend pipe": "bend_radius; ~inner_diameter / 2; ~outer_diameter / 2; radius",
         "STEPPED": "radius; ~max(radii)",
         "": "radius; ?width / 2",
@@ -54,7 +55,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "": "diameter; outer_diameter; ~extents[across]; ?width",
     },
     Measure.INNER_RADIUS: {
-        "STEPPED CUT": "inner_diameter / 2; min(radii); radius",
+        "STEPPED CUT bend": "inner_diameter / 2; min(radii); radius",
         "": "inner_diameter / 2; ?min(radii); ?radius",
     },
     Measure.INNER_DIAMETER: {

@@ -19,7 +19,7 @@ from querycad_language.forms import (
     Target,
     Touching,
 )
-from querycad_language.measures import along_axis
+from querycad_language.measures import WHOLE, along_axis
 
 from .draft import Draft, Read, Unwritable
 
@@ -247,7 +247,8 @@ def _outermost(draft: Draft, query: PartQuery, axis: int, sign: str) -> str:
 def _sides(draft: Draft, plane: Plane, other: Anchor | str) -> tuple[Side, Side | None]:
     """The sides of a plane and of the other one: one that reaches beyond it, or 'from the top of the head to the end'.
 
-    Of a single plane without one: the end of the part that is nearest to the middle of the other part.
+    Of a single plane without one: the end of the part that is free, as that of a shank is, which is no head's or
+    fork's; of two free ends, or none, the one that is nearest to the middle of the other part.
     """
     if isinstance(other, Plane):
         if plane.side is not None:
@@ -267,7 +268,10 @@ def _sides(draft: Draft, plane: Plane, other: Anchor | str) -> tuple[Side, Side 
     if not isinstance(other, PartQuery):
         raise Unwritable
     part, others = draft.of(plane.of), draft.of(other)
-    return min(_ends(part, others), key=lambda side: abs(_reach(part[0], side) - _reach(others[0], side, 0.0))), None
+    ends = _ends(part, others)
+    free = [side for side in ends if _reach(part[0], side) > _reach(draft.whole, side) - SLACK]
+    ends = free if len(free) == 1 and part[0].kind not in WHOLE else ends
+    return min(ends, key=lambda side: abs(_reach(part[0], side) - _reach(others[0], side, 0.0))), None
 
 
 def _ends(parts: Sequence[Part], others: Sequence[Part]) -> list[Side]:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from querycad_contracts import Measure, Part, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
+from querycad_segworker.relations.orders import by_size
 from querycad_segworker.relations.roles import ROLES
 
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
@@ -21,6 +22,8 @@ THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 _COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
 _WHOLES = ("model", "body")
+TWO = 2
+"""Sizes that a comparative chooses between."""
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -142,6 +145,10 @@ def _ordered(inventory: Inventory, way: Way, adjective: Adjective, count: int | 
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
     if len(ordered) == len(way.parts):
         return [way.to(ordered, "adjective_nothing"), *empty]
+    beside = [part for part in way.parts if "central" not in part.tags]
+    if lexicon().is_comparative(name) and len(by_size(way.parts)) > TWO == len(by_size(beside)):
+        # 'the larger hole' is one of two sizes: the opening in the middle is none of them
+        empty.append(way.to(inventory.ordered(beside, adjective, count), "comparative_of_two"))
     return [
         way.to(ordered, "adjective_order"),
         way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'"),
