@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -16,6 +17,11 @@ Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elo
 Degree = Literal["positive", "more", "less", "most", "least"]
 DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
 """The order of the lists of a scale in measures.toml."""
+_MARKS: dict[str, tuple[str, Any]] = {
+    "alone": ("alone", True), "several": ("several", True), "widest": ("step", "widest"),
+    "narrowest": ("step", "narrowest"),
+}  # fmt: skip
+"""What marks of a sense other than picks set."""
 INCH = 0.0254
 
 
@@ -166,9 +172,20 @@ def _load(name: str) -> dict[str, Any]:
     return tomllib.loads(files(__package__).joinpath("data").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
 
 
-def _sense(line: dict[str, Any]) -> Sense:
-    fields: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in line.items()}
-    return Sense(**fields)
+def _sense(line: str) -> Sense:
+    """'hole/cutout through (round|square) -tight @largest ~0.6', as parts.toml explains it."""
+    kind, *demands = re.findall(r"\(.+?\)|\[.+?\]|\S+", line)
+    signed = {sign: [one[1:].rstrip(")]") for one in demands if one[0] == sign] for sign in "([-@~"}
+    fields = dict(_MARKS.get(mark, ("pick", mark)) for mark in signed["@"])
+    return Sense(
+        kind=tuple(kind.split("/")),
+        tags=tuple(one for one in demands if one[0] not in signed),
+        any=tuple(tag for tags in signed["("] for tag in tags.split("|")),
+        name=tuple(name for names in signed["["] for name in names.split("|")),
+        without=tuple(signed["-"]),
+        stretch=float(next(iter(signed["~"]), 0)),
+        **fields,
+    )
 
 
 def _product(word: str) -> Noun:
@@ -231,9 +248,8 @@ def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
 
 def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
     """The closed classes: those with values of their own, and the plain lists of words."""
-    factors = words.pop("factor")
-    for unit, names in words.pop("unit").items():
-        lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
+    for factor, power, names in words.pop("unit").values():
+        lex.units.update(dict.fromkeys(names, (factor, power)))
     for category in ("number", "ordinal"):
         for word, value in words.pop(category)["words"].items():
             lex.add(category, word, value)
