@@ -22,6 +22,10 @@ _MARKS: dict[str, tuple[str, Any]] = {
     "narrowest": ("step", "narrowest"),
 }  # fmt: skip
 """What marks of a sense other than picks set."""
+_VALUES: dict[str, type[Side | Relation]] = {
+    "side": Side, "view": Side, "place_extreme": Side, "ground": Side, "relation": Relation, "behind": Relation,
+}  # fmt: skip
+"""What the names in the tables of words.toml stand for; else for themselves."""
 INCH = 0.0254
 
 
@@ -116,18 +120,18 @@ class Lexicon:
     """Phrase to its meanings: (category, value)."""
     longest: int = 1
 
-    def add(self, category: str, phrase: str, value: Any) -> None:
-        """Enters a phrase of a category; words are folded as tokens are."""
-        key = " ".join(self.fold(word) for word in phrase.split())
-        meanings = self.phrases.setdefault(key, [])
-        if not any(known == category for known, _ in meanings):
-            meanings.append((category, value))
-        self.longest = max(self.longest, len(key.split()))
+    def add(self, category: str, value: Any, phrases: Iterable[str]) -> None:
+        """Enters phrases of a category; words are folded as tokens are."""
+        for phrase in phrases:
+            words = [self.fold(word) for word in phrase.split()]
+            meanings = self.phrases.setdefault(" ".join(words), [])
+            if not any(known == category for known, _ in meanings):
+                meanings.append((category, value))
+            self.longest = max(self.longest, len(words))
 
     def fold(self, word: str) -> str:
         """Lower case, one spelling, singular."""
-        word = word.lower()
-        word = self.spelling.get(word, word)
+        word = self.spelling.get(word.lower(), word.lower())
         return self.singular(word) if " " not in word else word
 
     def singular(self, word: str) -> str:
@@ -144,14 +148,14 @@ class Lexicon:
 
     def spans(self, words: Sequence[str]) -> list[list[Span]]:
         """Every phrase that begins at each word, the longest first."""
-        found: list[list[Span]] = []
-        for start in range(len(words)):
-            here: list[Span] = []
-            for end in range(min(len(words), start + self.longest), start, -1):
-                for category, value in self.phrases.get(" ".join(words[start:end]), ()):
-                    here.append(Span(start, end, category, value))
-            found.append(here)
-        return found
+        return [
+            [
+                Span(start, end, category, value)
+                for end in range(min(len(words), start + self.longest), start, -1)
+                for category, value in self.phrases.get(" ".join(words[start:end]), ())
+            ]
+            for start in range(len(words))
+        ]
 
     @cached_property
     def vocabulary(self) -> frozenset[str]:
@@ -194,11 +198,6 @@ def _product(word: str) -> Noun:
     return Noun(word, senses, product=True)
 
 
-def _plain(lexicon: Lexicon, category: str, words: Iterable[str], value: Any = None) -> None:
-    for word in words:
-        lexicon.add(category, word, value)
-
-
 @cache
 def lexicon() -> Lexicon:
     """The product's lexicon, read once a process."""
@@ -219,31 +218,25 @@ def lexicon() -> Lexicon:
 
 def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
     for entry in data["part"]:
-        senses = tuple(_sense(line) for line in entry["senses"])
-        measure = Measure(entry.get("measure", Measure.MAGNITUDE))
-        noun = Noun(entry["words"][0], senses, entry.get("product", False), entry.get("apart", False), measure)
-        for phrase in entry["words"]:
-            lex.nouns[phrase] = noun
-            lex.add("noun", phrase, noun)
+        words, senses = entry.pop("words"), tuple(_sense(line) for line in entry.pop("senses"))
+        measure = Measure(entry.pop("measure", Measure.MAGNITUDE))
+        noun = Noun(words[0], senses, measure=measure, **entry)
+        lex.nouns |= dict.fromkeys(words, noun)
+        lex.add("noun", noun, words)
     for word in data["products"]["words"]:
-        if word not in lex.nouns:
-            lex.nouns[word] = _product(word)
-            lex.add("noun", word, lex.nouns[word])
+        lex.nouns.setdefault(word, _product(word))
+        lex.add("noun", lex.nouns[word], [word])
 
 
 def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
     for entry in entries:
-        fields: dict[str, Any] = {
-            k: tuple(v) if isinstance(v, list) else v for k, v in entry.items() if k not in ("words", "nouns")
-        }
-        adjective = Adjective(entry["words"][0], **fields)
-        for phrase in entry["words"]:
-            lex.adjectives[phrase] = adjective
-            lex.add("adjective", phrase, adjective)
-        for phrase in entry.get("nouns", ()):
-            lex.traits[phrase] = adjective
-            lex.add("trait", phrase, adjective)
-        lex.adjectives.setdefault(adjective.name, adjective)
+        words, nouns = entry.pop("words"), entry.pop("nouns", ())
+        fields: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()}
+        adjective = Adjective(words[0], **fields)
+        lex.adjectives |= dict.fromkeys(words, adjective)
+        lex.traits |= dict.fromkeys(nouns, adjective)
+        lex.add("adjective", adjective, words)
+        lex.add("trait", adjective, nouns)
 
 
 def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
@@ -252,37 +245,24 @@ def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
         lex.units.update(dict.fromkeys(names, (factor, power)))
     for category in ("number", "ordinal"):
         for word, value in words.pop(category)["words"].items():
-            lex.add(category, word, value)
-    _add_sides(lex, words)
-    for category in ("relation", "behind"):
-        for relation, names in words.pop(category).items():
-            _plain(lex, category, names, Relation(relation))
-    for index, names in enumerate(words.pop("axis").values()):
-        _plain(lex, "axis", names, index)
-    for category in ("place", "cannot_know", "operation"):
-        for value, names in words.pop(category).items():
-            _plain(lex, category, names, value)
-    for category, names in words["category"].items():
-        _plain(lex, category, names, category)
-
-
-def _add_sides(lex: Lexicon, words: dict[str, Any]) -> None:
-    for category in ("side", "view", "place_extreme"):
-        for side, names in words.pop(category).items():
-            _plain(lex, category, names, Side(side))
-    for side, names in words.pop("ground").items():
-        _plain(lex, "ground", names, Side(side))
+            lex.add(category, value, [word])
+    plain = words.pop("category")
+    for category, table in words.items():
+        for index, (name, names) in enumerate(table.items()):
+            lex.add(category, index if category == "axis" else _VALUES.get(category, str)(name), names)
+    for category, names in plain.items():
+        lex.add(category, category, names)
 
 
 def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, phrases in data["nouns"].items():
-        _plain(lex, "measure", phrases, Measure(name))
+        lex.add("measure", Measure(name), phrases)
     for name, degrees in data["scale"].items():
         for degree, phrases in zip(DEGREES, degrees, strict=True):
-            _plain(lex, "scale", phrases, Scale(Measure(name), degree))
+            lex.add("scale", Scale(Measure(name), degree), phrases)
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():
-            _plain(lex, category, [*phrases, *map(_gerund, phrases)], Measure(name))
+            lex.add(category, Measure(name), [*phrases, *map(_gerund, phrases)])
 
 
 def _gerund(phrase: str) -> str:
@@ -313,10 +293,10 @@ def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, outside, tap in data["npt"]:
         lex.threads[f"{name}npt"] = {"tap drill": tap * INCH, "nominal": outside * INCH}
     for name, density in data["material"].items():
-        lex.add("material", name, float(density))
+        lex.add("material", float(density), [name])
     for name, (low, high) in data["colour"].items():
         lex.hues[name] = (float(low), float(high))
-        lex.add("color", name, name)
-    _plain(lex, "color", ("gray", "silver", "black", "white"), "gray")
+        lex.add("color", name, [name])
+    lex.add("color", "gray", ("gray", "silver", "black", "white"))
     for name in ("silver", "black", "white"):
         lex.phrases[name] = [("color", name)]

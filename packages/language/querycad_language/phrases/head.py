@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from querycad_contracts import Measure, PartQuery, Place
-from querycad_language.lexicon import Noun, Span
+from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import GENERIC, Draft, Mention
+
+_GATHERED = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "sides", "unseen", "ends", "excluded",
+             "also", "ids")  # fmt: skip
+"""What a draft gathers for the fields of the query that have the same names."""
 
 
 def head_of(text: Text, draft: Draft, start: int, at: int) -> tuple[Mention | None, int] | None:
@@ -77,35 +83,26 @@ def mention_of(text: Text, start: int, end: int, draft: Draft) -> Mention:
     while len(nouns) > 1 and nouns[-1].value.name in GENERIC:
         nouns = nouns[:-1]
     noun = nouns[-1] if nouns else None
-    places = list(draft.places)
-    places += [Place(relation="", what=_of_noun(n)) for n in nouns[:-1] if n.value.name != nouns[-1].value.name]
+    names = [n.value.name for n in nouns]
+    compound = [PartQuery(noun=name, words=(name,)) for name in names[:-1] if name != names[-1]]
+    places = (*draft.places, *(Place(relation="", what=query) for query in compound))
     unknown = tuple(text.words[at] for at in draft.unknown)
     named = _name(text, noun) if noun is not None else " ".join(unknown)
     known = noun is not None or not unknown
     head = noun.end - 1 if noun is not None else draft.unknown[-1] if draft.unknown else start
     plural = any(text.tokens[i].plural for i in (noun.tokens if noun is not None else (head,)))
+    gathered: dict[str, Any] = {name: tuple(dict.fromkeys(getattr(draft, name))) for name in _GATHERED}
     query = PartQuery(
         noun=named,
         known=known,
         words=tuple(text.words[at] for at in range(start, noun.end if noun else end) if _says(text, at, draft, noun)),
-        adjectives=tuple(dict.fromkeys(draft.adjectives)),
-        lacking=tuple(draft.lacking),
-        sizes=tuple(draft.sizes),
-        threads=tuple(draft.threads),
-        colors=tuple(draft.colors),
         count=draft.count,
         plural=plural or draft.each or (draft.count or 1) > 1,
         definite=draft.definite,
         sample=draft.sample,
-        ranks=tuple(draft.ranks),
-        places=tuple(places),
-        sides=tuple(dict.fromkeys(draft.sides)),
-        unseen=tuple(draft.unseen),
-        ends=tuple(dict.fromkeys(draft.ends)),
-        excluded=tuple(draft.excluded),
-        also=tuple(draft.also),
+        places=places,
         unknown=unknown if known else (),
-        ids=tuple(draft.ids),
+        **gathered,
     )
     used = frozenset(draft.used.union(noun.tokens if noun is not None else draft.unknown))
     return Mention(start, end, query, used, head, each=draft.each, plural=query.plural, article=draft.article)
@@ -124,8 +121,3 @@ def _says(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
     if not text.is_content(at) and not text.find(at, "noun", "side", "color", "adjective"):
         return False
     return noun is not None or at in draft.unknown or text.find(at, "side", "adjective") is not None
-
-
-def _of_noun(span: Span) -> PartQuery:
-    noun: Noun = span.value
-    return PartQuery(noun=noun.name, words=(noun.name,))

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from querycad_contracts import Measure, Place, Rank
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, Draft, Mention, NounPhrases
+from .mention import MAX_DEPTH, Draft, Mention
 from .places import along, central, nearest, placed, seen, sideways
-from .sizes import size
+from .sizes import stated_size
 from .words import is_noun, noun_follows, superlative
+
+if TYPE_CHECKING:
+    from .reader import Phrases
 
 _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
 
 
-def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def modifiers(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     """Where the modifiers that begin here end."""
     end = at
     while (after := _modifier(phrases, end, draft, depth, joined)) > end:
@@ -24,7 +29,7 @@ def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
     return end
 
 
-def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def _modifier(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     """Where a modifier that begins here, or behind words such as 'that are', ends; `at` where none does."""
     text = phrases.text
     start, relative = at, False
@@ -67,7 +72,7 @@ def _opens(text: Text, at: int) -> bool:
     if text.is_word(at + 1, "not", "no", "without") and text.find(at + 2, "side_preposition", "trait"):
         return True
     counted = any(text.find(i, "count") for i in range(at))
-    if text.words[at] == "," and counted and size(text, at + 1):
+    if text.words[at] == "," and counted and stated_size(text, at + 1):
         return True  # 'how many holes, diameter over 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
@@ -80,7 +85,7 @@ def _leads(text: Text, at: int) -> bool:
     return not verb or text.is_word(at - 1, "that", "which")
 
 
-def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def _one_modifier(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
@@ -180,7 +185,7 @@ def _colored(text: Text, at: int, draft: Draft) -> int:
 
 def _stated_size(text: Text, at: int, draft: Draft) -> int:
     """'with a diameter of 5 mm', 'larger than 5 mm', 'from 4 to 6 mm', '5 mm deep', 'Ø8.5'."""
-    found = size(text, at)
+    found = stated_size(text, at)
     if found is None:
         return at
     noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
@@ -227,7 +232,7 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     return measure.end
 
 
-def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _trait(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
     place = text.find(at, "place")
@@ -281,7 +286,7 @@ def _further(text: Text, at: int, draft: Draft) -> int:
     return _further(text, span.end, draft)
 
 
-def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _left_out(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """', the dowel holes left out'."""
     other = phrases.at(at, depth + 1, False) if depth == 0 else None
     span = phrases.text.find(other.end, "left_out") if other is not None and other.query is not None else None
@@ -291,7 +296,7 @@ def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     return span.end
 
 
-def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _exception(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'except the one in the middle'."""
     text = phrases.text
     than = text.find(at, "scale") if text.is_word(at + 1, "than") and text.is_word(at + 2, "the") else None

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, Draft, NounPhrases, replace_fields
+from .mention import MAX_DEPTH, Draft, replace_fields
 from .words import is_noun
 
+if TYPE_CHECKING:
+    from .reader import Phrases
 
-def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+
+def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
     negated = text.is_word(at, "not", "invisible", "hidden")
@@ -91,7 +96,7 @@ def along(text: Text, at: int, draft: Draft) -> int:
     return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
-def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
     span = text.find(at, "near", "far")
@@ -113,7 +118,7 @@ def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     return other.end
 
 
-def central(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
@@ -135,7 +140,7 @@ def central(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     return end
 
 
-def _in_corner(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _in_corner(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     text = phrases.text
     end = text.skip(at + 1, "article", "each", "number")
     if not text.find(at, "place") or not text.is_word(end, "corner"):
@@ -147,7 +152,7 @@ def _in_corner(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     return other.end if other is not None else end + 1
 
 
-def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")

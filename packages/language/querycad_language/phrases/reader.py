@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from querycad_contracts import PartQuery, Place, SizeFilter
+from querycad_contracts import PartQuery
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .before import before_noun
 from .head import head_of, mention_of
-from .mention import Draft, Mention, replace_fields
+from .mention import Draft, Mention, placed_in, replace_fields
 from .modifiers import modifiers
 from .places import seen
-from .sizes import size
 
 MAX_LEAD = 20
 """Tokens of a phrase up to its noun; twice as many as people say."""
@@ -89,8 +88,8 @@ class Phrases:
         own = self.at(mention.end + 1, depth, joined) if possessive else None
         if own is None or own.query is None or own.pronoun:
             return mention
-        owner = () if mention.query is None else (Place(relation="of", what=mention.query),)
-        query = replace_fields(own.query, places=(*own.query.places, *owner), definite=True)
+        query = own.query if mention.query is None else placed_in(own.query, "of", mention.query)
+        query = replace_fields(query, definite=True)
         return replace(own, start=mention.start, query=query, used=mention.used | {mention.end} | own.used)
 
     def _resolved(self, mention: Mention, before: list[Mention]) -> Mention:
@@ -159,10 +158,6 @@ class Phrases:
         else:
             draft.sides.append(side.value)
         return whole
-
-    def size(self, at: int) -> tuple[SizeFilter, int] | None:
-        """A stated size that begins here, and where it ends."""
-        return size(self.text, at)
 
 
 def noun_phrase(description: str, names: Iterable[str] = ()) -> PartQuery:

@@ -36,7 +36,7 @@ def size_before(text: Text, at: int, draft: Draft) -> int:
     return after
 
 
-def size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
+def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
     """A stated size that begins here, and where it ends."""
     at = text.skip(at, "article") if not text.find(at, "relation") else at
     start = at

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 
 from querycad_language.forms import Form
@@ -15,7 +16,7 @@ class Draft:
 
     form: Form
     features: Features = field(default_factory=dict)
-    used: set[int] = field(default_factory=set)
+    used: AbstractSet[int] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,6 +23,11 @@ class Question:
         self.asking, self.claims = _asking_sentence(self.text)
 
     @cached_property
+    def parts(self) -> list[Mention]:
+        """The mentions that name parts: no pronouns, and not the whole model."""
+        return [mention for mention in self.mentions if mention.query is not None]
+
+    @cached_property
     def views(self) -> list[Mention]:
         """Sides that are said apart from a part: 'Looking from the left, …', '… do you see on the top?'"""
         found: list[Mention] = []

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.readings.question import Question
 
 
-def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int]]:
+def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
     text = question.text
     for at in sorted(text.at_phrases("axis_preposition")):
