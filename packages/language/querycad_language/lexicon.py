@@ -192,18 +192,12 @@ def _sense(line: str) -> Sense:
     )
 
 
-def _product(word: str) -> Noun:
-    """'bracket': the whole model, or a body that is called so."""
-    senses = (Sense(("model",), alone=True), Sense(("body",), name=(word,)), Sense(("model",), stretch=0.5))
-    return Noun(word, senses, product=True)
-
-
 @cache
 def lexicon() -> Lexicon:
     """The product's lexicon, read once a process."""
     words = _load("words")
     lex = Lexicon(
-        spelling={each: one for one, names in words.pop("spelling").items() for each in names},
+        spelling=dict(pair.split(": ") for pairs in words.pop("spelling").values() for pair in pairs),
         irregular=words.pop("irregular"),
         uninflected=frozenset(words.pop("singular")["words"]),
         steps={step: frozenset(names) for step, names in words.pop("step").items()},
@@ -224,7 +218,8 @@ def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
         lex.nouns |= dict.fromkeys(words, noun)
         lex.add("noun", noun, words)
     for word in data["products"]["words"]:
-        lex.nouns.setdefault(word, _product(word))
+        senses = tuple(map(_sense, ("model @alone", f"body [{word}]", "model ~0.5")))
+        lex.nouns.setdefault(word, Noun(word, senses, product=True))
         lex.add("noun", lex.nouns[word], [word])
 
 

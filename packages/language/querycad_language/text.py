@@ -28,7 +28,6 @@ class Text:
 
     def __init__(self, question: str, names: frozenset[str] = frozenset()) -> None:
         self.question = question
-        self.names = names
         self.lexicon: Lexicon = lexicon()
         self._tell(tokenize(question, names))
         moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
@@ -94,6 +93,10 @@ class Text:
         """Does a clause end here?"""
         return self.tokens[at].kind is Kind.SYMBOL and self.words[at] in BREAKS
 
+    def is_possessive(self, at: int) -> bool:
+        """Is it the 's of an owner?"""
+        return 0 <= at < len(self.tokens) and self.tokens[at].kind is Kind.POSSESSIVE
+
     def is_content(self, at: int) -> bool:
         """Is it a word that no closed class has: the name of something?"""
         return self._content[at]
@@ -109,13 +112,7 @@ class Text:
     @cached_property
     def sentences(self) -> list[tuple[int, int]]:
         """(start, end) of each sentence; a colon, a semicolon and a dash part sentences too."""
-        found: list[tuple[int, int]] = []
-        start = 0
-        for at in range(len(self.tokens)):
-            if self.is_break(at) or (self.words[at] == "-" and self.tokens[at].kind is Kind.SYMBOL):
-                if at > start:
-                    found.append((start, at))
-                start = at + 1
-        if start < len(self.tokens):
-            found.append((start, len(self.tokens)))
-        return found
+        symbols = (at for at, token in enumerate(self.tokens) if token.kind is Kind.SYMBOL)
+        ends = [*(at for at in symbols if self.words[at] in (*BREAKS, "-")), len(self.tokens)]
+        starts = [0, *(end + 1 for end in ends)]
+        return [(start, end) for start, end in zip(starts, ends, strict=False) if start < end]

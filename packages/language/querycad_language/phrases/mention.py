@@ -24,9 +24,7 @@ class Mention:
     """Tokens whose meaning is in the query, function words of the phrase included."""
     head: int
     pronoun: bool = False
-    each: bool = False
     plural: bool = False
-    article: bool = False
 
     @property
     def part(self) -> PartQuery:
@@ -60,6 +58,13 @@ class Draft:
     sample: bool = False
     article: bool = False
     used: set[int] = field(default_factory=set)
+
+    def seen_on(self, sides: list[Side], half: bool) -> None:
+        """They are seen on the sides, or lie in those halves of the model."""
+        if half:
+            self.adjectives += [f"{side.value} half" for side in sides]
+        else:
+            self.sides += sides
 
 
 def replace_fields(query: PartQuery, **fields: object) -> PartQuery:

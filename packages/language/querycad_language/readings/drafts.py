@@ -18,6 +18,10 @@ class Draft:
     features: Features = field(default_factory=dict)
     used: AbstractSet[int] = frozenset()
 
+    def with_more(self, features: Features, used: AbstractSet[int]) -> Draft:
+        """The same form, for which more speaks, and that reflects more words."""
+        return Draft(self.form, {**features, **self.features}, self.used | used)
+
 
 @dataclass(frozen=True, slots=True)
 class Reading:

@@ -8,7 +8,6 @@ from typing import NamedTuple
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.phrases import Mention, noun_follows, placed_in, replace_fields
-from querycad_language.tokens import Kind
 
 from .asked import Asked
 from .drafts import Features
@@ -34,7 +33,7 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     """All that the measure may be asked of."""
     text = question.text
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
-    linked = [(mention, _link(question, asked, mention)) for mention in sorted(near, key=lambda one: one.start)]
+    linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
     each = any(text.is_word(at, "each") and not noun_follows(text, at + 1) for at in range(len(text)))
     named = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
@@ -95,7 +94,7 @@ def _link_before(question: Question, asked: Asked, mention: Mention) -> str:
     text, between = question.text, range(mention.end, asked.start)
     if not between:
         return "compound"
-    if any(text.tokens[i].kind is Kind.POSSESSIVE for i in between):
+    if any(map(text.is_possessive, between)):
         return "possessive"
     if any(text.is_word(i, ",", "(", "-") for i in between):
         return "topic"

@@ -11,7 +11,6 @@ from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
-from querycad_language.tokens import Kind
 
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
@@ -47,8 +46,9 @@ def anchors_of(question: Question) -> list[Spot]:
         query, used = mention.part, set(mention.used)
         taken |= used
         found.append(Spot(mention.head, query, used, query.plural))
+        noun = text.lexicon.nouns.get(query.noun)
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
-            if _is_pattern(text, query.noun):
+            if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
         others = (floored(query) or _rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
@@ -88,11 +88,6 @@ def _is_edge(query: PartQuery) -> bool:
     return not query.places and any(category == "edge" for category, _ in lexicon().phrases.get(query.noun, ()))
 
 
-def _is_pattern(text: Text, noun: str) -> bool:
-    known = text.lexicon.nouns.get(noun)
-    return known is not None and known.senses[0].kind == ("pattern",)
-
-
 def _of_model(text: Text, at: int) -> Spot | None:
     """What a word means of the model: its edge, its origin, the ground it stands on, one of its sides."""
     if edge := text.find(at, "edge"):
@@ -104,8 +99,7 @@ def _of_model(text: Text, at: int) -> Spot | None:
         return Spot(at, Boundary(ground.value), set(ground.tokens))
     side = text.find(at, "side")
     led = text.find(at - 1, "article", "side_preposition", "place") or at == 0
-    owned = at > 0 and text.tokens[at - 1].kind is Kind.POSSESSIVE  # 'the part's left side'
-    if side and (led or owned):
+    if side and (led or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 

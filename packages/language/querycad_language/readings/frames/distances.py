@@ -10,7 +10,7 @@ from typing import Literal, NamedTuple
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import places_of, replace_fields
-from querycad_language.readings.asked import asked_in
+from querycad_language.readings.asked import EXTREMES, asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
@@ -19,13 +19,10 @@ from .anchors import Spot, anchors_of, ends_between, plane_of, without
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
-_EXTREMES = (Reduce.LARGEST, Reduce.SMALLEST)
 _FAR_APART = ("furthest", "farthest", "distant")
 _CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
-_APART = frozenset((
-    Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
-))  # fmt: skip
+_APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
 
 
@@ -56,7 +53,7 @@ def distances(question: Question) -> Iterator[Draft]:
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
         for first, second, more, features in _pairs(question, start):
-            if second == "each other" and reduce in _EXTREMES and isinstance(first, PartQuery):
+            if second == "each other" and reduce in EXTREMES.values() and isinstance(first, PartQuery):
                 first = replace_fields(first, count=None, ranks=(), plural=True)  # 'the two holes furthest apart'
             form = Distance(first, second, mode, axis, reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
@@ -105,7 +102,7 @@ def _unnamed(question: Question) -> Iterator[_Words]:
         return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
-    several = len(anchors_of(question)) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
+    several = len(anchors_of(question)) > 1 or any(m.part.places for m in question.parts)
     inside = joining - {0, len(text) - 1} or joining & text.at_words("between")
     if centred or (inside and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
@@ -149,10 +146,8 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
         if not any(text.find(i, "negation") for i in range(at - 3, at)):
             return Reduce.LARGEST, {at}
     for at in range(max(0, start - 2), min(end + 1, len(text))):
-        if text.find(at, "most"):
-            return Reduce.LARGEST, {at}
-        if text.find(at, "least"):
-            return Reduce.SMALLEST, {at}
+        if span := text.find(at, "most", "least"):
+            return EXTREMES[span.category], {at}
     for words, reduce in ((_FAR_APART, Reduce.LARGEST), (_CLOSE, Reduce.SMALLEST)):
         said = {i for i in text.at_words(*words) if question.in_question(i)}
         alone = len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, placed_in, replace_fields
+from querycad_language.phrases import placed_in, replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -24,7 +24,7 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_most_seen(question), *_none_seen(question), *_way_from(question, side)]
+    compared = [*_side_of(question), *_way_from(question, side)]
     yield from compared
     side = None if compared else side
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
@@ -45,7 +45,9 @@ def parts(question: Question) -> Iterator[Draft]:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
-            if (held := _held(question, mention)) is not None:
+            verb = text.find(mention.end, "have")
+            held = next((m for m in question.parts if verb and m.start == verb.end), None)
+            if held is not None:  # 'which plate carries the tapped holes'
                 query = placed_in(query, "with", held.part)
                 used = used | set(range(mention.end, held.end))
                 yield Draft(Parts(query), {"which": 1.0}, used)
@@ -57,30 +59,24 @@ def parts(question: Question) -> Iterator[Draft]:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
 
 
-def _most_seen(question: Question) -> Iterator[Draft]:
-    """'Which side has the most holes?', 'Name the side with the largest number of holes.'"""
+def _side_of(question: Question) -> Iterator[Draft]:
+    """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
-    most = {i for i in asking if text.is_word(i, "most") or text.find(i, "most") or _superlative(text, i)}
+    most = {i for i in asking if text.is_word(i, "most") or _most_at(text, i)}
     more = {i for i in asking if text.is_word(i, "more") and any(text.is_word(j, "any", "anywhere") for j in asking)}
     numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
-    counted = {i for i in most if text.is_word(i, "most")} | numbers | more
-    several = [m for m in question.parts if not m.used & faces]
-    if faces and counted and several:
-        target = replace_fields(several[0].part, plural=True, ranks=())
-        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | several[0].used
+    none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    part = next((m for m in question.parts if not m.used & faces), None)
+    if not faces or part is None:
+        return
+    if numbers or more or any(text.is_word(i, "most") for i in most):
+        target = replace_fields(part.part, plural=True, ranks=())
+        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
         yield Draft(Towards(target, tuple(Side), "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
-
-
-def _none_seen(question: Question) -> Iterator[Draft]:
-    """'Which sides have no lug?', 'Name the sides without lugs.', 'lug-free sides'."""
-    text = question.text
-    faces = {i for i in range(*question.asking) if text.is_word(i, "side", "face")}
-    none = {i for i in range(*question.asking) if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
-    parts = [m for m in question.parts if not m.used & faces]
-    if faces and none and parts and not text.at_phrases("count"):
-        target = replace_fields(parts[0].part, plural=True, places=(), count=None)
-        used = faces | none | parts[0].used
+    if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
+        target = replace_fields(part.part, plural=True, places=(), count=None)
+        used = faces | none | part.used
         yield Draft(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
 
 
@@ -94,15 +90,9 @@ def _way_from(question: Question, side: int | None) -> Iterator[Draft]:
         yield Draft(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
 
 
-def _superlative(text: Text, at: int) -> bool:
-    span = text.find(at, "scale")
-    return span is not None and span.value.degree == "most"
-
-
-def _held(question: Question, mention: Mention) -> Mention | None:
-    """What the part has: 'which plate carries the tapped holes'."""
-    verb = question.text.find(mention.end, "have")
-    return next((m for m in question.parts if verb and m.start == verb.end), None)
+def _most_at(text: Text, at: int) -> bool:
+    span = text.find(at, "most", "scale")
+    return span is not None and "most" in (span.category, getattr(span.value, "degree", ""))
 
 
 def _named_by(query: PartQuery) -> Measure:

@@ -22,7 +22,7 @@ from querycad_language.forms import (
 )
 from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
 from querycad_language.readings.asked import Asked, asked_in
-from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
@@ -31,39 +31,43 @@ from .distances import distances
 
 def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
-    text = question.text
     start = _verb_start(question)
     yield from _overlapping(question, start)
-    if start is None:
-        return
+    if start is not None:
+        yield from (draft.with_more({"check": 1.0}, {start}) for draft in _claims(question, start))
+
+
+def _claims(question: Question, start: int) -> Iterator[Draft]:
+    """What the clause that begins here asks to confirm."""
+    text = question.text
     yield from _apart(question, start)
     asked = [one for one in asked_in(question) if one.start >= start]
     parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
     yield from _alike(text, start, parts[:1], asked)
     if text.is_word(start + 1, "there"):
         return
-    yield from _of_kind(text, start, parts[:2])
+    yield from _of_kind(text, parts[:2])
     yield from _fits(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
-        yield from _checked(text, None, found[0], asked, {"check": 1.0}, {start} | found[1])
+        yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
-        base: Features = {"check": 1.0, "count_far": float(index)}
-        used = {start} | mention.used
-        target = mention.query
-        if target is not None:
-            yield from _parallel(text, start, mention, parts, base, used)
-        if target is not None and target.sizes:
-            bare = replace_fields(target, sizes=target.sizes[:-1])
-            yield from _checked(text, bare, target.sizes[-1], asked, base, used)
-        found = _size_after(question, mention.end)
-        if found is not None:
-            yield from _checked(text, target, found[0], asked, base, used | found[1])
-        for inner in _around(target):
-            if inner.sizes:  # 'do the holes lie on a circle of 50 mm?'
-                yield from _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], (), base, used)
-        yield from _predicates(text, mention, target, base, used)
-        if target is not None:
-            yield from _attributes(text, mention, target, base, used)
+        behind = next((m for m in parts if m.start > mention.end), None)
+        sized = _sized(question, mention, asked)
+        said = _restricted(text, start, mention, behind) if mention.query is not None else ()
+        for draft in (*sized, *_predicates(text, mention), *said):
+            yield draft.with_more({"count_far": float(index)}, mention.used)
+
+
+def _sized(question: Question, mention: Mention, asked: Sequence[Asked]) -> Iterator[Draft]:
+    """'Is the 8 mm keyway …?', 'Is the keyway 8 mm wide?', 'Do the holes lie on a circle of 50 mm?'"""
+    text, target = question.text, mention.query
+    if target is not None and target.sizes:
+        yield _checked(text, replace_fields(target, sizes=target.sizes[:-1]), target.sizes[-1], asked)
+    if (found := _size_after(question, mention.end)) is not None:
+        yield _checked(text, target, found[0], asked).with_more({}, found[1])
+    for inner in _around(target):
+        if inner.sizes:
+            yield _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], ())
 
 
 def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
@@ -102,7 +106,7 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
     if verb is not None and hole is not None and text.lengths:
         size, wide = text.lengths[0], Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=()))
         check = Check(wide, Relation.AT_LEAST, text.tokens[size].value)
-        yield Draft(check, {"check": 1.0, "mating": 1.0}, {start, size, *verb.tokens, *hole.used})
+        yield Draft(check, {"mating": 1.0}, {size, *verb.tokens, *hole.used})
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
@@ -114,8 +118,7 @@ def _apart(question: Question, start: int) -> Iterator[Draft]:
     for draft in distances(question):
         form = mapped(draft.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
         if isinstance(form, Distance):
-            check = Check(form, size.relation, size.low, size.high)
-            yield Draft(check, {**draft.features, "check": 1.0}, draft.used | used | {start})
+            yield Draft(Check(form, size.relation, size.low, size.high), draft.features, draft.used | used)
 
 
 def _around(query: PartQuery | None) -> Iterator[PartQuery]:
@@ -125,13 +128,13 @@ def _around(query: PartQuery | None) -> Iterator[PartQuery]:
         yield from _around(other)
 
 
-def _of_kind(text: Text, start: int, parts: Sequence[Mention]) -> Iterator[Draft]:
+def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Draft]:
     """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?'"""
     for first, second in pairwise(parts):
         said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
         if said and first.query and second.query:
             every = Every(first.query, replace_fields(second.query, plural=True))
-            yield Draft(every, {"check": 1.0, "predicate": 1.0}, {start} | first.used | second.used)
+            yield Draft(every, {"predicate": 1.0}, first.used | second.used)
 
 
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Asked]) -> Iterator[Draft]:
@@ -141,33 +144,29 @@ def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Ask
         for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
-                yield Draft(Uniform(get), {"check": 1.0}, {start} | mention.used | same | one.used)
+                yield Draft(Uniform(get), used=mention.used | same | one.used)
 
 
-def _parallel(
-    text: Text, start: int, mention: Mention, parts: Sequence[Mention], base: Features, used: set[int]
-) -> Iterator[Draft]:
-    """'Are the slots parallel?', 'Is the bore perpendicular to the face?'"""
-    other = next((m for m in parts if m.start > mention.end), None)
+def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Draft]:
+    """'Are the slots parallel?', 'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
+    target = mention.part
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
-            yield Draft(Parallel(mention.part, second, square=word == "perpendicular"), base, used | at | more)
-
-
-def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
-    """'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
-    restricted = bool(target.adjectives or target.lacking)
+            yield Draft(Parallel(target, second, square=word == "perpendicular"), used=at | more)
+    restricted, last = bool(target.adjectives or target.lacking), mention.end - 1
     if restricted and _any_of(text, mention):
-        yield Draft(Exists(target), {**base, "predicate": 1.0}, used)
-    elif restricted and _adjective_last(text, mention):
+        yield Draft(Exists(target), {"predicate": 1.0})
+    elif restricted and (
+        mention.head < last or (text.find(last, "adjective", "trait") and not text.find(last, "noun"))
+    ):
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Draft(Every(bare, target), base, used)
+        yield Draft(Every(bare, target))
     if target.threads:
-        yield Draft(Every(replace_fields(target, threads=()), target), base, used)
+        yield Draft(Every(replace_fields(target, threads=()), target))
     if target.sides:
-        yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
+        yield Draft(Every(replace_fields(target, sides=()), target), {"check_side": 1.0})
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
@@ -176,12 +175,13 @@ def _any_of(text: Text, mention: Mention) -> bool:
     return text.is_word(mention.start, "a", "an") or any(text.is_word(i, "any", "one", "some") for i in before)
 
 
-def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
+def _predicates(text: Text, mention: Mention) -> Iterator[Draft]:
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
+    named = mention.query
     target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
         span = text.find(at, "color") or text.find(at, "adjective")
-        if at in used or span is None or (span.category == "adjective" and not span.value.tags):
+        if at in mention.used or span is None or (span.category == "adjective" and not span.value.tags):
             continue
         if span.category == "color":
             said = replace_fields(target, colors=(*target.colors, span.value))
@@ -192,7 +192,7 @@ def _predicates(text: Text, mention: Mention, named: Target, base: Features, use
         else:
             said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         form = Every(target, said) if named is not None and not _any_of(text, mention) else Exists(said)
-        yield Draft(form, {**base, "predicate": 1.0}, used.union(span.tokens))
+        yield Draft(form, {"predicate": 1.0}, set(span.tokens))
         return
 
 
@@ -230,16 +230,9 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
     return None
 
 
-def _checked(
-    text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked], base: Features, used: set[int]
-) -> Iterator[Draft]:
+def _checked(text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
     measure = size.measure or (asked[0].measures[0] if asked else Measure.MAGNITUDE)
     least = size.relation is Relation.EQUAL and text.has("least")
     relation = Relation.AT_LEAST if least else size.relation
     check = Check(Get((measure,), target), relation, size.low, size.high)
-    yield Draft(check, base, used.union(*(one.used for one in asked)))
-
-
-def _adjective_last(text: Text, mention: Mention) -> bool:
-    last = mention.end - 1
-    return mention.head < last or bool(text.find(last, "adjective", "trait") and not text.find(last, "noun"))
+    return Draft(check, used=frozenset().union(*(one.used for one in asked)))
