@@ -23,7 +23,7 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _sides(_sizes(_topics(_without_having(_without_echo(tokens)), finds)), finds)
+    return _pointed_at(_topics(_without_having(_without_echo(tokens)), finds), finds)
 
 
 def _without_echo(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
@@ -52,25 +52,19 @@ def _without_having(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
     return tokens
 
 
-def _sides(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
-    """'The top is next. How many slots are on that side?'"""
-    for at in range(1, len(tokens) - 1):
-        if tokens[at].word in ("that", "this") and tokens[at + 1].word in ("side", "face"):
-            before = [one for one in range(at - 1) if finds(one, "side")]
-            if before:
-                return (*tokens[:at], tokens[before[-1]], *tokens[at + 1 :])
-    return tokens
-
-
-def _sizes(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """'My cutter is 5 mm. How many slots are wider than that?'"""
-    stated = [at for at, token in enumerate(tokens) if token.kind is Kind.QUANTITY and token.power == 1]
+def _pointed_at(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """'The top is next. How many slots are on that side?', 'My cutter is 5 mm. How many slots are wider than that?'"""
     found = list(tokens)
     for at in range(1, len(tokens)):
-        last = at + 1 == len(tokens) or tokens[at + 1].kind is Kind.SYMBOL
-        before = [one for one in stated if one < at]
-        if before and last and tokens[at].word in ("that", "this") and tokens[at - 1].word in _COMPARING:
-            found[at] = tokens[before[-1]]
+        after = tokens[at + 1] if at + 1 < len(tokens) else None
+        meant: list[int] = []
+        if tokens[at].word in ("that", "this") and after is not None and after.word in ("side", "face"):
+            meant = [one for one in range(at - 1) if finds(one, "side")]
+        elif tokens[at].word in ("that", "this") and (after is None or after.kind is Kind.SYMBOL):
+            lengths = (one for one in range(at) if tokens[one].kind is Kind.QUANTITY and tokens[one].power == 1)
+            meant = [one for one in lengths if tokens[at - 1].word in _COMPARING]
+        if meant:
+            found[at] = tokens[meant[-1]]
     return tuple(found)
 
 

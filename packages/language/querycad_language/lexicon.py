@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -16,6 +17,15 @@ Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elo
 Degree = Literal["positive", "more", "less", "most", "least"]
 DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
 """The order of the lists of a scale in measures.toml."""
+_MARKS: dict[str, tuple[str, Any]] = {
+    "alone": ("alone", True), "several": ("several", True), "widest": ("step", "widest"),
+    "narrowest": ("step", "narrowest"),
+}  # fmt: skip
+"""What marks of a sense other than picks set."""
+_VALUES: dict[str, type[Side | Relation]] = {
+    "side": Side, "view": Side, "place_extreme": Side, "ground": Side, "relation": Relation, "behind": Relation,
+}  # fmt: skip
+"""What the names in the tables of words.toml stand for; else for themselves."""
 INCH = 0.0254
 
 
@@ -110,18 +120,18 @@ class Lexicon:
     """Phrase to its meanings: (category, value)."""
     longest: int = 1
 
-    def add(self, category: str, phrase: str, value: Any) -> None:
-        """Enters a phrase of a category; words are folded as tokens are."""
-        key = " ".join(self.fold(word) for word in phrase.split())
-        meanings = self.phrases.setdefault(key, [])
-        if not any(known == category for known, _ in meanings):
-            meanings.append((category, value))
-        self.longest = max(self.longest, len(key.split()))
+    def add(self, category: str, value: Any, phrases: Iterable[str]) -> None:
+        """Enters phrases of a category; words are folded as tokens are."""
+        for phrase in phrases:
+            words = [self.fold(word) for word in phrase.split()]
+            meanings = self.phrases.setdefault(" ".join(words), [])
+            if not any(known == category for known, _ in meanings):
+                meanings.append((category, value))
+            self.longest = max(self.longest, len(words))
 
     def fold(self, word: str) -> str:
         """Lower case, one spelling, singular."""
-        word = word.lower()
-        word = self.spelling.get(word, word)
+        word = self.spelling.get(word.lower(), word.lower())
         return self.singular(word) if " " not in word else word
 
     def singular(self, word: str) -> str:
@@ -138,14 +148,14 @@ class Lexicon:
 
     def spans(self, words: Sequence[str]) -> list[list[Span]]:
         """Every phrase that begins at each word, the longest first."""
-        found: list[list[Span]] = []
-        for start in range(len(words)):
-            here: list[Span] = []
-            for end in range(min(len(words), start + self.longest), start, -1):
-                for category, value in self.phrases.get(" ".join(words[start:end]), ()):
-                    here.append(Span(start, end, category, value))
-            found.append(here)
-        return found
+        return [
+            [
+                Span(start, end, category, value)
+                for end in range(min(len(words), start + self.longest), start, -1)
+                for category, value in self.phrases.get(" ".join(words[start:end]), ())
+            ]
+            for start in range(len(words))
+        ]
 
     @cached_property
     def vocabulary(self) -> frozenset[str]:
@@ -177,20 +187,20 @@ def _load(name: str) -> dict[str, Any]:
     return tomllib.loads(files(__package__).joinpath("data").joinpath(f"{name}.toml").read_text(encoding="utf-8"))
 
 
-def _sense(line: dict[str, Any]) -> Sense:
-    fields: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in line.items()}
-    return Sense(**fields)
-
-
-def _product(word: str) -> Noun:
-    """'bracket': the whole model, or a body that is called so."""
-    senses = (Sense(("model",), alone=True), Sense(("body",), name=(word,)), Sense(("model",), stretch=0.5))
-    return Noun(word, senses, product=True)
-
-
-def _plain(lexicon: Lexicon, category: str, words: Iterable[str], value: Any = None) -> None:
-    for word in words:
-        lexicon.add(category, word, value)
+def _sense(line: str) -> Sense:
+    """'hole/cutout through (round|square) -tight @largest ~0.6', as parts.toml explains it."""
+    kind, *demands = re.findall(r"\(.+?\)|\[.+?\]|\S+", line)
+    signed = {sign: [one[1:].rstrip(")]") for one in demands if one[0] == sign] for sign in "([-@~"}
+    fields = dict(_MARKS.get(mark, ("pick", mark)) for mark in signed["@"])
+    return Sense(
+        kind=tuple(kind.split("/")),
+        tags=tuple(one for one in demands if one[0] not in signed),
+        any=tuple(tag for tags in signed["("] for tag in tags.split("|")),
+        name=tuple(name for names in signed["["] for name in names.split("|")),
+        without=tuple(signed["-"]),
+        stretch=float(next(iter(signed["~"]), 0)),
+        **fields,
+    )
 
 
 @cache
@@ -198,7 +208,7 @@ def lexicon() -> Lexicon:
     """The product's lexicon, read once a process."""
     words = _load("words")
     lex = Lexicon(
-        spelling={each: one for one, names in words.pop("spelling").items() for each in names},
+        spelling=dict(pair.split(": ") for pairs in words.pop("spelling").values() for pair in pairs),
         irregular=words.pop("irregular"),
         uninflected=frozenset(words.pop("singular")["words"]),
         steps={step: frozenset(names) for step, names in words.pop("step").items()},
@@ -213,71 +223,52 @@ def lexicon() -> Lexicon:
 
 def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
     for entry in data["part"]:
-        senses = tuple(_sense(line) for line in entry["senses"])
-        measure = Measure(entry.get("measure", Measure.MAGNITUDE))
-        noun = Noun(entry["words"][0], senses, entry.get("product", False), entry.get("apart", False), measure)
-        for phrase in entry["words"]:
-            lex.nouns[phrase] = noun
-            lex.add("noun", phrase, noun)
+        words, senses = entry.pop("words"), tuple(_sense(line) for line in entry.pop("senses"))
+        measure = Measure(entry.pop("measure", Measure.MAGNITUDE))
+        noun = Noun(words[0], senses, measure=measure, **entry)
+        lex.nouns |= dict.fromkeys(words, noun)
+        lex.add("noun", noun, words)
     for word in data["products"]["words"]:
-        if word not in lex.nouns:
-            lex.nouns[word] = _product(word)
-            lex.add("noun", word, lex.nouns[word])
+        senses = tuple(map(_sense, ("model @alone", f"body [{word}]", "model ~0.5")))
+        lex.nouns.setdefault(word, Noun(word, senses, product=True))
+        lex.add("noun", lex.nouns[word], [word])
 
 
 def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
     for entry in entries:
-        fields: dict[str, Any] = {
-            k: tuple(v) if isinstance(v, list) else v for k, v in entry.items() if k not in ("words", "nouns")
-        }
-        adjective = Adjective(entry["words"][0], **fields)
-        for phrase in entry["words"]:
-            lex.adjectives[phrase] = adjective
-            lex.add("adjective", phrase, adjective)
-        for phrase in entry.get("nouns", ()):
-            lex.traits[phrase] = adjective
-            lex.add("trait", phrase, adjective)
-        lex.adjectives.setdefault(adjective.name, adjective)
+        words, nouns = entry.pop("words"), entry.pop("nouns", ())
+        fields: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()}
+        adjective = Adjective(words[0], **fields)
+        lex.adjectives |= dict.fromkeys(words, adjective)
+        lex.traits |= dict.fromkeys(nouns, adjective)
+        lex.add("adjective", adjective, words)
+        lex.add("trait", adjective, nouns)
 
 
 def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
     """The closed classes: those with values of their own, and the plain lists of words."""
-    factors = words.pop("factor")
-    for unit, names in words.pop("unit").items():
-        lex.units.update(dict.fromkeys(names, tuple(factors[unit])))
+    for factor, power, names in words.pop("unit").values():
+        lex.units.update(dict.fromkeys(names, (factor, power)))
     for category in ("number", "ordinal"):
         for word, value in words.pop(category)["words"].items():
-            lex.add(category, word, value)
-    _add_sides(lex, words)
-    for category in ("relation", "behind"):
-        for relation, names in words.pop(category).items():
-            _plain(lex, category, names, Relation(relation))
-    for index, names in enumerate(words.pop("axis").values()):
-        _plain(lex, "axis", names, index)
-    for category in ("place", "cannot_know", "operation"):
-        for value, names in words.pop(category).items():
-            _plain(lex, category, names, value)
-    for category, names in words["category"].items():
-        _plain(lex, category, names, category)
-
-
-def _add_sides(lex: Lexicon, words: dict[str, Any]) -> None:
-    for category in ("side", "view", "place_extreme"):
-        for side, names in words.pop(category).items():
-            _plain(lex, category, names, Side(side))
-    for side, names in words.pop("ground").items():
-        _plain(lex, "ground", names, Side(side))
+            lex.add(category, value, [word])
+    plain = words.pop("category")
+    for category, table in words.items():
+        for index, (name, names) in enumerate(table.items()):
+            lex.add(category, index if category == "axis" else _VALUES.get(category, str)(name), names)
+    for category, names in plain.items():
+        lex.add(category, category, names)
 
 
 def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, phrases in data["nouns"].items():
-        _plain(lex, "measure", phrases, Measure(name))
+        lex.add("measure", Measure(name), phrases)
     for name, degrees in data["scale"].items():
         for degree, phrases in zip(DEGREES, degrees, strict=True):
-            _plain(lex, "scale", phrases, Scale(Measure(name), degree))
+            lex.add("scale", Scale(Measure(name), degree), phrases)
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():
-            _plain(lex, category, [*phrases, *map(_gerund, phrases)], Measure(name))
+            lex.add(category, Measure(name), [*phrases, *map(_gerund, phrases)])
 
 
 def _gerund(phrase: str) -> str:
@@ -308,10 +299,10 @@ def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, outside, tap in data["npt"]:
         lex.threads[f"{name}npt"] = {"tap drill": tap * INCH, "nominal": outside * INCH}
     for name, density in data["material"].items():
-        lex.add("material", name, float(density))
+        lex.add("material", float(density), [name])
     for name, (low, high) in data["colour"].items():
         lex.hues[name] = (float(low), float(high))
-        lex.add("color", name, name)
-    _plain(lex, "color", ("gray", "silver", "black", "white"), "gray")
+        lex.add("color", name, [name])
+    lex.add("color", "gray", ("gray", "silver", "black", "white"))
     for name in ("silver", "black", "white"):
         lex.phrases[name] = [("color", name)]

@@ -28,14 +28,11 @@ class Text:
 
     def __init__(self, question: str, names: frozenset[str] = frozenset()) -> None:
         self.question = question
-        self.names = names
         self.lexicon: Lexicon = lexicon()
         self._tell(tokenize(question, names))
         moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
         if moved != self.tokens:
             self._tell(moved)
-        self._all: dict[tuple[str, ...], list[Span]] = {}
-        self._begins: dict[tuple[str, ...], frozenset[int]] = {}
         self._content = [self._names_something(at) for at in range(len(self.tokens))]
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:
@@ -49,27 +46,30 @@ class Text:
 
     def find(self, at: int, *categories: str) -> Span | None:
         """The longest phrase of one of the categories that begins here."""
-        if not 0 <= at < len(self.tokens):
-            return None
-        for span in self.spans[at]:
-            if span.category in categories:
-                return span
-        return None
+        here = self.spans[at] if 0 <= at < len(self.tokens) else ()
+        return next((span for span in here if span.category in categories), None)
 
     def all(self, *categories: str) -> list[Span]:
         """The phrases of the categories, from left to right, none inside another."""
-        if categories not in self._all:
-            found: list[Span] = []
-            for at in range(len(self.tokens)):
-                span = self.find(at, *categories) if not found or at >= found[-1].end else None
-                if span is not None:
-                    found.append(span)
-            self._all[categories] = found
-        return self._all[categories]
+        found: list[Span] = []
+        for at in range(len(self.tokens)):
+            span = self.find(at, *categories) if not found or at >= found[-1].end else None
+            if span is not None:
+                found.append(span)
+        return found
+
+    def covered(self, *categories: str) -> set[int]:
+        """Where the words of such phrases stand."""
+        return {at for span in self.all(*categories) for at in span.tokens}
 
     def is_word(self, at: int, *words: str) -> bool:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
+
+    @property
+    def lengths(self) -> list[int]:
+        """Where lengths are stated: '5 mm'."""
+        return [at for at, token in enumerate(self.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
 
     def has(self, *words: str) -> bool:
         """Does one of these words occur at all?"""
@@ -81,9 +81,7 @@ class Text:
 
     def at_phrases(self, *categories: str) -> frozenset[int]:
         """Where phrases of these categories begin."""
-        if categories not in self._begins:
-            self._begins[categories] = frozenset(at for at in range(len(self.tokens)) if self.find(at, *categories))
-        return self._begins[categories]
+        return frozenset(at for at in range(len(self.tokens)) if self.find(at, *categories))
 
     def skip(self, at: int, *categories: str) -> int:
         """Where the words of these categories that begin here end."""
@@ -94,6 +92,10 @@ class Text:
     def is_break(self, at: int) -> bool:
         """Does a clause end here?"""
         return self.tokens[at].kind is Kind.SYMBOL and self.words[at] in BREAKS
+
+    def is_possessive(self, at: int) -> bool:
+        """Is it the 's of an owner?"""
+        return 0 <= at < len(self.tokens) and self.tokens[at].kind is Kind.POSSESSIVE
 
     def is_content(self, at: int) -> bool:
         """Is it a word that no closed class has: the name of something?"""
@@ -110,13 +112,7 @@ class Text:
     @cached_property
     def sentences(self) -> list[tuple[int, int]]:
         """(start, end) of each sentence; a colon, a semicolon and a dash part sentences too."""
-        found: list[tuple[int, int]] = []
-        start = 0
-        for at in range(len(self.tokens)):
-            if self.is_break(at) or (self.words[at] == "-" and self.tokens[at].kind is Kind.SYMBOL):
-                if at > start:
-                    found.append((start, at))
-                start = at + 1
-        if start < len(self.tokens):
-            found.append((start, len(self.tokens)))
-        return found
+        symbols = (at for at, token in enumerate(self.tokens) if token.kind is Kind.SYMBOL)
+        ends = [*(at for at in symbols if self.words[at] in (*BREAKS, "-")), len(self.tokens)]
+        starts = [0, *(end + 1 for end in ends)]
+        return [(start, end) for start, end in zip(starts, ends, strict=False) if start < end]

@@ -45,6 +45,8 @@ _TOKEN = re.compile(
 )
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
+_OPENING = re.compile(r"\W*(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
+"""Words before which 'in' is no unit."""
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
 _SIGNED = tuple(
     ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)], side.value) for side in Side
@@ -90,7 +92,7 @@ _SYMBOLS = {
     "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " centerline ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
     "□": " square ", "∠": " angle ",
 }  # fmt: skip
-"""ISO 129-1 and ASME Y14.5: diameter, centre line, depth, counterbore, countersink, square."""
+"""ISO 129-1 and ASME Y14.5."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
 DENSITY = -3
 """The power of lengths in kilograms per cubic metre."""
@@ -142,35 +144,24 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
     position = 0
     while len(tokens) < MAX_TOKENS and (match := _TOKEN.search(text, position)):
         position = match.end()
-        if match["thread"]:
-            name = re.sub(r'[\s"#]', "", re.sub(r"(\d) (?=\d)", r"\1-", match["thread"].lower()).replace("×", "x"))
-            name = re.sub(r"-\d+(?=npt)", "", name)
-            tokens.append(Token(name, match["thread"], Kind.THREAD))
-        elif match["times"]:
-            tokens.append(Token("x", match["times"], Kind.TIMES, float(re.match(r"\d+", match["times"])[0])))  # type: ignore[index]
-        elif match["number"]:
-            token, position = _number(match["number"], text, position)
-            tokens.append(token)
-        elif match["word"]:
-            tokens += _words(match["word"], names)
-        elif match["possessive"]:
-            tokens.append(Token("'s", match["possessive"], Kind.POSSESSIVE))
-        elif (
-            match["symbol"] == "-"
-            and match.start() > 0
-            and text[match.start() - 1].isalnum()
-            and text[position : position + 1].isalnum()
-        ):
-            continue  # a hyphen parts words
-        else:
-            tokens.append(_symbol(match["symbol"]))
+        raw = match[0]
+        match match.lastgroup:
+            case "thread":
+                name = re.sub(r'[\s"#]', "", re.sub(r"(\d) (?=\d)", r"\1-", raw.lower()).replace("×", "x"))
+                tokens.append(Token(re.sub(r"-\d+(?=npt)", "", name), raw, Kind.THREAD))
+            case "times":
+                tokens.append(Token("x", raw, Kind.TIMES, float(raw.rstrip(" xX×"))))
+            case "number":
+                token, position = _number(raw, text, position)
+                tokens.append(token)
+            case "word":
+                tokens += _words(raw, names)
+            case "possessive":
+                tokens.append(Token("'s", raw, Kind.POSSESSIVE))
+            case _ if not re.fullmatch(r"\w-\w", text[max(0, position - 2) : position + 1]):  # a hyphen parts words
+                plain = {"–": "-", "—": "-", "×": "x"}.get(raw, raw)
+                tokens.append(Token(_MARKS[raw].value, raw) if raw in _MARKS else Token(plain, raw, Kind.SYMBOL))
     return _joined(tokens)
-
-
-def _symbol(raw: str) -> Token:
-    if raw in _MARKS:
-        return Token(_MARKS[raw].value, raw)
-    return Token({"–": "-", "—": "-", "×": "x"}.get(raw, raw), raw, Kind.SYMBOL)
 
 
 def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
@@ -183,44 +174,16 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
             density = value * (1.0 if per[1][0] in "kK" else 1e-3) / volume
             return Token("density", text + per[0], Kind.QUANTITY, float(f"{density:.12g}"), DENSITY), per.end()
     unit = _POWER_UNIT.match(rest, position) or _UNIT.match(rest, position)
-    name = unit[1].lower() if unit else ""
-    if (
-        unit
-        and name in units
-        and not (name == "in" and not _is_inch(rest[unit.end() :]))
-        and not re.fullmatch(r"M[23]", unit[1])
-    ):
-        factor, power = units[name]
-        return Token(
-            rest[position - len(text) : unit.end()],
-            text + unit[0],
-            Kind.QUANTITY,
-            float(f"{value * factor:.12g}"),
-            power,
-        ), unit.end()
+    if unit and unit[1].lower() in units and not re.fullmatch(r"M[23]", unit[1]):
+        factor, power = units[unit[1].lower()]
+        if unit[1].lower() != "in" or not _OPENING.match(rest, unit.end()):  # '5 in the plate', '5.5 in diameter'
+            raw = text + unit[0]
+            return Token(raw, raw, Kind.QUANTITY, float(f"{value * factor:.12g}"), power), unit.end()
     if ordinal := re.match(r"(?:st|nd|rd|th)\b", rest[position:]):
         return Token(text + ordinal[0], text + ordinal[0]), position + ordinal.end()
     if (word := re.match(r"[a-zA-Z]\w*", rest[position:])) and text.isdecimal():  # '3d'
         return Token((text + word[0]).lower(), text + word[0]), position + word.end()
     return Token(text, text, Kind.NUMBER, value), position
-
-
-def _is_inch(after: str) -> bool:
-    """Is 'in' behind a number the unit? Not where it opens a phrase: '5 in the plate', '5.5 in diameter'."""
-    word = re.match(r"\W*([a-z]+)", after.lower())
-    return word is None or word[1] not in (
-        "the",
-        "this",
-        "a",
-        "total",
-        "it",
-        "all",
-        "diameter",
-        "width",
-        "length",
-        "depth",
-        "height",
-    )
 
 
 def _value(text: str) -> float:
@@ -239,17 +202,15 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
     spelt = lex.spelling.get(lower, lower)
     if " " in spelt:
         return [Token(lex.fold(word), raw) for word in spelt.split()]
-    folded = lex.singular(spelt)
-    known = lex.vocabulary
+    known, folded = lex.vocabulary, lex.singular(spelt)
     if folded not in known and spelt in known:
         folded = spelt
+    pieces: tuple[str, ...] = (folded,)
+    edits = 0
     spellable = TYPO_MIN_LETTERS <= len(folded) <= TYPO_MAX_LETTERS and folded.isalpha()
-    if folded in known or folded in names or lower in names or not spellable:
-        return [Token(folded, raw, plural=folded != spelt)]
-    if pieces := _compound(folded):
-        return [Token(piece, raw, plural=folded != spelt) for piece in pieces]
-    corrected, edits = _correct(folded)
-    return [Token(corrected, raw, plural=folded != spelt, corrected=edits)]
+    if spellable and folded not in known and names.isdisjoint((folded, lower)):
+        pieces, edits = _compound(folded) or _correct(folded)
+    return [Token(piece, raw, plural=folded != spelt, corrected=edits) for piece in pieces]
 
 
 @cache
@@ -260,13 +221,13 @@ def _pieces() -> frozenset[str]:
 
 
 @lru_cache(maxsize=4096)
-def _compound(word: str) -> tuple[str, str] | None:
-    """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
+def _compound(word: str) -> tuple[tuple[str, ...], int] | None:
+    """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives, and no edits."""
     lex, known = lexicon(), _pieces()
     for cut in range(3, len(word) - 2):
         second = lex.singular(word[cut:])
         if word[:cut] in known and second in known:
-            return word[:cut], second
+            return (word[:cut], second), 0
     return None
 
 
@@ -278,27 +239,23 @@ def _spelt_with(first: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4096)
-def _correct(word: str) -> tuple[str, int]:
+def _correct(word: str) -> tuple[tuple[str, ...], int]:
     """The known word that a typing error was made in: one edit, two from nine letters; else the word itself."""
     allowed = 1 if len(word) < 9 else 2
     best = (allowed + 1, word)
     for known in (*_spelt_with(word[0]), *_spelt_with(word[1])):
-        if abs(len(known) - len(word)) <= allowed:
-            if known[0] != word[0] and known[:2] != word[1::-1]:
-                continue
-            if word.startswith(known) and word[len(known) :] in ("ed", "d", "er", "r", "ly", "y", "al"):
-                continue  # another form of the word is no slip
-            distance = OSA.distance(word, known, score_cutoff=allowed)
-            if distance <= allowed:
-                substituted = len(word) == len(known) and sorted(word) != sorted(known)
-                if not (substituted and len(word) < 6):
-                    best = min(best, (int(distance), known))
+        if abs(len(known) - len(word)) > allowed or (known[0] != word[0] and known[:2] != word[1::-1]):
+            continue
+        if word.startswith(known) and word[len(known) :] in ("ed", "d", "er", "r", "ly", "y", "al"):
+            continue  # another form of the word is no slip
+        substituted = len(word) == len(known) and sorted(word) != sorted(known)
+        if not (substituted and len(word) < 6):
+            best = min(best, (int(OSA.distance(word, known, score_cutoff=allowed)), known))
     if best[0] > allowed or is_english(word):  # 'closer' is no slip of 'closed'
-        return word, 0
-    return best[1], best[0]
+        return (word,), 0
+    return (best[1],), best[0]
 
 
-@lru_cache(maxsize=4096)
 def is_english(word: str) -> bool:
     """Does a dictionary of English have the word?"""
     return word in _english()
@@ -313,21 +270,18 @@ def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Symbols and the numbers that they explain become one; ranges and tolerances share their unit."""
     joined: list[Token] = []
     for token in tokens:
-        before = joined[-1] if joined else None
-        if before is not None and before.raw in _MARKS and token.kind in (Kind.NUMBER, Kind.QUANTITY):
-            measure = _MARKS[before.raw]
-            joined[-1] = replace(token, kind=Kind.QUANTITY, measure=measure, raw=f"{before.raw}{token.raw}")
-            if token.kind is Kind.NUMBER:
-                joined[-1] = replace(joined[-1], value=token.value * 1e-3, power=1)
-            continue
-        joined.append(token)
+        mark = joined[-1].raw if joined else ""
+        if mark in _MARKS and token.kind in (Kind.NUMBER, Kind.QUANTITY):
+            length = replace(token, value=token.value * 1e-3, power=1) if token.kind is Kind.NUMBER else token
+            joined[-1] = replace(length, kind=Kind.QUANTITY, measure=_MARKS[mark], raw=mark + token.raw)
+        else:
+            joined.append(token)
     for i in reversed(range(len(joined) - 2)):
         first, between, second = joined[i : i + 3]
         ranged = between.word in ("to", "and", "-", "or", "±", "x", "by")
         if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:
             number = re.match(_NUMBER, second.raw)
             scale = second.value / (_value(number[0]) or 1.0) if number else 1e-3
-            joined[i] = replace(
-                first, kind=Kind.QUANTITY, value=float(f"{first.value * scale:.12g}"), power=second.power
-            )
+            value = float(f"{first.value * scale:.12g}")
+            joined[i] = replace(first, kind=Kind.QUANTITY, value=value, power=second.power)
     return tuple(joined)

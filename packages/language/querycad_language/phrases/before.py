@@ -3,34 +3,34 @@
 from __future__ import annotations
 
 from querycad_contracts import Rank, SizeFilter
-from querycad_language.lexicon import Adjective, Scale, Span
+from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import Draft
+from .mention import GENERIC, Draft
 from .sizes import size_before
-from .words import ends_do_question, is_generic, is_noun, is_verb, noun_follows, superlative
+from .words import ends_do_question, is_noun, is_verb, noun_follows, superlative
 
 
 def before_noun(text: Text, at: int, draft: Draft) -> int:
     """Where the next piece of the phrase ends; `at` where nothing here belongs to it."""
     token = text.tokens[at]
     empty = not (draft.nouns or draft.unknown)
-    if token.kind is Kind.TIMES:
-        draft.count = int(token.value)
-        return at + 1
-    if token.kind is Kind.THREAD:
-        draft.threads.append(token.word)
-        return at + 1
-    if token.kind is Kind.QUANTITY:
-        return size_before(text, at, draft) if empty else at
-    if token.kind is Kind.NUMBER:
-        return _number(text, at, draft)
-    if token.kind is not Kind.WORD:
-        return at
-    if empty and (end := _determiner(text, at, draft)) > at:
-        return end
-    return _word(text, at, draft)
+    match token.kind:
+        case Kind.TIMES:
+            draft.count = int(token.value)
+            return at + 1
+        case Kind.THREAD:
+            draft.threads.append(token.word)
+            return at + 1
+        case Kind.QUANTITY:
+            return size_before(text, at, draft) if empty else at
+        case Kind.NUMBER:
+            return _number(text, at, draft)
+        case Kind.WORD:
+            end = _determiner(text, at, draft) if empty else at
+            return end if end > at else _word(text, at, draft)
+    return at
 
 
 def _determiner(text: Text, at: int, draft: Draft) -> int:
@@ -57,18 +57,16 @@ def _determiner(text: Text, at: int, draft: Draft) -> int:
 def _number(text: Text, at: int, draft: Draft) -> int:
     """'4 holes' says how many; 'hole 4' names one."""
     token = text.tokens[at]
-    if token.value != int(token.value):
-        if draft.nouns or not text.find(at + 1, "noun", "adjective"):
-            return at
+    whole = token.value == int(token.value)
+    if not whole and not draft.nouns and text.find(at + 1, "noun", "adjective"):
         draft.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes'
-        return at + 1
-    if draft.nouns and not draft.unknown and draft.nouns[-1].end == at and token.value < 10_000:
+    elif whole and draft.nouns and not draft.unknown and draft.nouns[-1].end == at and token.value < 10_000:
         draft.ids.append(f"{draft.nouns[-1].value.name}-{int(token.value)}")
-        return at + 1
-    if not draft.nouns and noun_follows(text, at + 1):
+    elif whole and not draft.nouns and noun_follows(text, at + 1):
         draft.count = int(token.value)
-        return at + 1
-    return at
+    else:
+        return at
+    return at + 1
 
 
 def _word(text: Text, at: int, draft: Draft) -> int:
@@ -88,7 +86,8 @@ def _word(text: Text, at: int, draft: Draft) -> int:
     if adjective and (draft.nouns or noun_follows(text, adjective.end)):
         if draft.nouns and not is_noun(text, adjective.end):
             return at
-        _adjective(text, adjective, draft)
+        phrase = " ".join(text.words[at : adjective.end])
+        draft.adjectives.append(phrase if phrase in text.lexicon.adjectives else adjective.value.name)
         return adjective.end
     return _attribute(text, at, draft) or _unknown(text, at, draft, measure)
 
@@ -117,10 +116,12 @@ def _is_measure(text: Text, draft: Draft, noun: Span | None, adjective: Span | N
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'second largest', 'deepest', 'topmost'."""
-    if (ordinal := text.find(at, "ordinal")) and (scale := superlative(text, ordinal.end)):
-        return _rank(scale, draft, ordinal.value)
-    if (scale := superlative(text, at)) and (text.is_word(at - 1, "the") or noun_follows(text, scale.end)):
-        return _rank(scale, draft, 1)  # 'does the largest have'
+    ordinal = text.find(at, "ordinal")
+    scale = superlative(text, ordinal.end if ordinal else at)
+    if scale and (ordinal or text.is_word(at - 1, "the") or noun_follows(text, scale.end)):  # 'does the largest have'
+        most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
+        draft.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=draft.count or 1))
+        return scale.end
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
         draft.ranks.append(Rank(side=extreme.value, count=draft.count or 1))
         return extreme.end
@@ -129,7 +130,8 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
 
 def _is_head(text: Text, at: int, draft: Draft, noun: Span, adjective: Span | None) -> bool:
     """Is the noun one here: no adjective of a noun that follows, and no word for the whole model?"""
-    if adjective and not (adjective.end == noun.end and is_generic(text, noun.end)):
+    after = text.find(noun.end, "noun")  # one that adds nothing: 'ring body'
+    if adjective and not (adjective.end == noun.end and after is not None and after.value.name in GENERIC):
         behind, plural = adjective.end, text.tokens[adjective.end - 1].plural
         if behind >= noun.end and is_noun(text, behind) and not plural:  # 'the counterbores visible': a noun
             return False
@@ -142,10 +144,7 @@ def _attribute(text: Text, at: int, draft: Draft) -> int:
     if (side := text.find(at, "side")) and not draft.nouns:
         faced = side.end + text.is_word(side.end, "side", "face", "half")
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
-            if text.is_word(side.end, "half"):
-                draft.adjectives.append(f"{side.value.value} half")
-            else:
-                draft.sides.append(side.value)
+            draft.seen_on([side.value], half=text.is_word(side.end, "half"))
             return faced
         if is_noun(text, side.end):
             draft.ends.append(side.value)
@@ -171,15 +170,3 @@ def _unknown(text: Text, at: int, draft: Draft, measure: Span | None) -> int:
         return at
     draft.unknown.append(at)
     return at + 1
-
-
-def _rank(span: Span, draft: Draft, nth: int) -> int:
-    scale: Scale = span.value
-    draft.ranks.append(Rank(measure=scale.measure, most=scale.degree == "most", nth=nth, count=draft.count or 1))
-    return span.end
-
-
-def _adjective(text: Text, span: Span, draft: Draft) -> None:
-    adjective: Adjective = span.value
-    phrase = " ".join(text.words[span.start : span.end])
-    draft.adjectives.append(phrase if phrase in text.lexicon.adjectives else adjective.name)

@@ -2,59 +2,49 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from querycad_contracts import Measure, PartQuery, Place
-from querycad_language.lexicon import Noun, Span
+from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import GENERIC, Draft, Mention
 
+_GATHERED = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "sides", "unseen", "ends", "excluded",
+             "also", "ids")  # fmt: skip
+"""What a draft gathers for the fields of the query that have the same names."""
 
-def head_of(text: Text, draft: Draft, start: int, at: int) -> tuple[Mention | None, int] | None:
-    """None where this is no noun phrase; a finished mention for pronouns and the whole model."""
-    if draft.nouns:
-        return None, at
-    whole = text.find(at, "whole")
-    if whole is None and (adjective := text.find(at, "whole_adjective")):
-        whole = text.find(adjective.end, "whole")
-    if whole is not None and not draft.unknown:
+
+def head_of(text: Text, draft: Draft, start: int, at: int) -> Mention | int | None:
+    """Where the head ends; a finished mention for pronouns and the whole model; None where this is no noun phrase."""
+    if draft.nouns or draft.unknown:
+        return at
+    adjective = text.find(at, "whole_adjective")
+    whole = text.find(at, "whole") or (text.find(adjective.end, "whole") if adjective else None)
+    if whole is not None:
         return _whole(text, draft, start, whole)
-    if draft.unknown:
-        return None, at
     if (end := _without_noun(text, draft, start, at)) is not None:
-        return None, end
+        return end
     if draft.adjectives or draft.ranks:
         return None
-    if at == start and text.find(at, "pronoun") and not text.is_word(at, "one", "that", "this", "these", "those"):
-        return _pronoun(start), start + 1
-    if text.is_word(start, "this", "that", "these", "those", "them", "one") and at <= start + 1:
-        return _pronoun(start), start + 1
+    pointing = text.is_word(start, "this", "that", "these", "those", "them", "one")
+    if (at <= start + 1) if pointing else (at == start and text.find(at, "pronoun")):
+        return Mention(start, start + 1, None, frozenset((start,)), start, pronoun=True)
     return None
 
 
-def _pronoun(at: int) -> Mention:
-    return Mention(at, at + 1, None, frozenset((at,)), at, pronoun=True)
-
-
-def _whole(text: Text, draft: Draft, start: int, whole: Span) -> tuple[Mention | None, int]:
+def _whole(text: Text, draft: Draft, start: int, whole: Span) -> Mention | int:
     """'the part' is the whole model; 'the parts', 'which part', 'the red part' are bodies of it."""
     last = whole.end - 1
     plural = text.tokens[last].plural
-    if (
-        plural
-        or text.is_word(start - 1, "which")
-        or draft.count
-        or draft.ranks
-        or draft.colors
-        or draft.adjectives
-        or draft.ends
-    ):
+    restricted = draft.count or draft.ranks or draft.colors or draft.adjectives or draft.ends
+    if plural or restricted or text.is_word(start - 1, "which"):
         own = text.words[last] if not plural and text.words[last] in text.lexicon.nouns else "body"
         draft.nouns.append(Span(whole.start, whole.end, "noun", text.lexicon.nouns[own]))
         draft.used.update(range(start, whole.end))
-        return None, whole.end
-    used = frozenset(range(start, whole.end))
-    return Mention(start, whole.end, None, used, last, article=draft.article), whole.end
+        return whole.end
+    return Mention(start, whole.end, None, frozenset(range(start, whole.end)), last)
 
 
 def _without_noun(text: Text, draft: Draft, start: int, at: int) -> int | None:
@@ -77,44 +67,31 @@ def mention_of(text: Text, start: int, end: int, draft: Draft) -> Mention:
     while len(nouns) > 1 and nouns[-1].value.name in GENERIC:
         nouns = nouns[:-1]
     noun = nouns[-1] if nouns else None
-    places = list(draft.places)
-    places += [Place(relation="", what=_of_noun(n)) for n in nouns[:-1] if n.value.name != nouns[-1].value.name]
+    names = [n.value.name for n in nouns]
+    compound = [PartQuery(noun=name, words=(name,)) for name in names[:-1] if name != names[-1]]
+    places = (*draft.places, *(Place(relation="", what=query) for query in compound))
     unknown = tuple(text.words[at] for at in draft.unknown)
-    named = _name(text, noun) if noun is not None else " ".join(unknown)
+    named = " ".join(text.words[noun.start : noun.end]) if noun is not None else " ".join(unknown)
+    if noun is not None and named not in text.lexicon.nouns:
+        named = noun.value.name
     known = noun is not None or not unknown
     head = noun.end - 1 if noun is not None else draft.unknown[-1] if draft.unknown else start
     plural = any(text.tokens[i].plural for i in (noun.tokens if noun is not None else (head,)))
+    gathered: dict[str, Any] = {name: tuple(dict.fromkeys(getattr(draft, name))) for name in _GATHERED}
     query = PartQuery(
         noun=named,
         known=known,
         words=tuple(text.words[at] for at in range(start, noun.end if noun else end) if _says(text, at, draft, noun)),
-        adjectives=tuple(dict.fromkeys(draft.adjectives)),
-        lacking=tuple(draft.lacking),
-        sizes=tuple(draft.sizes),
-        threads=tuple(draft.threads),
-        colors=tuple(draft.colors),
         count=draft.count,
         plural=plural or draft.each or (draft.count or 1) > 1,
         definite=draft.definite,
         sample=draft.sample,
-        ranks=tuple(draft.ranks),
-        places=tuple(places),
-        sides=tuple(dict.fromkeys(draft.sides)),
-        unseen=tuple(draft.unseen),
-        ends=tuple(dict.fromkeys(draft.ends)),
-        excluded=tuple(draft.excluded),
-        also=tuple(draft.also),
+        places=places,
         unknown=unknown if known else (),
-        ids=tuple(draft.ids),
+        **gathered,
     )
     used = frozenset(draft.used.union(noun.tokens if noun is not None else draft.unknown))
-    return Mention(start, end, query, used, head, each=draft.each, plural=query.plural, article=draft.article)
-
-
-def _name(text: Text, noun: Span) -> str:
-    """The noun as it was said, where the lexicon has it so; else its canonical name."""
-    phrase = " ".join(text.words[noun.start : noun.end])
-    return phrase if phrase in text.lexicon.nouns else str(noun.value.name)
+    return Mention(start, end, query, used, head, plural=query.plural)
 
 
 def _says(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
@@ -124,8 +101,3 @@ def _says(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
     if not text.is_content(at) and not text.find(at, "noun", "side", "color", "adjective"):
         return False
     return noun is not None or at in draft.unknown or text.find(at, "side", "adjective") is not None
-
-
-def _of_noun(span: Span) -> PartQuery:
-    noun: Noun = span.value
-    return PartQuery(noun=noun.name, words=(noun.name,))

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Protocol
 
 from querycad_contracts import PartQuery, Place, Rank, Side, SizeFilter
 from querycad_language.lexicon import Span
-from querycad_language.text import Text
 
 MAX_DEPTH = 3
 """Places within places within places: deeper ones are no questions."""
@@ -26,9 +24,13 @@ class Mention:
     """Tokens whose meaning is in the query, function words of the phrase included."""
     head: int
     pronoun: bool = False
-    each: bool = False
     plural: bool = False
-    article: bool = False
+
+    @property
+    def part(self) -> PartQuery:
+        """The query of a mention that names parts, as those of `Question.parts` do."""
+        assert self.query is not None
+        return self.query
 
 
 @dataclass(slots=True)
@@ -57,23 +59,28 @@ class Draft:
     article: bool = False
     used: set[int] = field(default_factory=set)
 
-
-class NounPhrases(Protocol):
-    """Reads the noun phrases within a noun phrase."""
-
-    @property
-    def text(self) -> Text:
-        """The words."""
-        ...
-
-    def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
-        """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
-        ...
+    def seen_on(self, sides: list[Side], half: bool) -> None:
+        """They are seen on the sides, or lie in those halves of the model."""
+        if half:
+            self.adjectives += [f"{side.value} half" for side in sides]
+        else:
+            self.sides += sides
 
 
 def replace_fields(query: PartQuery, **fields: object) -> PartQuery:
     """The query with other values of some fields."""
     return query.model_copy(update=fields)
+
+
+def placed_in(query: PartQuery, relation: str, other: PartQuery) -> PartQuery:
+    """The parts, where they are so by the other ones: 'in the flange'."""
+    return replace_fields(query, places=(*query.places, Place(relation=relation, what=other)))
+
+
+def places_of(query: PartQuery | None, *relations: str) -> list[tuple[Place, PartQuery]]:
+    """Where the parts are by other parts, in any of the relations, with those others."""
+    places = query.places if query is not None else ()
+    return [(one, one.what) for one in places if one.what and (not relations or one.relation in relations)]
 
 
 def bare_of(query: PartQuery, *nouns: str) -> bool:

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from querycad_contracts import Measure, Place, Rank
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, Draft, Mention, NounPhrases
+from .mention import Draft, Mention
 from .places import along, central, nearest, placed, seen, sideways
-from .sizes import size
+from .sizes import stated_size
 from .words import is_noun, noun_follows, superlative
+
+if TYPE_CHECKING:
+    from .reader import Phrases
 
 _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
 
 
-def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def modifiers(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     """Where the modifiers that begin here end."""
     end = at
     while (after := _modifier(phrases, end, draft, depth, joined)) > end:
@@ -24,33 +29,26 @@ def modifiers(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: b
     return end
 
 
-def _modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
-    """Where a modifier that begins here, or behind words such as 'that are', ends; `at` where none does."""
+def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bool) -> int:
+    """Where a modifier that begins here, or behind words such as 'that are', ends; `start` where none does."""
     text = phrases.text
-    start, relative = at, False
-    for _ in range(6):
-        if at >= len(text):
-            return start
+    relative = False
+    for at in range(start, min(len(text), start + 6)):
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
-            if (after := _left_out(phrases, at + 1, draft, depth)) > at:
-                draft.used.update(range(start, after))
-                return after
-            if not _opens(text, at):
-                return start
-            at += 1
-            continue
-        if text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
+            after = _left_out(phrases, at + 1, draft, depth)
+            if after == at + 1 and _opens(text, at):
+                continue
+        elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
-        if (after := _one_modifier(phrases, at, draft, depth, joined)) > at:
+        else:
+            after = _one_modifier(phrases, at, draft, depth, joined)
+        if after > at + text.is_word(at, "(", ","):
+            after += text.is_word(after, ")") and "(" in text.words[start:after]
             draft.used.update(range(start, after))
-            if text.is_word(after, ")") and any(text.is_word(i, "(") for i in range(start, after)):
-                draft.used.add(after)
-                after += 1
             return after
         relative = relative or text.is_word(at, "that", "which", "who")
         if not _leads(text, at) and not (relative and _is_verb(text, at)):
             return start
-        at += 1
     return start
 
 
@@ -67,7 +65,7 @@ def _opens(text: Text, at: int) -> bool:
     if text.is_word(at + 1, "not", "no", "without") and text.find(at + 2, "side_preposition", "trait"):
         return True
     counted = any(text.find(i, "count") for i in range(at))
-    if text.words[at] == "," and counted and size(text, at + 1):
+    if text.words[at] == "," and counted and stated_size(text, at + 1):
         return True  # 'how many holes, diameter over 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
@@ -80,7 +78,7 @@ def _leads(text: Text, at: int) -> bool:
     return not verb or text.is_word(at - 1, "that", "which")
 
 
-def _one_modifier(phrases: NounPhrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def _one_modifier(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
     text = phrases.text
     if (end := seen(phrases, at, draft, depth)) > at:
         return end
@@ -128,10 +126,10 @@ def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
 def _through(text: Text, at: int, draft: Draft) -> int:
     """'that go all the way through', 'do not pass through the part', 'are through'."""
     end = text.skip(at, "passing", "do", "negation")
-    if (out := text.find(end, "emerging")) or text.find(end, "stopping"):
-        return _ending(text, at, end, draft, "through" if out else "blind")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     tags = draft.lacking if negated else draft.adjectives
+    if text.find(end, "emerging", "stopping"):
+        return _ending(text, at, end, tags)
     if end > at and text.is_word(end, "from") and text.is_word(end + 1, "one") and text.find(end + 2, "side_noun"):
         ahead = range(end + 3, min(len(text), end + 10))  # 'that go from one side of the part out to the other'
         if other := next((i for i in ahead if text.is_word(i, "other", "opposite")), 0):
@@ -141,32 +139,25 @@ def _through(text: Text, at: int, draft: Draft) -> int:
         return at
     inner = text.skip(end + 1, "each", "article")
     whole = text.find(inner, "whole") or text.is_word(inner, "side", "way", "thickness", "wall")
-    if whole and not text.is_word(inner + 1, "of"):
-        stop = inner + 1
-    elif noun_follows(text, end + 1):
+    all_of_it = whole and not text.is_word(inner + 1, "of")
+    if not all_of_it and noun_follows(text, end + 1):
         return at  # 'through the lid': a place
-    else:
-        stop = end + 1
     tags.append("through")
-    return stop
+    return inner + 1 if all_of_it else end + 1
 
 
-def _ending(text: Text, at: int, verb: int, draft: Draft, tag: str) -> int:
+def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
     """'that come out on the other side', 'that stop inside the material'."""
-    end = text.skip(verb, "emerging", "stopping")
-    place = text.skip(end, "place", "side_preposition", "article")
-    if place == end and not text.is_word(end, "to"):
-        return at
-    if text.is_word(place, "to", "other", "far", "opposite", "back"):
-        across = next((i for i in range(place, min(len(text), place + 5)) if text.find(i, "side_noun")), None)
-        stop = None if across is None or tag == "blind" else across + 1
-    else:
-        stop = place + 1 if tag == "blind" and text.find(place, "stuff", "whole") else None
-    if stop is None:
-        return at
-    negated = any(text.find(i, "negation") for i in range(at, verb)) or text.is_word(at - 1, "not")
-    (draft.lacking if negated else draft.adjectives).append(tag)
-    return stop
+    place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
+    if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
+        tags.append("blind")
+        return place + 1
+    if text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back"):
+        for across in range(place, place + 5):
+            if text.find(across, "side_noun"):
+                tags.append("through")
+                return across + 1
+    return at
 
 
 def _colored(text: Text, at: int, draft: Draft) -> int:
@@ -180,7 +171,7 @@ def _colored(text: Text, at: int, draft: Draft) -> int:
 
 def _stated_size(text: Text, at: int, draft: Draft) -> int:
     """'with a diameter of 5 mm', 'larger than 5 mm', 'from 4 to 6 mm', '5 mm deep', 'Ø8.5'."""
-    found = size(text, at)
+    found = stated_size(text, at)
     if found is None:
         return at
     noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
@@ -207,7 +198,6 @@ def _fitted(text: Text, at: int, draft: Draft) -> int:
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'with the smallest diameter', 'is the largest'."""
-    place = text.find(at, "place", "have")
     alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
     if alone is not None and not noun_follows(text, alone.end):
         draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
@@ -216,57 +206,42 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     if nth is not None and text.is_word(nth.end, "in", "by") and text.find(nth.end + 1, "measure", "scale"):
         draft.ranks.append(Rank(measure=Measure.MAGNITUDE, most=True, nth=nth.value))  # 'is second in size'
         return nth.end + 2
-    if place is None or place.value not in ("with", "of", "have"):
-        return at
-    start = text.skip(place.end, "article")
+    place = text.find(at, "place", "have")
+    start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have") else len(text)
     span = text.find(start, "most", "least") or superlative(text, start)
-    if span is None or (measure := text.find(span.end, "measure")) is None:
+    measure = text.find(span.end, "measure") if span is not None else None
+    if span is None or measure is None:
         return at
-    most = span.category == "most" or (span.category == "scale" and span.value.degree == "most")
+    most = "most" in (span.category, getattr(span.value, "degree", ""))
     draft.ranks.append(Rank(measure=measure.value, most=most))
     return measure.end
 
 
-def _trait(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _trait(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
     place = text.find(at, "place")
     if place is not None and place.value not in ("with", "without"):
         place = None
-    if (end := _neither(text, at, draft)) > at:
-        return end
     counts = depth == 0 and any(text.find(i, "count") for i in range(at))  # 'how many holes have a thread'
-    lead = place or (text.find(at, "have") if counts else None)
-    if lead is None:
+    have = text.find(at, "have")
+    lead = place or (have if counts else None)
+    start = lead.end if lead is not None else have.end if have is not None else at
+    none = text.is_word(start, "no", "neither")  # 'have neither a thread nor a chamfer', 'no thread no chamfer'
+    if lead is None and not none:
         return at
-    lacking = place is not None and place.value == "without"
-    start = lead.end
-    if text.is_word(start, "no", "any"):
-        lacking = lacking or text.is_word(start, "no")
-        start += 1
-    start = text.skip(start, "article")
+    lacking = none or (place is not None and place.value == "without")
+    start = text.skip(start + text.is_word(start, "no", "any", "neither"), "article")
     span = text.find(start, "trait")
     longer = text.find(start, "noun")
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (draft.lacking if lacking else draft.adjectives).append(span.value.name)
         return _further(text, span.end, draft) if lacking else span.end
-    other = phrases.at(start, depth + 1, False) if depth < MAX_DEPTH and place is not None else None
-    if other is None or other.query is None:
+    other = phrases.inner(start, depth) if place is not None else None
+    if other is None:
         return at
-    draft.places.append(Place(relation="with", what=other.query, negated=lacking))
+    draft.places.append(Place(relation="with", what=other.part, negated=lacking))
     return other.end
-
-
-def _neither(text: Text, at: int, draft: Draft) -> int:
-    """'have neither a thread nor a chamfer', 'no thread no chamfer'."""
-    start = text.skip(at, "have")
-    if not text.is_word(start, "neither", "no"):
-        return at
-    span = text.find(text.skip(start + 1, "article"), "trait")
-    if span is None:
-        return at
-    draft.lacking.append(span.value.name)
-    return _further(text, span.end, draft)
 
 
 def _further(text: Text, at: int, draft: Draft) -> int:
@@ -281,33 +256,30 @@ def _further(text: Text, at: int, draft: Draft) -> int:
     return _further(text, span.end, draft)
 
 
-def _left_out(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _left_out(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """', the dowel holes left out'."""
-    other = phrases.at(at, depth + 1, False) if depth == 0 else None
-    span = phrases.text.find(other.end, "left_out") if other is not None and other.query is not None else None
-    if other is None or other.query is None or span is None:
-        return 0
-    draft.excluded.append(other.query)
+    other = phrases.inner(at, depth) if depth == 0 else None
+    span = phrases.text.find(other.end, "left_out") if other is not None else None
+    if other is None or span is None:
+        return at
+    draft.excluded.append(other.part)
     return span.end
 
 
-def _exception(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def _exception(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'except the one in the middle'."""
     text = phrases.text
-    than = text.find(at, "scale") if text.is_word(at + 1, "than") and text.is_word(at + 2, "the") else None
-    if than and than.value.degree in ("more", "less") and (end := superlative(text, at + 3)) and depth == 0:
-        opposed = (than.value.degree == "less") == (end.value.degree == "most")  # 'smaller than the largest'
-        other = phrases.at(at + 2, depth + 1) if opposed else None
-        if other is not None and other.query is not None:
-            draft.excluded.append(other.query)
-            return other.end
-    span = text.find(at, "except", "minus")
-    if span is None or depth > 0:
+    if depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
-    inner = text.skip(span.end, "article")
-    if span.category == "minus" and not (inner > span.end and superlative(text, inner)):
-        return at  # 'minus the largest'
-    other = phrases.at(span.end, depth + 1)
+    than, end = text.find(at, "scale"), superlative(text, at + 3)
+    span = text.find(at, "except", "minus")
+    start = span.end if span is not None else at + 2
+    if than and end and text.is_word(at + 1, "than") and text.is_word(at + 2, "the"):  # 'smaller than the largest'
+        excludes = (than.value.degree, end.value.degree) in (("less", "most"), ("more", "least"))
+    else:
+        the_largest = text.skip(start, "article") > start and superlative(text, text.skip(start, "article"))
+        excludes = span is not None and (span.category == "except" or bool(the_largest))  # 'minus the largest'
+    other = phrases.at(start, depth + 1) if excludes else None
     if other is None or other.query is None:
         return at
     draft.excluded.append(other.query)

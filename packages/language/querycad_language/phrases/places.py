@@ -2,38 +2,40 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, Draft, NounPhrases, replace_fields
+from .mention import MAX_DEPTH, Draft, replace_fields
 from .words import is_noun
 
+if TYPE_CHECKING:
+    from .reader import Phrases
 
-def seen(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+
+def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
     negated = text.is_word(at, "not", "invisible", "hidden")
     start = text.skip(at + 1, "passing") if negated else at
     seeing = text.find(start, "seeing")
     start = text.skip(start, "seeing")
-    if view := text.find(start, "view"):
-        sides, end = [view.value], view.end
-    else:
-        sides, end = _sides(text, start)
-        far = text.is_word(start, "from") and any(text.is_word(i, "far") for i in range(at))
-        if far and seeing is None:  # 'how far is the hole from the left side': a plane
-            return at
+    view = text.find(start, "view")
+    sides, end = ([view.value], view.end) if view is not None else _sides(text, start)
+    if view is None and seeing is None and text.is_word(start, "from") and "far" in text.words[:at]:
+        return at  # 'how far is the hole from the left side': a plane
     if sides and not negated and text.is_word(end - 1, "half"):
-        draft.adjectives.extend(f"{side.value} half" for side in sides)
+        draft.seen_on(sides, half=True)
         return end
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
-    if text.is_word(end, "of") and (other := phrases.at(end + 1, depth + 1)) and depth < MAX_DEPTH:
-        if other.query is not None:  # 'on the left side of the flange'
-            draft.places.append(Place(relation="of", what=other.query, side=sides[0]))
-            return other.end
-        end = other.end
+    other = phrases.at(end + 1, depth + 1) if text.is_word(end, "of") and depth < MAX_DEPTH else None
+    if other is not None and other.query is not None:  # 'on the left side of the flange'
+        draft.places.append(Place(relation="of", what=other.query, side=sides[0]))
+        return other.end
+    end = other.end if other is not None else end
     (draft.unseen if negated else draft.sides).extend(sides)
     return end
 
@@ -50,13 +52,13 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
         if span is None:
             break
         after = text.skip(span.end, "side_noun")
-        if after == span.end and is_noun(text, span.end) and not text.find(span.end, "side_noun", "be", "function"):
-            return ([], at) if not sides else (sides, end)
+        if after == span.end and is_noun(text, span.end) and not text.find(span.end, "be", "function"):
+            break
         sides.append(span.value)
         end = after
-        if not text.is_word(end, "and", "or", ",", "&") or not (
-            text.find(text.skip(end + 1, "article", "side_preposition"), "side")
-        ):
+        if not text.is_word(end, "and", "or", ",", "&"):
+            break
+        if not text.find(text.skip(end + 1, "article", "side_preposition"), "side"):
             break
         end = text.skip(end + 1, "side_preposition")
     return (sides, end) if sides else ([], at)
@@ -91,7 +93,7 @@ def along(text: Text, at: int, draft: Draft) -> int:
     return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
-def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
     span = text.find(at, "near", "far")
@@ -106,48 +108,36 @@ def nearest(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
     if side := text.find(inner, "side"):
         draft.ranks.append(Rank(side=side.value if not most else side.value.opposite))
         return text.skip(side.end, "side_noun")
-    other = phrases.at(start, depth + 1, False)
-    if other is None or other.query is None:
+    other = phrases.inner(start, depth)
+    if other is None:
         return at
     draft.ranks.append(Rank(near=other.query, most=most))
     return other.end
 
 
-def central(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
     inner = text.skip(at + 1, "article")
     exact = inner + text.is_word(inner, "very", "exact", "dead", "geometric", "precise")
+    corner = text.skip(at + 1, "article", "each", "number")
     if span is not None:
-        end = span.end
+        end = span.end - text.is_word(span.end - 1, "of")
     elif text.is_word(at, "in", "at") and exact > inner and text.is_word(exact, "center", "middle"):
         end = exact + 1
+    elif text.find(at, "place") and text.is_word(corner, "corner"):
+        end = corner + 1
     else:
-        return _in_corner(phrases, at, draft, depth)
-    if (text.is_word(end, "of") or text.is_word(end - 1, "of")) and depth < MAX_DEPTH:
-        other = phrases.at(end + text.is_word(end, "of"), depth + 1, False)
-        if other is not None:
-            end = other.end
-            if other.query is not None:
-                draft.places.append(Place(relation="in", what=other.query))
-    draft.adjectives.append("central")
-    return end
-
-
-def _in_corner(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
-    text = phrases.text
-    end = text.skip(at + 1, "article", "each", "number")
-    if not text.find(at, "place") or not text.is_word(end, "corner"):
         return at
-    draft.adjectives.append("corner")
-    other = phrases.at(end + 2, depth + 1, False) if text.is_word(end + 1, "of") and depth < MAX_DEPTH else None
+    draft.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")
+    other = phrases.at(end + 1, depth + 1, False) if text.is_word(end, "of") and depth < MAX_DEPTH else None
     if other is not None and other.query is not None:
         draft.places.append(Place(relation="in", what=other.query))
-    return other.end if other is not None else end + 1
+    return other.end if other is not None else max(end, span.end if span is not None else 0)
 
 
-def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
+def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
@@ -169,13 +159,11 @@ def placed(phrases: NounPhrases, at: int, draft: Draft, depth: int) -> int:
         return other.end if span.value in ("in", "on", "of", "through") and not other.pronoun else at
     if text.find(other.end, "measure") and not text.is_word(other.end, "of"):
         return at  # 'holes in plate thickness direction'
-    if span.value == "between" and (also := text.skip(other.end, "side", "ground", "side_noun")) < len(text) - 1:
-        second = (
-            phrases.at(also + 1, depth + 1, False) if text.is_word(also, "and") else None
-        )  # 'groove bottom and bore'
-        if second is not None and second.query is not None:
-            both = replace_fields(other.query, also=(*other.query.also, second.query))
-            draft.places.append(Place(relation="between", what=both))
-            return second.end
+    also = text.skip(other.end, "side", "ground", "side_noun")  # 'groove bottom and bore'
+    second = phrases.inner(also + 1, depth) if span.value == "between" and text.is_word(also, "and") else None
+    if second is not None:
+        both = replace_fields(other.query, also=(*other.query.also, second.part))
+        draft.places.append(Place(relation="between", what=both))
+        return second.end
     draft.places.append(Place(relation=span.value, what=other.query))
     return other.end

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from querycad_contracts import PartQuery, Place, SizeFilter
+from querycad_contracts import PartQuery
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .before import before_noun
 from .head import head_of, mention_of
-from .mention import Draft, Mention, replace_fields
+from .mention import MAX_DEPTH, Draft, Mention, placed_in, replace_fields
 from .modifiers import modifiers
 from .places import seen
-from .sizes import size
 
 MAX_LEAD = 20
 """Tokens of a phrase up to its noun; twice as many as people say."""
@@ -37,33 +36,31 @@ class Phrases:
             self._known[key] = self._owned(mention, depth, joined) if mention is not None else None
         return self._known[key]
 
+    def inner(self, start: int, depth: int) -> Mention | None:
+        """The parts that are named here within a phrase; none within too many others."""
+        mention = self.at(start, depth + 1, joined=False) if depth < MAX_DEPTH else None
+        return mention if mention is not None and mention.query is not None else None
+
     def mentions(self) -> list[Mention]:
         """The noun phrases of the text from left to right, none inside another."""
         found: list[Mention] = []
         at = 0
         while at < len(self.text):
-            aside = self.text.find(at, "aside")
-            mention = self.at(at) if aside is None else None
-            if aside is not None:
-                at = aside.end
-            elif mention is not None:
-                found.append(self._resolved(mention, found))
-                at = mention.end
-            else:
-                measure = self.text.find(at, "measure")  # 'width across flats' names no flats
-                at = measure.end if measure is not None else at + 1
+            mention = self.at(at) if self.text.find(at, "aside") is None else None
+            passed = mention or self.text.find(at, "aside") or self.text.find(at, "measure")
+            at = passed.end if passed is not None else at + 1  # 'width across flats' names no flats
+            found += [self._resolved(mention, found)] if mention is not None else []
         return self._without([self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)])
 
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""
-        left = [m for m in found if m.query is not None and not m.pronoun and self._leaving(m)]
+        left = [m for m in found if m.query is not None and self._leaving(m)]
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
-        if not left or named is None or named.query is None:
+        if not left or named is None:
             return found
-        excluded = tuple(m.query for m in left if m.query is not None)
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))
-        query = replace_fields(named.query, excluded=(*named.query.excluded, *excluded))
+        query = replace_fields(named.part, excluded=(*named.part.excluded, *(m.part for m in left)))
         return [replace(m, query=query, used=used) if m is named else m for m in kept]
 
     def _leaving(self, mention: Mention) -> range:
@@ -85,12 +82,11 @@ class Phrases:
 
     def _owned(self, mention: Mention, depth: int, joined: bool) -> Mention:
         """'the cover's holes': the holes of the cover."""
-        possessive = mention.end < len(self.text) and self.text.tokens[mention.end].kind is Kind.POSSESSIVE
-        own = self.at(mention.end + 1, depth, joined) if possessive else None
-        if own is None or own.query is None or own.pronoun:
+        own = self.at(mention.end + 1, depth, joined) if self.text.is_possessive(mention.end) else None
+        if own is None or own.query is None:
             return mention
-        owner = () if mention.query is None else (Place(relation="of", what=mention.query),)
-        query = replace_fields(own.query, places=(*own.query.places, *owner), definite=True)
+        query = own.query if mention.query is None else placed_in(own.query, "of", mention.query)
+        query = replace_fields(query, definite=True)
         return replace(own, start=mention.start, query=query, used=mention.used | {mention.end} | own.used)
 
     def _resolved(self, mention: Mention, before: list[Mention]) -> Mention:
@@ -105,23 +101,14 @@ class Phrases:
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
 
     def _read(self, start: int, depth: int, joined: bool) -> Mention | None:
-        text = self.text
-        draft = Draft()
-        at = start
-        while at < min(len(text), start + MAX_LEAD):
-            after = before_noun(text, at, draft)
-            if after == at:
-                break
+        draft, at = Draft(), start
+        while at < min(len(self.text), start + MAX_LEAD) and (after := before_noun(self.text, at, draft)) > at:
             draft.used.update(range(at, after))
             at = after
-        head = head_of(text, draft, start, at)
-        if head is None:
-            return None
-        mention, at = head
-        if mention is not None:
-            return mention
-        end = modifiers(self, at, draft, depth, joined)
-        return mention_of(text, start, end, draft)
+        head = head_of(self.text, draft, start, at)
+        if not isinstance(head, int):
+            return head
+        return mention_of(self.text, start, modifiers(self, head, draft, depth, joined), draft)
 
     def view(self, at: int) -> Mention | None:
         """A side that is said here apart from a part, as a mention without a noun."""
@@ -154,31 +141,19 @@ class Phrases:
         whole = text.skip(text.skip(end + 1, "article"), "whole") if text.is_word(end, "of") else end
         if whole < len(text) and text.tokens[whole].kind is not Kind.SYMBOL:
             return at
-        if half:
-            draft.adjectives.append(f"{side.value.value} half")
-        else:
-            draft.sides.append(side.value)
+        draft.seen_on([side.value], half)
         return whole
-
-    def size(self, at: int) -> tuple[SizeFilter, int] | None:
-        """A stated size that begins here, and where it ends."""
-        return size(self.text, at)
 
 
 def noun_phrase(description: str, names: Iterable[str] = ()) -> PartQuery:
     """Which parts does free text ask for: 'counterbored hole', 'the red body'? Unknown words are kept as the noun."""
     text = Text(description, frozenset(names))
     phrases = Phrases(text)
-    for at in range(len(text)):
-        mention = phrases.at(at)
-        if mention is not None:
-            if mention.query is None:
-                return PartQuery(noun="object", words=("object",))
-            left = [
-                text.words[i]
-                for i in range(len(text))
-                if i not in mention.used and text.is_content(i) and not at <= i < mention.end
-            ]
-            return mention.query.model_copy(update={"unknown": (*mention.query.unknown, *left)})
-    words = tuple(text.words)
-    return PartQuery(noun=" ".join(words), known=False, words=words)
+    mention = next(filter(None, map(phrases.at, range(len(text)))), None)
+    if mention is None:
+        return PartQuery(noun=" ".join(text.words), known=False, words=tuple(text.words))
+    if mention.query is None:
+        return PartQuery(noun="object", words=("object",))
+    named = mention.used.union(range(mention.start, mention.end))
+    left = [text.words[i] for i in range(len(text)) if i not in named and text.is_content(i)]
+    return replace_fields(mention.query, unknown=(*mention.query.unknown, *left))

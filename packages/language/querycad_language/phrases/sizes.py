@@ -36,25 +36,17 @@ def size_before(text: Text, at: int, draft: Draft) -> int:
     return after
 
 
-def size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
+def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
     """A stated size that begins here, and where it ends."""
     at = text.skip(at, "article") if not text.find(at, "relation") else at
-    start = at
+    end = min(len(text), at + 9)
     measure: Measure | None = None
     relation = Relation.EQUAL
-    for _ in range(7):
-        if at >= len(text):
-            return None
+    while at < end:
         token = text.tokens[at]
         if token.kind is Kind.QUANTITY and token.power in (0, 1):
             return _sized(text, at, measure or token.measure, relation)
-        if (
-            token.kind is Kind.NUMBER
-            and measure is not None
-            and not text.is_word(at + 1, "hole")
-            and at + 1 <= len(text)
-            and not noun_follows(text, at + 1)
-        ):
+        if token.kind is Kind.NUMBER and measure is not None and not noun_follows(text, at + 1):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         if scale := text.find(at, "scale"):
             if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
@@ -62,39 +54,27 @@ def size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
             measure = scale.value.measure if scale.value.measure is not Measure.MAGNITUDE else measure
             relation, at = _COMPARISONS.get(scale.value.degree, Relation.EQUAL), scale.end + 1
         elif span := text.find(at, "relation"):
-            if not text.is_word(at, "of") or relation is Relation.EQUAL:
-                relation = span.value if not text.is_word(at, "of") else relation
-            at = span.end
+            relation, at = relation if text.is_word(at, "of") else span.value, span.end
         elif (span := text.find(at, "measure")) and measure is None:
             measure, at = span.value, span.end
         elif text.is_word(at, *_LINKS):
             at += 1
         else:
             return None
-        if at - start > 8:
-            return None
     return None
 
 
 def _sized(text: Text, at: int, measure: Measure | None, relation: Relation) -> tuple[SizeFilter, int]:
-    token = text.tokens[at]
-    low, high, end = token.value, None, at + 1
-    if (
-        text.is_word(end, "to", "and", "-", "up to")
-        and end + 1 < len(text)
-        and text.tokens[end + 1].kind is Kind.QUANTITY
-    ):
-        if relation is Relation.EQUAL and (
-            text.words[end] != "and" or any(text.is_word(i, "between") for i in range(max(0, at - 3), at))
-        ):
-            high, end, relation = text.tokens[end + 1].value, end + 2, Relation.BETWEEN
+    low, high, end = text.tokens[at].value, None, at + 1
+    joined = text.is_word(end, "to", "-") or (text.is_word(end, "and") and "between" in text.words[max(0, at - 3) : at])
+    other = text.tokens[end + 1] if joined and relation is Relation.EQUAL and end + 1 < len(text) else None
+    if other is not None and other.kind is Kind.QUANTITY:
+        high, end, relation = other.value, end + 2, Relation.BETWEEN
     if behind := text.find(end, "behind"):
         relation, end = behind.value, behind.end
-    scale = text.find(end, "scale")
-    if scale is not None and scale.value.degree == "positive" and measure is None:
+    scale, noun = text.find(end, "scale"), text.find(end + text.is_word(end, "in", "of"), "measure")
+    if measure is None and scale is not None and scale.value.degree == "positive":
         measure, end = scale.value.measure, scale.end
-    elif measure is None:
-        after = end + 1 if text.is_word(end, "in", "of") else end
-        if (span := text.find(after, "measure")) and not text.is_word(span.end, "of"):
-            measure, end = span.value, span.end
+    elif measure is None and noun is not None and not text.is_word(noun.end, "of"):
+        measure, end = noun.value, noun.end
     return SizeFilter(measure=measure, relation=relation, low=low, high=high), end

@@ -6,8 +6,6 @@ from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import GENERIC
-
 _VERBS = (
     "run", "stand", "rest", "lead", "seat", "stop", "project", "lie", "end", "slide", "face", "point", "open", "look",
 )  # fmt: skip
@@ -41,20 +39,10 @@ def superlative(text: Text, at: int) -> Span | None:
     return span if span is not None and span.value.degree in ("most", "least") else None
 
 
-def is_generic(text: Text, at: int) -> bool:
-    """Does a noun follow that adds nothing to the one before it: 'ring body'?"""
-    noun = text.find(at, "noun")
-    return noun is not None and noun.value.name in GENERIC
-
-
 def ends_do_question(text: Text, at: int) -> bool:
     """Is it the last word of a question with 'do', or one before a preposition, where a verb stands?"""
-    last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",") or bool(text.find(at + 1, "place"))
-    return (
-        last
-        and any(text.find(i, "do") and text.words[i] != "done" for i in range(max(0, at - 12), at))
-        and text.is_word(at, *_VERBS)
-    )
+    last = at + 1 >= len(text) or text.is_break(at + 1) or text.is_word(at + 1, ",") or text.find(at + 1, "place")
+    return bool(last) and text.is_word(at, *_VERBS) and any(text.find(i, "do") for i in range(at - 12, at))
 
 
 def is_verb(text: Text, at: int) -> bool:

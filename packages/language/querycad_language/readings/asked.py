@@ -20,11 +20,10 @@ EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
 _WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
 """Measures that narrower ones are of: the position of the tip, the size of the diameter."""
+_NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
-_REDUCES = (
-    ("most", Reduce.LARGEST), ("least", Reduce.SMALLEST), ("mean", Reduce.MEAN), ("different", Reduce.DIFFERENT),
-    ("total", Reduce.TOTAL),
-)  # fmt: skip
+EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
+_REDUCES = {**EXTREMES, "mean": Reduce.MEAN, "different": Reduce.DIFFERENT, "total": Reduce.TOTAL}
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,25 +92,19 @@ def _bare_scale(text: Text, at: int) -> Asked | None:
 
 def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
     """'How many millimetres deep is …?', 'How many degrees …?'; without a measure in the question: how large."""
-    used = set(range(at, end))
-    if power != 1:
-        return Asked(at, end, (UNITS[power],), "how", used=frozenset(used))
-    ahead = [text.find(i, "scale") for i in range(end, min(len(text), end + 6))]
+    ahead = (text.find(i, "scale") for i in range(end, end + 6) if power == 1)
     scale = next((span for span in ahead if span and span.value.degree == "positive"), None)
-    if scale is None:
-        if text.at_phrases("measure", "distance", "reach"):
-            return None
-        return Asked(at, end, (Measure.MAGNITUDE,), "how", used=frozenset(used))
-    return Asked(at, end, (scale.value.measure,), "how", used=frozenset(used | {*scale.tokens}))
+    if power == 1 and scale is None and text.at_phrases("measure", "distance", "reach"):
+        return None
+    measure = UNITS[power] if scale is None else scale.value.measure
+    return Asked(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
 
 
 def _how(text: Text, at: int) -> Asked | None:
     """'How deep is …?', 'How far does … stick out?'"""
     stuff = text.find(at + 2, "stuff") if text.is_word(at + 1, "much") else None
     if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
-        near = text.at_phrases("remaining", "gap", "between") | text.at_words(
-            "under", "behind", "around", "below", "beneath", "above"
-        )
+        near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
         measure = Measure.THICKNESS if near else Measure.VOLUME
         return Asked(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
     if text.is_word(at + 1, "much") and text.is_word(at + 2, "surface"):
@@ -119,23 +112,23 @@ def _how(text: Text, at: int) -> Asked | None:
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)
-    if text.is_word(at + 1, "far", "much"):
-        for i in range(at + 2, min(len(text), at + 14)):
-            if reach := text.find(i, "reach"):
-                return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
+    ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
+    if (reach := next(filter(None, ahead), None)) is not None:
+        return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
     return None
 
 
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
-    if (verb := text.find(at, "verbs")) and at not in taken:
+    verb = text.find(at, "verbs")
+    if verb and at not in taken:
         ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
             return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
-    if text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure"):
-        if any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):  # 'what does the part measure'
-            return Asked(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))
+    measures = text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure")
+    if measures and any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):
+        return Asked(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))  # 'what does the part measure'
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
@@ -152,8 +145,6 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
     led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before)
     if span.value is Measure.AXIS and led and not text.find(at - 1, "ask"):
         return None  # 'along the screw axis' says how a length is taken
-    if text.is_word(at, "across", "middle", "tip") and span.end == at + 1 and noun:
-        return None
     verbs = [verb for verb in text.all("verbs") if verb.value in _WHICH_WAY]
     if span.value is Measure.DIRECTION and verbs and all(verb.value is Measure.APPROACH for verb in verbs):
         # 'from which direction is it drilled'
@@ -204,24 +195,13 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
         if axis is None or axis.value >= len(EXTENTS):
             break
         measures, start = [EXTENTS[axis.value], *measures], start - 2
-    used = set(range(start, end))
-    while start > 0:
-        before = start - 1
-        for category, meaning in _REDUCES:
-            word = text.find(before, category)
-            if (
-                word is not None
-                and word.end == start
-                and before not in taken
-                and not text.is_word(before - 1, "i", "we", "you")
-            ):
-                reduce = reduce or meaning
-                used.add(before)
-                break
-        else:
+    while start - 1 not in taken and not text.is_word(start - 2, "i", "we", "you"):
+        words = ((text.find(start - 1, category), meaning) for category, meaning in _REDUCES.items())
+        meant = next((meaning for word, meaning in words if word is not None and word.end == start), None)
+        if meant is None:
             break
-        start = before
-    return Asked(start, end, tuple(measures), "noun", reduce, frozenset(used))
+        reduce, start = reduce or meant, start - 1
+    return Asked(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)))
 
 
 def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:

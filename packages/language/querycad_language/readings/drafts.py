@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field
 
 from querycad_language.forms import Form
@@ -15,7 +16,11 @@ class Draft:
 
     form: Form
     features: Features = field(default_factory=dict)
-    used: set[int] = field(default_factory=set)
+    used: AbstractSet[int] = frozenset()
+
+    def with_more(self, features: Features, used: AbstractSet[int]) -> Draft:
+        """The same form, for which more speaks, and that reflects more words."""
+        return Draft(self.form, {**features, **self.features}, self.used | used)
 
 
 @dataclass(frozen=True, slots=True)

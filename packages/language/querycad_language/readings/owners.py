@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Target
-from querycad_language.phrases import Mention, noun_follows, replace_fields
-from querycad_language.tokens import Kind
+from querycad_language.phrases import Mention, noun_follows, placed_in, replace_fields
 
 from .asked import Asked
 from .drafts import Features
@@ -34,7 +33,7 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     """All that the measure may be asked of."""
     text = question.text
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
-    linked = [(mention, _link(question, asked, mention)) for mention in sorted(near, key=lambda one: one.start)]
+    linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
     each = any(text.is_word(at, "each") and not noun_follows(text, at + 1) for at in range(len(text)))
     named = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
@@ -57,18 +56,15 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     yield from _compound_of(linked, asked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
-            query = PartQuery(noun="face", sides=(span.value,), definite=True)  # 'the area of the underside'
+            noun = "face"  # 'the area of the underside'
             if asked.measures == (Measure.THICKNESS,):  # 'what is the thickness of the top?'
                 noun = _PLATES.get(span.value, "wall")
-                query = PartQuery(noun=noun, sides=() if span.value in _PLATES else (span.value,), definite=True)
+            query = PartQuery(noun=noun, sides=() if noun in _PLATES.values() else (span.value,), definite=True)
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
-    features = {"link_whole": 1.0}
-    if owned:
-        features["owner_passed"] = 1.0
+    features = {"link_whole": 1.0, "owner_passed": float(owned)}
     if pronoun:
         features = {"link_whole_pronoun": 1.0}
-    if any(not m.pronoun and m.query is not None for m in question.mentions):
-        features["parts_passed"] = 1.0
+    features["parts_passed"] = float(bool(question.parts))
     sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
     yield Owner(None, sides, features)
 
@@ -76,13 +72,11 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Asked) -> Iterator[Owner]:
     """'the counterbore diameter of the small holes': of the counterbores of those."""
     before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
-    of = [m for m, link in linked if link in ("of", "preposition") and m.query is not None and not m.pronoun]
-    if before is None or before.query is None or not of or of[0].query is None:
-        return
-    places = (*before.query.places, Place(relation="of", what=of[0].query))
-    joined = replace_fields(before.query, places=places, plural=of[0].query.plural)
-    used = set(before.used | of[0].used | set(range(asked.end, of[0].start)))
-    yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})
+    of = next((m for m, link in linked if link in ("of", "preposition") and m.query is not None), None)
+    if before is not None and of is not None:
+        joined = replace_fields(placed_in(before.part, "of", of.part), plural=of.part.plural)
+        used = {*before.used, *of.used, *range(asked.end, of.start)}
+        yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})
 
 
 def _link(question: Question, asked: Asked, mention: Mention) -> str:
@@ -100,7 +94,7 @@ def _link_before(question: Question, asked: Asked, mention: Mention) -> str:
     text, between = question.text, range(mention.end, asked.start)
     if not between:
         return "compound"
-    if any(text.tokens[i].kind is Kind.POSSESSIVE for i in between):
+    if any(map(text.is_possessive, between)):
         return "possessive"
     if any(text.is_word(i, ",", "(", "-") for i in between):
         return "topic"

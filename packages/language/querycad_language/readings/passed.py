@@ -11,20 +11,14 @@ from querycad_language.tokens import Kind
 from .drafts import Draft, Reading
 from .question import Question
 
-_CLASSES: tuple[tuple[str, frozenset[str]], ...] = (
-    ("courtesy", frozenset(("courtesy",))),
-    ("side", frozenset(("side", "view"))),
-    ("axis", frozenset(("axis",))),
-    ("negation", frozenset(("negation", "except"))),
-    ("noun", frozenset(("noun",))),
-    ("function", frozenset(("whole", "pronoun", "ask"))),
-    ("measure", frozenset(("measure", "distance", "gap"))),
-    ("comparison", frozenset(("scale", "same", "most", "least", "different"))),
-    ("function", frozenset(("function", "be", "side_preposition"))),
-    ("chatter", frozenset(("chatter", "imperative", "have", "relation", "place", "quantifier", "each"))),
-    ("adjective", frozenset(("adjective",))),
-    ("function", frozenset(("side_noun", "article", "axis_preposition", "total"))),
-)
+_CLASSES: tuple[tuple[str, set[str]], ...] = (
+    ("courtesy", {"courtesy"}), ("side", {"side", "view"}), ("axis", {"axis"}), ("negation", {"negation", "except"}),
+    ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}), ("measure", {"measure", "distance", "gap"}),
+    ("comparison", {"scale", "same", "most", "least", "different"}),
+    ("function", {"function", "be", "side_preposition"}),
+    ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each"}),
+    ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
+)  # fmt: skip
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
@@ -77,13 +71,9 @@ def _axis_asides(question: Question) -> set[int]:
     """'along its axis': the words say how a length is taken, and hardly ever which."""
     text = question.text
     found: set[int] = set()
-    for at in range(len(text)):
-        if text.find(at, "axis_preposition") and not text.is_word(at, "in", "by"):
-            end = next(
-                (i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "centerline")), None
-            )
-            if end is not None:
-                found |= set(range(at, end + 1))
+    for at in text.at_phrases("axis_preposition") - text.at_words("in", "by"):
+        end = next((i for i in range(at + 1, at + 5) if text.is_word(i, "axis", "centerline")), at - 1)
+        found.update(range(at, end + 1))
     return found
 
 

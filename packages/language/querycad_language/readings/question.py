@@ -23,24 +23,27 @@ class Question:
         self.asking, self.claims = _asking_sentence(self.text)
 
     @cached_property
+    def parts(self) -> list[Mention]:
+        """The mentions that name parts: no pronouns, and not the whole model."""
+        return [mention for mention in self.mentions if mention.query is not None]
+
+    @cached_property
     def views(self) -> list[Mention]:
         """Sides that are said apart from a part: 'Looking from the left, …', '… do you see on the top?'"""
         found: list[Mention] = []
-        at = 0
-        while at < len(self.text):
-            phrase = next((mention for mention in self.mentions if mention.start <= at < mention.end), None)
-            if phrase is None and (phrase := self.phrases.view(at)) is not None:
-                found.append(phrase)
-            at = phrase.end if phrase is not None else at + 1
+        free = {*range(len(self.text))}.difference(*(range(one.start, one.end) for one in self.mentions))
+        for at in sorted(free):
+            view = self.phrases.view(at) if not found or at >= found[-1].end else None
+            found += [view] if view is not None else []
         return found
 
     @cached_property
     def hardness(self) -> dict[str, float]:
         """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
         text = self.text
-        told = {at for stretch, _ in self.units_asked for at in stretch}
-        strange = (at for at in {*range(len(text))} - told if text.is_content(at) and not text.spans[at])
-        return {"words": math.log(max(1, len(text))), "strange_words": float(len(list(strange)))}
+        strange = {at for at in range(len(text)) if text.is_content(at) and not text.spans[at]}
+        strange.difference_update(*(stretch for stretch, _ in self.units_asked))
+        return {"words": math.log(max(1, len(text))), "strange_words": float(len(strange))}
 
     @cached_property
     def closed(self) -> bool:
@@ -73,16 +76,11 @@ class Question:
     def _asks_yes_no(self, begin: int) -> bool:
         """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""
         text = self.text
-        leading = (
-            i for i in range(begin, len(text)) if not text.is_word(i, "and", "but", "so", "please", "now", "then")
-        )
-        lead = next(leading, begin)
+        lead = next((i for i in range(begin, len(text)) if not text.is_word(i, *_BEFORE_VERB)), begin)
         if text.is_word(lead + 1, "i", "we") and text.is_word(lead + 2, *_REQUESTS):
             return False
-        verb = text.find(lead, "be", "do", "modal") is not None or text.is_word(
-            lead, "has", "have", "go", "goes", "exist", "exists"
-        )
-        return verb and not text.is_word(lead, "be") and not text.is_word(lead + 1, "you", "anyone", "anybody")
+        verb = text.find(lead, "be", "do", "modal") or text.is_word(lead, *_MAIN_VERBS)
+        return bool(verb) and not text.is_word(lead, "be") and not text.is_word(lead + 1, "you", "anyone", "anybody")
 
     @cached_property
     def whether(self) -> int | None:
@@ -112,11 +110,7 @@ class Question:
 
     def sentence_of(self, at: int) -> int:
         """Which sentence is the token in? -1 between two."""
-        return self._sentence_at.get(at, -1)
-
-    @cached_property
-    def _sentence_at(self) -> dict[int, int]:
-        return {at: i for i, sentence in enumerate(self.text.sentences) for at in range(*sentence)}
+        return next((i for i, (start, end) in enumerate(self.text.sentences) if start <= at < end), -1)
 
     def unit(self, at: int) -> tuple[int, int] | None:
         """The unit of measure that begins here: where it ends, and its power: 1 of lengths, 2 of areas, 0 of angles."""
@@ -141,11 +135,8 @@ class Question:
 
 def seen_from(query: PartQuery, view: Mention) -> PartQuery:
     """The part, from the sides that are said apart from it."""
-    assert view.query is not None
-    of = view.query
-    sides, places = (*query.sides, *of.sides), (*query.places, *of.places)
-    unseen, adjectives = (*query.unseen, *of.unseen), (*query.adjectives, *of.adjectives)
-    return replace_fields(query, sides=sides, unseen=unseen, places=places, adjectives=adjectives)
+    names = ("sides", "unseen", "places", "adjectives")
+    return replace_fields(query, **{name: (*getattr(query, name), *getattr(view.part, name)) for name in names})
 
 
 def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
@@ -153,28 +144,22 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
 
     It is the last one with a question word or an order, else the last one.
     """
-    best: tuple[int, tuple[int, int]] = (-1, (0, len(text)))
+    best: tuple[int, int, int, int] = (-1, 0, 0, len(text))
     for index, (start, end) in enumerate(text.sentences):
-        if start > 0 and all(text.is_word(i, *_YES_OR_NO) for i in range(start, end)):
+        words = range(start, end)
+        if start > 0 and all(text.is_word(i, *_YES_OR_NO) for i in words):
             continue  # 'slots: yes or no?'
-        if start > 0 and any(text.find(i, "ask") for i in range(start, end)) and _adds_nothing(text, start, end):
+        if start > 0 and any(text.find(i, "ask") for i in words) and _adds_nothing(text, start, end):
             continue  # 'Do any cross? Which?'
-        score = 0
-        if end < len(text) and text.is_word(end, "?"):
-            score += 4
-        if any(text.find(i, "ask", "count", "exists", "imperative", "where") for i in range(start, end)):
-            score += 3
-        if any(text.find(i, "measure", "distance", "gap") for i in range(start, end)):
-            score += 2
-        best = max(best, (score * 100 + index, (start, end)))
-    start, end = best[1]
+        asks = any(text.find(i, "ask", "count", "exists", "imperative", "where") for i in words)
+        names = any(text.find(i, "measure", "distance", "gap") for i in words)
+        best = max(best, (4 * text.is_word(end, "?") + 3 * asks + 2 * names, index, start, end))
+    _, _, start, end = best
     begin = _tag(text, start, end)
-    if begin == end:
-        return best[1], False
-    if begin > start:
+    if start < begin < end:
         return (start, begin), True
-    before = [sentence for sentence in text.sentences if sentence[1] <= start]
-    return (before[-1], True) if before else (best[1], False)
+    before = [sentence for sentence in text.sentences if sentence[1] <= start and begin == start]
+    return (before[-1], True) if before else ((start, end), False)
 
 
 def _adds_nothing(text: Text, start: int, end: int) -> bool:
@@ -196,6 +181,8 @@ _ASKS_IF = (
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
 _REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
+_BEFORE_VERB = ("and", "but", "so", "please", "now", "then")
+_MAIN_VERBS = ("has", "have", "go", "goes", "exist", "exists")
 _YES_OR_NO = ("yes", "no", "true", "false", "y", "n", "or", "/")
 _OPEN = ("give", "possible")
 """Words of a clause that asks for more than yes or no, though it begins so: 'is it possible to give me …'."""
@@ -203,13 +190,9 @@ _OPEN = ("give", "possible")
 
 def _tag(text: Text, start: int, end: int) -> int:
     """Where a tag such as ', right?' or 'is this correct?' begins; the sentence's end where there is none."""
-    begin, found = end, False
-    while begin > start:
-        if not text.find(begin - 1, *_IN_TAGS) and text.words[begin - 1] != ",":
-            break
+    begin = end
+    while begin > start and (text.find(begin - 1, *_IN_TAGS) or text.words[begin - 1] == ","):
         begin -= 1
-        found = found or text.find(begin, *_CLAIMED) is not None
     if begin > start:  # within a sentence the tag stands behind a comma
-        comma = next((i for i in range(begin, end) if text.words[i] == ","), None)
-        begin = comma if comma is not None and any(text.find(i, *_CLAIMED) for i in range(comma, end)) else end
-    return begin if found else end
+        begin = next((i for i in range(begin, end) if text.words[i] == ","), end)
+    return begin if any(text.find(i, *_CLAIMED) for i in range(begin, end)) else end

@@ -31,8 +31,7 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Drafts of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
-    counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts,
-    exists,
+    counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

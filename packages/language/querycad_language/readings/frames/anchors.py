@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, TypeAlias
 
 from querycad_contracts import PartQuery, Place
-from querycad_language.forms import Anchor, Boundary, Origin, Plane
+from querycad_language.forms import Anchor, Boundary, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
-from querycad_language.tokens import Kind
+
+End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
 
 def without(query: PartQuery, place: Place) -> PartQuery:
@@ -19,15 +20,12 @@ def without(query: PartQuery, place: Place) -> PartQuery:
     return replace_fields(query, places=tuple(one for one in query.places if one is not place))
 
 
-def ends_between(query: PartQuery) -> Iterator[tuple[PartQuery, PartQuery | Boundary | Literal["each other"]]]:
+def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
-    for place in query.places:
-        if place.relation == "between" and place.what is not None:
-            first, *others = place.what, *place.what.also
-            second = next(iter(others), None)
-            edge = second is not None and _is_edge(second)
-            end: PartQuery | Boundary | Literal["each other"] = Boundary(None) if edge else second or "each other"
-            yield replace_fields(first, also=(), plural=first.plural or not others), end
+    for _, first in places_of(query, "between"):
+        second = next(iter(first.also), None)
+        end: End = Boundary(None) if second is not None and _is_edge(second) else second or "each other"
+        yield replace_fields(first, also=(), plural=first.plural or second is None), end
 
 
 class Spot(NamedTuple):
@@ -44,30 +42,30 @@ def anchors_of(question: Question) -> list[Spot]:
     text = question.text
     found: list[Spot] = []
     taken: set[int] = set()
-    for mention in question.mentions:
-        if mention.pronoun or mention.query is None:
-            continue
-        found.append(Spot(mention.head, mention.query, set(mention.used), mention.query.plural))
-        taken |= mention.used
-        for place in mention.query.places:  # of 'the hole pattern' and 'the row of holes' the holes
-            if place.what is not None and place.relation in ("", "of") and _is_pattern(text, mention.query.noun):
-                inner = replace_fields(place.what, plural=True)
-                found.append(Spot(mention.head, inner, set(mention.used), plural=True))
-        if (cut := floored(mention.query) or rimmed(mention.query)) is not None:
-            found.append(Spot(mention.head, cut, set(mention.used)))
-        if plane := plane_of(mention.query):
-            found.append(Spot(mention.head, plane, set(mention.used)))
+    for mention in question.parts:
+        query, used = mention.part, set(mention.used)
+        taken |= used
+        found.append(Spot(mention.head, query, used, query.plural))
+        noun = text.lexicon.nouns.get(query.noun)
+        for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
+            if noun is not None and noun.senses[0].kind == ("pattern",):
+                found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
+        others = (floored(query) or _rimmed(query), plane_of(query))
+        found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
-    found += planes_of(question)
-    found.sort(key=lambda one: one.at)
-    return found
+    return sorted([*found, *planes_of(question)], key=lambda one: one.at)
 
 
 def floored(query: PartQuery) -> PartQuery | None:
     """The cut of 'the floor of the keyway', 'the bottom of the groove'."""
-    if query.noun not in ("floor", "bottom", "ground", "base"):
-        return None
-    return next((p.what for p in query.places if p.what is not None and p.relation in ("of", "below", "")), None)
+    named = query.noun in ("floor", "bottom", "ground", "base")
+    return next((cut for _, cut in places_of(query, "of", "below", "") if named), None)
+
+
+def _rimmed(query: PartQuery) -> PartQuery | None:
+    """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
+    named = query.noun in ("rim", "edge", "border", "wall", "outline")
+    return next((cut for _, cut in places_of(query, "of") if named), None)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
@@ -77,7 +75,7 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
         return Boundary(None)
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
-    holder = next((place.what for place in query.places if place.what is not None), None)
+    holder = next((other for _, other in places_of(query)), None)
     if sides:
         return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
     if holder is None and query.noun in ("end", "end face") and not (query.adjectives or query.unknown or query.ranks):
@@ -88,18 +86,6 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
 def _is_edge(query: PartQuery) -> bool:
     """'the edge', but no edge of a part."""
     return not query.places and any(category == "edge" for category, _ in lexicon().phrases.get(query.noun, ()))
-
-
-def rimmed(query: PartQuery) -> PartQuery | None:
-    """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    if query.noun not in ("rim", "edge", "border", "wall", "outline"):
-        return None
-    return next((p.what for p in query.places if p.what is not None and p.relation == "of"), None)
-
-
-def _is_pattern(text: Text, noun: str) -> bool:
-    known = text.lexicon.nouns.get(noun)
-    return known is not None and known.senses[0].kind == ("pattern",)
 
 
 def _of_model(text: Text, at: int) -> Spot | None:
@@ -113,8 +99,7 @@ def _of_model(text: Text, at: int) -> Spot | None:
         return Spot(at, Boundary(ground.value), set(ground.tokens))
     side = text.find(at, "side")
     led = text.find(at - 1, "article", "side_preposition", "place") or at == 0
-    owned = at > 0 and text.tokens[at - 1].kind is Kind.POSSESSIVE  # 'the part's left side'
-    if side and (led or owned):
+    if side and (led or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 
@@ -131,14 +116,10 @@ def planes_of(question: Question) -> list[Spot]:
         if text.is_word(after, "of") and (other := question.phrases.at(after + 1, 1)) and other.query is not None:
             found.append(Spot(at, Plane(side.value, other.query), set(range(at, other.end))))
             continue
-        before = next((m for m in question.mentions if m.query is not None and m.head < at <= m.head + 2), None)
+        before = next((m for m in question.parts if m.head < at <= m.head + 2), None)
         if any(m.start <= at < m.end and m is not before for m in question.mentions):
             continue  # 'the base plate and the top plate'
-        if (
-            before is not None
-            and before.query is not None
-            and (after > side.end or text.is_word(at, "top", "bottom", "underside"))
-        ):
-            bare = replace_fields(before.query, sides=(), ends=())
-            found.append(Spot(at, Plane(side.value, bare), set(before.used) | set(range(before.head, after))))
+        if before is not None and (after > side.end or text.is_word(at, "top", "bottom", "underside")):
+            bare = replace_fields(before.part, sides=(), ends=())
+            found.append(Spot(at, Plane(side.value, bare), {*before.used, *range(before.head, after)}))
     return found

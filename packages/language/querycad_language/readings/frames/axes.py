@@ -2,29 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
+
 from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.readings.question import Question
 
+_SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
+_MEASURES = {"width": 0, "depth": 1, "height": 2}
 
-def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int]]:
+
+def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
     text = question.text
-    for at in sorted(text.at_phrases("axis_preposition")):
+    for at in sorted(text.at_phrases("axis_preposition") - taken):
         if side := text.find(text.skip(at + 1, "article"), "measure", "adjective"):
-            words = text.words[side.start : side.end]
-            named = {"width": 0, "depth": 1, "height": 2}.get(words[0] if words else "")
-            if named is not None and text.is_word(at, "along") and at not in taken:
-                return named, set(range(at, side.end))
-            if words[:1] in (["long"], ["longer"], ["length"]) and at not in taken:
-                return LONGEST, set(range(at, text.skip(side.end, "side_noun")))
-            if words[:1] in (["short"], ["shorter"]) and at not in taken:
-                return SHORTER, set(range(at, text.skip(side.end, "side_noun")))
+            word = text.words[side.start]
+            if word in _SIDES:
+                return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
+            if word in _MEASURES and text.is_word(at, "along"):
+                return _MEASURES[word], set(range(at, side.end))
     for span in text.all("axis"):
         if span.start in taken:
             continue
-        lead = text.find(span.start - 1, "axis_preposition") or (
-            text.is_word(span.start - 1, "the") and text.find(span.start - 2, "axis_preposition")
-        )
+        lead = text.find(span.start - 1 - text.is_word(span.start - 1, "the"), "axis_preposition")
         if lead or span.end - span.start > 1 or text.is_word(span.start, "horizontally", "vertically"):
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
@@ -33,7 +33,7 @@ def axis_named(question: Question, taken: set[int]) -> tuple[int | None, set[int
 def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
     text = question.text
-    spans = {at: span.value for span in text.all("axis") for at in span.tokens}
+    spans: dict[int, int] = {at: span.value for span in text.all("axis") for at in span.tokens}
     if LONGEST in spans.values() or text.has("long", "along", "longer"):
         spans |= dict.fromkeys(text.at_words("long", "along", "longer"), LONGEST)
         spans |= dict.fromkeys(text.at_words("short", "across", "shorter"), SHORTER)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target
 from querycad_language.measures import is_length
-from querycad_language.phrases import bare_of, replace_fields
+from querycad_language.phrases import bare_of
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
@@ -28,27 +28,27 @@ def _compared(question: Question) -> Iterator[Draft]:
     """'How much longer is A than B?', 'Is A longer than B?'"""
     text, start = question.text, question.asking[0]
     than = min(text.at_words("than"), default=None)
-    scales = [span for i in range(start, len(text)) if (span := text.find(i, "scale"))]
-    comparative = next((span for span in scales if span.value.degree in ("more", "less")), None)
+    scales = (text.find(i, "scale") for i in range(start, len(text)))
+    comparative = next((span for span in scales if span and span.value.degree in ("more", "less")), None)
     if than is None or comparative is None:
         return
     parts = [m for m in question.mentions if not m.pronoun]
-    right = [m for m in parts if m.start > than][:1]
-    left = [m for m in parts if m.start < than][-1:] or [m for m in parts if m.start > than][1:2]
-    if not left or not right or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
+    behind = [m for m in parts if m.start > than]
+    before = [m for m in parts if m.start < than][-1:] or behind[1:2]
+    if not before or not behind or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
-    measure, used = comparative.value.measure, {than} | set(comparative.tokens) | left[0].used | right[0].used
+    left, right = before[0], behind[0]
+    measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is Measure.MAGNITUDE and named is not None:  # 'larger in diameter'
         measure, used = named.measures[0], used | named.used
-    a, b = Get((measure,), left[0].query), Get((measure,), right[0].query)
-    lead = range(start, comparative.start)
+    a, b = Get((measure,), left.query), Get((measure,), right.query)
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
-        used |= set(lead)
+        used.update(range(start, comparative.start))
         yield Draft(Combine("apart", a, b), {"combined": 1.0}, used)
-        if measure is Measure.HEIGHT and a.target is not None and b.target is not None:  # which lies higher
-            tops = Distance(Plane(Side.TOP, a.target), Plane(Side.TOP, b.target))
-            for form in (tops, Distance(a.target, b.target, "centers", axis=2)):
+        if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # which lies higher
+            tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
+            for form in (tops, Distance(left.query, right.query, "centers", axis=2)):
                 yield Draft(form, {"level": 1.0, "combined": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
         relation = Relation.MORE if comparative.value.degree == "more" else Relation.LESS
@@ -62,9 +62,8 @@ def _combined(question: Question) -> Iterator[Draft]:
         return
     asked = [one for one in asked_in(question) if one.start > span.start]
     before = [one for one in asked_in(question) if one.start < span.start]
-    asked = (
-        before[-1:] if span.value == "ratio" and before and len(asked) == 1 else before[-2:] if not asked else []
-    ) + asked
+    if not asked or (span.value == "ratio" and len(asked) == 1):
+        asked = before[-1 if asked else -2 :] + asked
     owners = [m for m in question.mentions if not m.pronoun]
     owners = [m for m in owners if m.start > span.start] or owners
     if not asked:
@@ -81,11 +80,11 @@ def _combined(question: Question) -> Iterator[Draft]:
 def _numbers(question: Question) -> Iterator[Draft]:
     """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
     text = question.text
-    owners = [m for m in question.mentions if not m.pronoun and m.query is not None and m.query.plural]
+    owners = [m for m in question.parts if m.part.plural][:2]
     if not owners or (asked_in(question) and not text.at_phrases("count")):
         return
-    targets = [replace_fields(m.query, plural=True) for m in owners[:2] if m.query is not None]
-    used = {i for m in owners[:2] for i in m.used}
+    targets = [m.part for m in owners]
+    used = {i for m in owners for i in m.used}
     span = next(iter(text.all("operation")), None)
     if span is not None and span.value == "share":
         among = next((one for one in targets if bare_of(one, one.noun) and " " not in one.noun), None)
@@ -103,8 +102,7 @@ def _numbers(question: Question) -> Iterator[Draft]:
     more = text.at_words("more", "fewer", "outnumber", "extra", "than", "exceed", "compared")
     less = {i for i in joining if text.is_word(i, "minus", "less") or text.find(i, "minus")}
     said = more | less | (set(span.tokens) if span is not None else set())
-    numbers = text.at_phrases("count") | more | less
-    if said and numbers:
+    spoken = {i for at in text.at_phrases("count") for i in (at, at + 1)}
+    if said and (spoken or more or less):
         operation: Operation = span.value if span is not None else "apart" if more else "minus"
-        spoken = {i for at in text.at_phrases("count") for i in range(at, at + 2)}
         yield Draft(Combine(operation, Count(targets[0]), Count(targets[1])), {"combined": 1.0}, used | said | spoken)

@@ -24,18 +24,18 @@ def contacts(question: Question) -> Iterator[Draft]:
     before = range(question.asking[0], asks or 0)
     if asks is None or any(text.find(i, "noun", "measure", "count") for i in before):
         return  # 'the number of nuts which hold the wheel'
-    named = [mention for mention in question.mentions if mention.query is not None and mention.start > asks][:2]
+    named = [mention for mention in question.parts if mention.start > asks][:2]
     asked = named[0] if len(named) > 1 and named[0].start == asks + 1 else None
     other = next((mention for mention in named if mention is not asked), None)
     begin = asked.end if asked is not None else asks + 1
     helped = text.find(begin, "do", "be") is not None
-    if other is None or other.query is None:
+    if other is None:
         return
     after = other.end if helped and other.start == begin + 1 else begin + helped
     verb = next((span for at in range(after, after + 2) if (span := text.find(at, *VERBS))), None)
     if verb is None or (other.start > verb.start and other.start > verb.end + 1):
         return
-    target = asked.query if asked is not None and asked.query is not None and asked.query.noun != "part" else BODIES
-    used = {asks, *range(verb.start, verb.end), *other.used, *(asked.used if asked is not None else ())}
+    target = asked.part if asked is not None and asked.part.noun != "part" else BODIES
+    used = {asks, *verb.tokens, *other.used, *(asked.used if asked is not None else ())}
     several = replace_fields(target, plural=True)  # 'which disc' may be two
-    yield Draft(Touching(several, other.query, held=verb.category == "fasten"), used=used)
+    yield Draft(Touching(several, other.part, held=verb.category == "fasten"), used=used)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Place
+from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import Count, Exists
 from querycad_language.lexicon import Span
-from querycad_language.phrases import Mention, bare_of, replace_fields
+from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
@@ -25,24 +25,19 @@ def counts(question: Question) -> Iterator[Draft]:
             continue
         used = set(span.tokens)
         elsewhere: Features = {} if question.in_question(span.start) else {"count_elsewhere": 1.0}
-        at = span.end + text.is_word(span.end, "of")
-        at = text.skip(at, "article")
+        at = text.skip(span.end + text.is_word(span.end, "of"), "article")
         different = text.find(at, "different")
         inner = different.end if different else at
         measure = text.find(inner, "measure")
         noun_here = text.find(inner, "noun")
-        own = next((m for m in question.mentions if m.start <= inner < m.end and m.query), None)
+        own = next((m for m in question.parts if m.start <= inner < m.end), None)
         behind = text.find(own.end, "measure") if own is not None else None
-        if own is not None and own.query is not None and behind is not None:  # 'how many different hole diameters'
-            counted = Count(replace_fields(own.query, plural=True), behind.value)
-            yield Draft(
-                counted, {"count_next": 1.0, "count_values": 1.0}, used | own.used | {inner - 1, *behind.tokens}
-            )
+        if own is not None and behind is not None:  # 'how many different hole diameters'
+            yield _values_of(own.part, behind.value, used | own.used | {inner - 1, *behind.tokens})
+        named = question.mentions
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
-            named = [m for m in question.mentions if m.query is not None]
-        else:
-            named = question.mentions
+            named = question.parts
         yield from _treated(question, at, used)
         whole = list(_topology(question, at, used))
         yield from whole
@@ -50,15 +45,10 @@ def counts(question: Question) -> Iterator[Draft]:
             continue  # 'how many faces' are all of them, whatever part they belong to
         after = [m for m in named if m.head >= at and not m.pronoun]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
-        before = [
-            m for m in before if m.end < span.start or not (m.query and m.query.ranks)
-        ]  # 'the highest hole count'
+        before = [m for m in before if m.end < span.start or not (m.query and m.query.ranks)]  # 'highest hole count'
         for index, mention in enumerate(after[:3]):
-            link = (
-                "count_next"
-                if index == 0 and all(not text.is_content(i) for i in range(at, max(at, mention.start)))
-                else "count_far"
-            )
+            next_to = index == 0 and not any(map(text.is_content, range(at, mention.start)))
+            link = "count_next" if next_to else "count_far"
             yield from _count_of(mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
         for mention in before[-2:]:
             yield from _count_of(mention, used, {"count_before": 1.0, **elsewhere}, [])
@@ -84,45 +74,41 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
         phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
         if adjective is not None and phrase in text.lexicon.nouns:
             query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
-            yield Draft(
-                Count(query),
-                {"count_next": 1.0, "treated": 1.0},
-                used | {at, *adjective.tokens},
-            )
+            yield Draft(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *adjective.tokens})
 
 
 def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
     measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
-    named = [m.query for m in question.mentions if m.query is not None]
-    if measure is not None and len(named) < 2 and all(bare_of(one, *_TOPOLOGY) for one in named):
+    named = question.parts
+    if measure is not None and len(named) < 2 and all(bare_of(one.part, *_TOPOLOGY) for one in named):
         said = {i for m in question.mentions if m.query is None for i in m.used}
         whole = Count(PartQuery(noun="object", definite=True), measure)
         yield Draft(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
+    whole = PartQuery(noun="object") if measure.value is Measure.MIRROR_PLANES else None
     for mention in question.mentions:
-        whole = PartQuery(noun="object") if measure.value is Measure.MIRROR_PLANES else None
         if (query := mention.query or whole) is not None and mention.start >= measure.end:
-            query = replace_fields(query, plural=True)
-            yield Draft(Count(query, measure.value), {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
+            yield _values_of(query, measure.value, used | mention.used)
+
+
+def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Draft:
+    return Draft(Count(replace_fields(query, plural=True), measure), {"count_next": 1.0, "count_values": 1.0}, used)
 
 
 def _count_of(mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[Draft]:
     """How many of them; of another part's where one is named: 'how many ribs does the bracket have?'"""
-    query = mention.query
-    if query is None:
-        if mention.pronoun and not mention.plural:
-            return
-        query = PartQuery(noun="body", words=("body",), plural=True)
-    query = replace_fields(query, plural=True)
+    if mention.pronoun:
+        return
+    query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     yield Draft(Count(query), features, used | mention.used)
     for owner in others[:2]:
-        if owner.query is not None and not owner.pronoun:
-            placed = replace_fields(query, places=(*query.places, Place(relation="of", what=owner.query)))
+        if owner.query is not None:
             link = "owner_after" if owner.start > mention.start else "owner_before"
-            yield Draft(Count(placed), {**features, link: 1.0}, used | mention.used | owner.used)
+            owned = placed_in(query, "of", owner.query)
+            yield Draft(Count(owned), {**features, link: 1.0}, used | mention.used | owner.used)
 
 
 def exists(question: Question) -> Iterator[Draft]:
@@ -131,20 +117,16 @@ def exists(question: Question) -> Iterator[Draft]:
     if text.at_phrases("overlap", "contact"):  # whether there are the bodies that touch is not asked
         return
     for span in text.all("exists"):
-        if not question.in_question(span.start) or text.find(span.start, "count"):
-            continue
-        if span.start > 0 and text.find(span.start - 1, "count", "ask", "noun", "scale"):
-            continue
-        named = [m for m in question.mentions if m.start >= span.start]
-        yield from _existing(named[:2], set(span.tokens))
+        counted = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale")
+        if question.in_question(span.start) and not counted:
+            named = [m for m in question.mentions if m.start >= span.start]
+            yield from _existing(named[:2], set(span.tokens))
     start = _having(question)
-    owned = [m for m in question.mentions if start is not None and m.start >= start and m.query is not None]
-    yield from _existing(owned[:2], {start or 0})
-    for owner, mention in pairwise(owned[:2]):
-        if owner.query is not None and mention.query is not None:
-            places = (*mention.query.places, Place(relation="of", what=owner.query))
-            placed = Exists(replace_fields(mention.query, places=places))
-            yield Draft(placed, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
+    owned = [m for m in question.parts if start is not None and m.start >= start][:2]
+    yield from _existing(owned, {start or 0})
+    for owner, mention in pairwise(owned):
+        held = Exists(placed_in(mention.part, "of", owner.part))
+        yield Draft(held, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
     if question.closed and said:  # 'Is a lug present?', 'Can any slots be found?'
@@ -163,10 +145,9 @@ def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
 def _having(question: Question) -> int | None:
     """Where a clause begins that asks what something has: 'does it have', '… whether the lever has', 'any'."""
     text, (start, end) = question.text, question.asking
-    if question.whether is not None:  # 'there' stands before what there is
-        inside = range(question.whether, end)
-        verb = next((i for i in inside if text.find(i, "have") or text.is_word(i, "there")), None)
-        if verb is not None:
+    inside = range(end if question.whether is None else question.whether, end)
+    for verb in inside:
+        if text.find(verb, "have") or text.is_word(verb, "there"):  # 'there' stands before what there is
             return verb
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)

@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
-from querycad_language.phrases import replace_fields
-from querycad_language.readings.asked import asked_in
+from querycad_language.phrases import places_of, replace_fields
+from querycad_language.readings.asked import EXTREMES, asked_in
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
@@ -19,13 +19,10 @@ from .anchors import Spot, anchors_of, ends_between, plane_of, without
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
-_EXTREMES = (Reduce.LARGEST, Reduce.SMALLEST)
 _FAR_APART = ("furthest", "farthest", "distant")
 _CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
-_APART = frozenset((
-    Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH,
-))  # fmt: skip
+_APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
 
 
@@ -56,7 +53,7 @@ def distances(question: Question) -> Iterator[Draft]:
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
         for first, second, more, features in _pairs(question, start):
-            if second == "each other" and reduce in _EXTREMES and isinstance(first, PartQuery):
+            if second == "each other" and reduce in EXTREMES.values() and isinstance(first, PartQuery):
                 first = replace_fields(first, count=None, ranks=(), plural=True)  # 'the two holes furthest apart'
             form = Distance(first, second, mode, axis, reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
@@ -99,13 +96,13 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(map(question.in_question, (*text.at_phrases("distance", "gap"), *counts))):
         return
     joining = text.at_words("to", "above", "from")
-    points = {Measure.POSITION, Measure.AXIS} | ({Measure.SIZE} if len(joining) > 1 else set())
+    points = (Measure.POSITION, Measure.AXIS, *([Measure.SIZE] if len(joining) > 1 else ()))
     centred = bool(text.at_phrases("center_to_center"))
     if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
-    several = len(anchors_of(question)) > 1 or any(m.query is not None and m.query.places for m in question.mentions)
+    several = len(anchors_of(question)) > 1 or any(m.part.places for m in question.parts)
     inside = joining - {0, len(text) - 1} or joining & text.at_words("between")
     if centred or (inside and several):
         yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
@@ -129,14 +126,11 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
     text = question.text
-    if over := {i for span in text.all("outside_to_outside") for i in span.tokens}:
+    if over := text.covered("outside_to_outside"):
         return "outsides", over
-    centred = {i for span in text.all("center_to_center") for i in range(span.start, span.end)}
-    if centred:
+    if centred := text.covered("center_to_center"):
         return "centers", centred
-    facing = {i for span in text.all("surface_to_surface") for i in range(span.start, span.end)}
-    if text.has("between"):
-        facing |= text.at_phrases("remaining")
+    facing = text.covered("surface_to_surface") | (text.at_phrases("remaining") if text.has("between") else set())
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
     ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
     named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
@@ -152,10 +146,8 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
         if not any(text.find(i, "negation") for i in range(at - 3, at)):
             return Reduce.LARGEST, {at}
     for at in range(max(0, start - 2), min(end + 1, len(text))):
-        if text.find(at, "most"):
-            return Reduce.LARGEST, {at}
-        if text.find(at, "least"):
-            return Reduce.SMALLEST, {at}
+        if span := text.find(at, "most", "least"):
+            return EXTREMES[span.category], {at}
     for words, reduce in ((_FAR_APART, Reduce.LARGEST), (_CLOSE, Reduce.SMALLEST)):
         said = {i for i in text.at_words(*words) if question.in_question(i)}
         alone = len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said)
@@ -169,7 +161,7 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     """Every two parts of a plural one; two that are named; one from the middle or the outside of the model."""
     named = _ends(question)
     for spot in chain.from_iterable(named):
-        for first, second in ends_between(spot.anchor) if isinstance(spot.anchor, PartQuery) else ():
+        for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
@@ -223,10 +215,9 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
                     yield from _over(spot.anchor, base.anchor, spot.used | base.used | set(span.tokens))
     for spot in chain.from_iterable(ends):
-        part = spot.anchor
-        for place in part.places if isinstance(part, PartQuery) else ():
-            if isinstance(part, PartQuery) and place.what is not None and place.relation in ("above", "below"):
-                yield from _over(without(part, place), place.what, spot.used)
+        if isinstance(spot.anchor, PartQuery):
+            for place, under in places_of(spot.anchor, "above", "below"):
+                yield from _over(without(spot.anchor, place), under, spot.used)
 
 
 def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
@@ -236,14 +227,11 @@ def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:
     """From the place in the phrase itself."""
-    anchor = spot.anchor
-    if not isinstance(anchor, PartQuery):
-        return
-    for place in anchor.places:
-        if place.what is not None and place.relation in ("of", "above", "below", "on", "in", "near"):
-            for other in (place.what, plane_of(place.what)):
+    if isinstance(spot.anchor, PartQuery):
+        for place, holder in places_of(spot.anchor, "of", "above", "below", "on", "in", "near"):
+            for other in (holder, plane_of(holder)):
                 if other is not None:
-                    yield _Pair(without(anchor, place), other, spot.used, {"place_as_anchor": 1.0})
+                    yield _Pair(without(spot.anchor, place), other, spot.used, {"place_as_anchor": 1.0})
 
 
 def angles(question: Question) -> Iterator[Draft]:
@@ -252,15 +240,12 @@ def angles(question: Question) -> Iterator[Draft]:
     for asked in asked_in(question):
         if asked.measures != (Measure.ANGLE,) or not question.in_question(asked.start):
             continue
-        parts = [m for m in question.mentions if m.query is not None and not m.pronoun]
         between = bool(text.at_phrases("between"))
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
-        for first, second in pairwise([*parts, None]):
-            assert first is not None
-            assert first.query is not None
+        for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
             used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
             several = first.plural or text.at_phrases("neighbor")
-            if several or any(place.relation == "between" for place in first.query.places):
-                yield Draft(Angle(first.query, None), features, used)
-            if second is not None and second.query is not None:
-                yield Draft(Angle(first.query, second.query), features, used | second.used)
+            if several or any(place.relation == "between" for place in first.part.places):
+                yield Draft(Angle(first.part, None), features, used)
+            if second is not None:
+                yield Draft(Angle(first.part, second.part), features, used | second.used)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, replace_fields
+from querycad_language.phrases import placed_in, replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -24,24 +24,19 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_most_seen(question), *_none_seen(question), *_way_from(question, side)]
+    compared = [*_side_of(question), *_way_from(question, side)]
     yield from compared
     side = None if compared else side
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
-    for index, mention in enumerate([m for m in question.mentions if m.query is not None and m.start >= begin][:3]):
-        query = mention.query
-        assert query is not None
+    for index, mention in enumerate([m for m in question.parts if m.start >= begin][:3]):
+        query = mention.part
+        used = {*mention.used, *(range(side - 1, side + 2) if side is not None else ())}
+        features = {"which_side": 1.0, "count_far": float(index)}
         if side is not None:
-            yield Draft(
-                Get((Measure.SIDES,), query),
-                {"which_side": 1.0, "count_far": float(index)},
-                {side - 1, side, side + 1} | mention.used,
-            )
+            yield Draft(Get((Measure.SIDES,), query), features, used)
         if offered or side is not None:
-            used = named | ({side - 1, side, side + 1} if side is not None else set()) | mention.used
-            target = replace_fields(query, sides=(), ends=())
-            features = {"which_side": 1.0, "sides_offered": float(bool(offered)), "count_far": float(index)}
-            yield Draft(Towards(target, offered or tuple(Side)), features, used)
+            towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
+            yield Draft(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
         lead = range(start, mention.start + 1)
         way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
@@ -50,9 +45,10 @@ def parts(question: Question) -> Iterator[Draft]:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
-            if (held := _held(question, mention)) is not None:
-                place = Place(relation="with", what=held.query)
-                query = replace_fields(query, places=(*query.places, place))
+            verb = text.find(mention.end, "have")
+            held = next((m for m in question.parts if verb and m.start == verb.end), None)
+            if held is not None:  # 'which plate carries the tapped holes'
+                query = placed_in(query, "with", held.part)
                 used = used | set(range(mention.end, held.end))
                 yield Draft(Parts(query), {"which": 1.0}, used)
             yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
@@ -63,30 +59,24 @@ def parts(question: Question) -> Iterator[Draft]:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
 
 
-def _most_seen(question: Question) -> Iterator[Draft]:
-    """'Which side has the most holes?', 'Name the side with the largest number of holes.'"""
+def _side_of(question: Question) -> Iterator[Draft]:
+    """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
-    most = {i for i in asking if text.is_word(i, "most") or text.find(i, "most") or _superlative(text, i)}
+    most = {i for i in asking if text.is_word(i, "most") or _most_at(text, i)}
     more = {i for i in asking if text.is_word(i, "more") and any(text.is_word(j, "any", "anywhere") for j in asking)}
     numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
-    counted = {i for i in most if text.is_word(i, "most")} | numbers | more
-    several = [m for m in question.mentions if m.query is not None and not m.pronoun and not m.used & faces]
-    if faces and counted and several and several[0].query is not None:
-        target = replace_fields(several[0].query, plural=True, ranks=())
-        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | several[0].used
+    none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    part = next((m for m in question.parts if not m.used & faces), None)
+    if not faces or part is None:
+        return
+    if numbers or more or any(text.is_word(i, "most") for i in most):
+        target = replace_fields(part.part, plural=True, ranks=())
+        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
         yield Draft(Towards(target, tuple(Side), "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
-
-
-def _none_seen(question: Question) -> Iterator[Draft]:
-    """'Which sides have no lug?', 'Name the sides without lugs.', 'lug-free sides'."""
-    text = question.text
-    faces = {i for i in range(*question.asking) if text.is_word(i, "side", "face")}
-    none = {i for i in range(*question.asking) if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
-    parts = [m for m in question.mentions if m.query is not None and not m.pronoun and not m.used & faces]
-    if faces and none and parts and parts[0].query is not None and not text.at_phrases("count"):
-        target = replace_fields(parts[0].query, plural=True, places=(), count=None)
-        used = faces | none | parts[0].used
+    if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
+        target = replace_fields(part.part, plural=True, places=(), count=None)
+        used = faces | none | part.used
         yield Draft(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
 
 
@@ -94,22 +84,15 @@ def _way_from(question: Question, side: int | None) -> Iterator[Draft]:
     """'From which side are the lugs pushed in?', 'Which side is it drilled from?'"""
     text = question.text
     verbs = {i for span in text.all("verbs") if span.value is Measure.APPROACH for i in span.tokens}
-    parts = [m for m in question.mentions if m.query is not None and not m.pronoun]
-    if side is None or not verbs or not text.has("from") or not parts or parts[0].query is None:
-        return
-    used = {side, side + 1, *text.at_words("from"), *verbs, *parts[0].used}
-    yield Draft(Towards(parts[0].query, tuple(Side), "way"), {"which_side": 1.0}, used)
+    if side is not None and verbs and text.has("from") and question.parts:
+        part = question.parts[0]
+        used = {side, side + 1, *text.at_words("from"), *verbs, *part.used}
+        yield Draft(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
 
 
-def _superlative(text: Text, at: int) -> bool:
-    span = text.find(at, "scale")
-    return span is not None and span.value.degree == "most"
-
-
-def _held(question: Question, mention: Mention) -> Mention | None:
-    """What the part has: 'which plate carries the tapped holes'."""
-    verb = question.text.find(mention.end, "have")
-    return next((m for m in question.mentions if verb and m.start == verb.end and m.query is not None), None)
+def _most_at(text: Text, at: int) -> bool:
+    span = text.find(at, "most", "scale")
+    return span is not None and "most" in (span.category, getattr(span.value, "degree", ""))
 
 
 def _named_by(query: PartQuery) -> Measure:
@@ -142,29 +125,26 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
 def mating(question: Question) -> Iterator[Draft]:
     """'Which shaft does the bore fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
     text = question.text
-    nouns = [mention for mention in question.mentions if mention.query is not None and mention.query.known]
+    nouns = [mention for mention in question.parts if mention.part.known]
     for index, male in enumerate(nouns):
         lead = range(max(question.asking[0], male.start - 4), male.start + 1)
         asked = next((i for i in lead if text.is_word(i, "what", "which")), None)
         verb = next((span for span in text.all("fits") if 0 <= span.start - male.end < MATES_WITHIN), None)
-        if asked is None or verb is None or male.query is None:
+        if asked is None or verb is None:
             continue
-        own = next(
-            (f"{male.query.noun} {hole}" for hole in _HOLES if f"{male.query.noun} {hole}" in text.lexicon.nouns),
-            "main bore",
-        )
-        fitted = [(PartQuery(noun=own, words=tuple(own.split())), set[int]())]
-        fitted += [(one.query, set(one.used)) for one in nouns[index + 1 : index + 3] if one.query is not None]
-        for query, used in fitted:
-            yield Draft(
-                Get((Measure.DIAMETER,), query), {"mating": 1.0}, {*range(asked, male.end), *verb.tokens, *used}
-            )
+        own = (f"{male.part.noun} {hole}" for hole in _HOLES)
+        noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
+        fitted = [(PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())]
+        fitted += [(one.part, one.used) for one in nouns[index + 1 : index + 3]]
+        used = {*range(asked, male.end), *verb.tokens}
+        for query, more in fitted:
+            yield Draft(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
 
 
 def bare(question: Question) -> Iterator[Draft]:
     """No measure is named at all: 'keyways of the spindle?', 'the spindle?'"""
     for mention in question.mentions[:3]:
-        if mention.query is not None:
-            yield Draft(Get((_named_by(mention.query),), mention.query), {"named_only": 1.0}, set(mention.used))
-            if mention.query.plural:
-                yield Draft(Count(mention.query), {"named_only": 1.0}, set(mention.used))
+        if (query := mention.query) is not None:
+            yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, mention.used)
+            if query.plural:
+                yield Draft(Count(query), {"named_only": 1.0}, mention.used)

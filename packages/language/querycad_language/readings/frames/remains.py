@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from querycad_contracts import Measure
 from querycad_language.forms import Behind, Combine, Distance, Get
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
 
@@ -16,31 +17,26 @@ from .anchors import ends_between, floored
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 
 
-def material(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
+def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:
     """'How thick is the web between the keyways?', 'What thickness remains under the keyway?'"""
     text = question.text
     if get.measures[0] not in _THICKNESSES:
         return
-    for first, second in ends_between(get.target) if get.target is not None else ():
+    for first, second in ends_between(get.target):
         yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
-    for place in get.target.places if get.target is not None else ():
-        if place.what is not None and place.relation in ("around", "near"):  # 'the wall around the bore'
-            yield Draft(Get((Measure.WALL_THICKNESS,), place.what), {**features, "material_around": 1.0}, used)
-        if place.what is not None and place.relation in ("below", "behind"):  # 'the web underneath the pocket'
-            cut = floored(place.what) or place.what
-            yield Draft(Distance(cut, Behind(), "surfaces"), {**features, "material_under": 1.0}, used)
-    remaining = text.at_phrases("remaining")
-    under = text.at_words("under", "below", "beneath", "underneath", "behind")
-    if remaining or under:
-        for mention in question.mentions:
-            if mention.query is not None:
-                cut = floored(mention.query) or mention.query
-                owned, features = used | remaining | under | mention.used, {**features, "material_under": 1.0}
-                yield Draft(Distance(cut, Behind(), "surfaces"), features, owned)
-                yield Draft(Get((Measure.BOTTOM_THICKNESS,), cut), features, owned)
+    for _, other in places_of(get.target, "around", "near"):  # 'the wall around the bore'
+        yield Draft(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
+    under: Features = {**features, "material_under": 1.0}
+    for _, other in places_of(get.target, "below", "behind"):  # 'the web underneath the pocket'
+        yield Draft(Distance(floored(other) or other, Behind(), "surfaces"), under, used)
+    said = text.at_phrases("remaining") | text.at_words("under", "below", "beneath", "underneath", "behind")
+    for mention in question.parts if said else ():
+        cut, owned = floored(mention.part) or mention.part, used | said | mention.used
+        yield Draft(Distance(cut, Behind(), "surfaces"), under, owned)
+        yield Draft(Get((Measure.BOTTOM_THICKNESS,), cut), under, owned)
 
 
-def less(question: Question, get: Get, features: Features, used: set[int]) -> Iterator[Draft]:
+def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:
     """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it under its head?'"""
     text = question.text
     lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)

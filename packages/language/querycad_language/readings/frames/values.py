@@ -10,11 +10,12 @@ from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
 from querycad_language.phrases import bare_of, replace_fields
-from querycad_language.readings.asked import EXTENTS, Asked, asked_in
+from querycad_language.readings.asked import EXTENTS, EXTREMES, Asked, asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.question import Question
-from querycad_language.tokens import DENSITY, Kind
+from querycad_language.text import Text
+from querycad_language.tokens import DENSITY
 
 from .axes import axes_listed, axis_named
 from .remains import less, material
@@ -23,9 +24,7 @@ VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.PO
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
 _STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
 """Measures that add up where 'total' stands right before them."""
-_ALONG = frozenset((
-    Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.MAGNITUDE, Measure.SIZE, Measure.THICKNESS,
-))  # fmt: skip
+_ALONG = (*_STACKED, Measure.LENGTH, Measure.HEIGHT, Measure.MAGNITUDE, Measure.SIZE)
 MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
@@ -37,9 +36,8 @@ def values(question: Question) -> Iterator[Draft]:
     """A measure of a part or of the whole: 'How deep is the dovetail?', 'What is the width of the lever?'"""
     shared = (Measure.VOLUME,) if question.text.at_phrases("overlap") else ()
     asked_for = [one for one in asked_in(question) if one.measures != shared]
-    for asked in [*asked_for, *_together(question, asked_for)]:
-        if not question.in_question(asked.start) and any(question.in_question(other.start) for other in asked_for):
-            continue
+    within = [one for one in asked_for if question.in_question(one.start)] or asked_for
+    for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
             yield from _surface(draft)
@@ -71,41 +69,41 @@ def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]
 
 def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     """The measures of one owner."""
-    text = question.text
+    text, target = question.text, owner.target
+    compound = target is not None and "link_compound" in owner.features
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
-    if several and len(asked.measures) == 1 and owner.target is not None and "link_compound" in owner.features:
-        owner = owner._replace(target=replace_fields(owner.target, plural=True))  # 'both bore diameters'
-    if owner.target is not None and "link_compound" in owner.features and "total" in owner.target.adjectives:
-        left = tuple(name for name in owner.target.adjectives if name != "total")  # 'total hole volume'
-        owner = owner._replace(target=replace_fields(owner.target, adjectives=left, plural=True))
-        asked = replace(asked, reduce=Reduce.TOTAL)
-    reduce, used = _reduce(question, asked, owner.target)
-    if owner.target is not None and "link_compound" in owner.features:
-        extreme = text.find(min(owner.used) - 1, "most", "least") if owner.used else None
-        if extreme is not None and reduce in (Reduce.ONE, Reduce.EACH):  # 'the minimum bore diameter'
-            reduce = Reduce.LARGEST if extreme.category == "most" else Reduce.SMALLEST
-            used |= set(extreme.tokens)
-    if owner.target is not None and (
-        reduce is Reduce.MEAN or ("link_compound" in owner.features and reduce in _OF_SEVERAL)
-    ):
-        owner = owner._replace(target=replace_fields(owner.target, plural=True))
+    if compound and target is not None and several and len(asked.measures) == 1:
+        target = replace_fields(target, plural=True)  # 'both bore diameters'
+    if compound and target is not None and "total" in target.adjectives:  # 'total hole volume'
+        left = tuple(name for name in target.adjectives if name != "total")
+        target, asked = replace_fields(target, adjectives=left, plural=True), replace(asked, reduce=Reduce.TOTAL)
+    reduce, used = _reduce(question, asked, target)
+    extreme = text.find(min(owner.used, default=0) - 1, "most", "least") if compound else None
+    if extreme is not None and reduce in (Reduce.ONE, Reduce.EACH):  # 'the minimum bore diameter'
+        reduce = EXTREMES[extreme.category]
+        used |= set(extreme.tokens)
+    if target is not None and (reduce is Reduce.MEAN or (compound and reduce in _OF_SEVERAL)):
+        target = replace_fields(target, plural=True)
     used |= asked.used | owner.used
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *_OVERALL)}
     if overall or text.is_word(asked.start, "overall", "total"):
-        features["overall_whole" if owner.target is None else "overall_part"] = 1.0
+        features["overall_whole" if target is None else "overall_part"] = 1.0
     with_head = text.has("head") and text.has("incl", "included", "including") and not text.has("not")
     over_all = asked.measures == (Measure.LENGTH,) and bool(overall or with_head or text.at_phrases("over_all"))
-    density = None
-    if {Measure.MASS, Measure.INERTIA} & set(asked.measures):
-        stated = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == DENSITY]
-        named = text.all("material")
-        if stated or named:
-            density = text.tokens[stated[0]].value if stated else named[0].value
-            used |= {*stated, *(i for span in (*text.all("density"), *named) for i in span.tokens)}
-    return Draft(Get(asked.measures, owner.target, reduce, density, over_all), features, used | overall)
+    density, said = _density(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
+    return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
+
+
+def _density(text: Text) -> tuple[float | None, set[int]]:
+    """The density that is stated, or that of the material that is named; and the words for it."""
+    stated = {at: token.value for at, token in enumerate(text.tokens) if token.power == DENSITY}
+    densities = [*stated.values(), *(span.value for span in text.all("material"))]
+    if not densities:
+        return None, set()
+    return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
 
 
 def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
@@ -137,24 +135,18 @@ def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
     get = draft.form
     assert isinstance(get, Get)
     axes, listed = axes_listed(question)
+    found: list[tuple[tuple[Measure, ...], set[int]]] = []
     if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in (Measure.SIZE, Measure.MAGNITUDE):
-        extents = replace(get, measures=tuple(EXTENTS[one] for one in axes))
-        yield Draft(extents, {**draft.features, "along_axis": 1.0}, draft.used | listed)
+        found.append((tuple(EXTENTS[one] for one in axes), listed))
     if axis is not None and axis < LONGEST and len(get.measures) == 1:
         if get.measures[0] in _ALONG:
-            yield Draft(
-                replace(get, measures=(EXTENTS[axis],)), {**draft.features, "along_axis": 1.0}, draft.used | used
-            )
+            found.append(((EXTENTS[axis],), used))
         elif get.measures[0] is Measure.POSITION:
-            point = (Measure.X, Measure.Y, Measure.Z)[axis]
-            yield Draft(replace(get, measures=(point,)), {**draft.features, "along_axis": 1.0}, draft.used | used)
+            found.append((((Measure.X, Measure.Y, Measure.Z)[axis],), used))
     if get.measures == (Measure.WIDTH,) and text.has("flat"):
-        flats = text.at_words("across", "over", "flat", "between")
-        yield Draft(
-            replace(get, measures=(Measure.ACROSS_FLATS,)),
-            {**draft.features, "along_axis": 1.0},
-            draft.used | flats,
-        )
+        found.append(((Measure.ACROSS_FLATS,), text.at_words("across", "over", "flat", "between")))
+    for measures, said in found:
+        yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
     yield draft
 
 
@@ -168,26 +160,18 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
             return asked.reduce, set()
     used: set[int] = set()
     start, end = question.asking
-    for category, meaning in (
-        ("different", Reduce.DIFFERENT),
-        ("mean", Reduce.MEAN),
-        ("range", Reduce.RANGE),
-        ("total", Reduce.TOTAL),
-    ):
-        for at in sorted(text.at_phrases(category)):
-            span = text.find(at, category)
-            meant = category == "mean" and text.is_word(at - 1, "i", "we", "you")
-            if span is None or not start <= at < end or meant:
+    for meaning in (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL):
+        for at in range(start, end):
+            span = text.find(at, meaning.value)
+            if span is None or (meaning is Reduce.MEAN and text.is_word(at - 1, "i", "we", "you")):
+                continue
+            within = any(text.is_word(i, "in", "within") for i in (at - 2, at - 1))
+            if meaning is Reduce.RANGE and (within or not plural):
                 continue
             adds = asked.measures[0] in ADDITIVE or text.find(at, "sum") is not None
-            if meaning is Reduce.RANGE and (
-                not plural or any(text.is_word(i, "in", "within") for i in (at - 2, at - 1))
-            ):
-                continue
-            if meaning is Reduce.TOTAL and not (plural and adds):
-                used |= set(range(at, span.end))
-                continue
-            return meaning, set(range(at, span.end))
+            if meaning is not Reduce.TOTAL or (plural and adds):
+                return meaning, set(span.tokens)
+            used |= set(span.tokens)
     if target is None:
         return Reduce.ONE, used
     each = {i for i in text.at_phrases("each") if start <= i < end}

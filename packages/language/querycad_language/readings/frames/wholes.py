@@ -9,6 +9,7 @@ from querycad_language.forms import Get
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
+_FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 
 
@@ -20,17 +21,9 @@ def wholes(question: Question) -> Iterator[Draft]:
     named = {i for m in question.mentions if m.query is None for i in m.used}
     if boxes:
         shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
-        filling = text.at_words(
-            "fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid"
-        )
-        cutting = text.at_phrases("cutting")
-        around = {
-            *boxes,
-            *(i + 1 for i in boxes if text.is_word(i, "bounding")),
-            *named,
-            *text.at_phrases("stuff"),
-            *text.at_words("much", "volume"),
-        }
+        filling, cutting = text.at_words(*_FILLING), text.at_phrases("cutting")
+        around = boxes | named | text.at_phrases("stuff") | text.at_words("much", "volume")
+        around |= {i + 1 for i in boxes if text.is_word(i, "bounding")}
         if shares or filling:
             yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
@@ -39,7 +32,6 @@ def wholes(question: Question) -> Iterator[Draft]:
     longest = {span.start for span in scales}
     axes = text.at_phrases("axis") | text.at_words("axis", "direction")
     asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
-    parts = any(m.query is not None and not m.pronoun for m in question.mentions)
-    if longest and axes and asks and not parts:
+    if longest and axes and asks and not question.parts:
         used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
         yield Draft(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)

@@ -20,80 +20,77 @@ from querycad_language.forms import (
     Within,
     mapped,
 )
-from querycad_language.phrases import Mention, replace_fields
+from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
 from querycad_language.readings.asked import Asked, asked_in
-from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
-from querycad_language.tokens import Kind
 
 from .distances import distances
 
 
 def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
-    text = question.text
     start = _verb_start(question)
     yield from _overlapping(question, start)
-    if start is None:
-        return
+    if start is not None:
+        yield from (draft.with_more({"check": 1.0}, {start}) for draft in _claims(question, start))
+
+
+def _claims(question: Question, start: int) -> Iterator[Draft]:
+    """What the clause that begins here asks to confirm."""
+    text = question.text
     yield from _apart(question, start)
     asked = [one for one in asked_in(question) if one.start >= start]
     parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
     yield from _alike(text, start, parts[:1], asked)
     if text.is_word(start + 1, "there"):
         return
-    said = len(parts) > 1 and (
-        text.is_word(parts[1].start, "a", "an") or (parts[1].plural and parts[1].start == parts[0].end)
-    )  # 'Are all lugs 5 mm round lugs?'
-    if said and parts[0].query and parts[1].query:
-        every = Every(parts[0].query, replace_fields(parts[1].query, plural=True))
-        yield Draft(every, {"check": 1.0, "predicate": 1.0}, {start} | parts[0].used | parts[1].used)
+    yield from _of_kind(text, parts[:2])
     yield from _fits(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
-        yield from _checked(text, None, found[0], asked, {"check": 1.0}, {start} | found[1])
+        yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
-        base: Features = {"check": 1.0, "count_far": float(index)}
-        used = {start} | mention.used
-        target = mention.query
-        if target is not None:
-            yield from _parallel(text, start, mention, parts, base, used)
-            if target.sizes:
-                bare = replace_fields(target, sizes=target.sizes[:-1])
-                yield from _checked(text, bare, target.sizes[-1], asked, base, used)
-        found = _size_after(question, mention.end)
-        if found is not None:
-            yield from _checked(text, target, found[0], asked, base, used | found[1])
-        for inner in _placed(target):
-            if inner.sizes:  # 'do the holes lie on a circle of 50 mm?'
-                yield from _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], (), base, used)
-        yield from _predicates(text, mention, target, base, used)
-        if target is not None:
-            yield from _attributes(text, mention, target, base, used)
+        behind = next((m for m in parts if m.start > mention.end), None)
+        sized = _sized(question, mention, asked)
+        said = _restricted(text, start, mention, behind) if mention.query is not None else ()
+        for draft in (*sized, *_predicates(text, mention), *said):
+            yield draft.with_more({"count_far": float(index)}, mention.used)
+
+
+def _sized(question: Question, mention: Mention, asked: Sequence[Asked]) -> Iterator[Draft]:
+    """'Is the 8 mm keyway …?', 'Is the keyway 8 mm wide?', 'Do the holes lie on a circle of 50 mm?'"""
+    text, target = question.text, mention.query
+    if target is not None and target.sizes:
+        yield _checked(text, replace_fields(target, sizes=target.sizes[:-1]), target.sizes[-1], asked)
+    if (found := _size_after(question, mention.end)) is not None:
+        yield _checked(text, target, found[0], asked).with_more({}, found[1])
+    for inner in _around(target):
+        if inner.sizes:
+            yield _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], ())
 
 
 def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
     """'Do the rollers overlap?', 'Is the key in contact with the hub?', 'What volume do they share in overlap?'"""
     bodies = PartQuery(noun="body", words=("body",), plural=True)
-    for category, mode in (("overlap", "overlap"), ("contact", "surfaces")):
+    for category in ("overlap", "contact"):
         said = question.text.at_phrases(category)
         named = [m for m in question.mentions if m.start >= (start or 0) and m.used.isdisjoint(said)][:2]
         meant = [one.query or bodies for one in named] or [bodies]
         shared = Distance(meant[0], meant[1] if len(meant) > 1 else "each other", "overlap", reduce=Reduce.SMALLEST)
         used = said.union(*(one.used for one in named))
         if said and start is not None:
-            over = Check(shared, Relation.MORE, 0.0)
-            form = over if mode == "overlap" else Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
+            touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
+            form = touching if category == "contact" else Check(shared, Relation.MORE, 0.0)
             yield Draft(form, {"check": 1.0}, {start, *used})
-        elif said and mode == "overlap":
+        elif said and category == "overlap":
             yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
 
 
 def within(question: Question) -> Iterator[Draft]:
     """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
-    verbs = {i for span in text.all("fits", "boxes") for i in span.tokens}
-    sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
+    verbs, sizes = text.covered("fits", "boxes"), text.lengths
     joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
@@ -105,13 +102,11 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
     """'Does a 12.5 mm gauge enter the small bore?': is it as wide as what is stated?"""
     text = question.text
     verb = next((span for span in text.all("fits") if span.start >= start), None)
-    sizes = [i for i, token in enumerate(text.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
-    holes = [m for m in question.mentions if verb and m.query is not None and m.start >= verb.end]
-    if verb is None or not sizes or not holes or holes[-1].query is None:
-        return
-    wide = Get((Measure.DIAMETER,), replace_fields(holes[-1].query, sizes=()))
-    used = {start, sizes[0], *verb.tokens, *holes[-1].used}
-    yield Draft(Check(wide, Relation.AT_LEAST, text.tokens[sizes[0]].value), {"check": 1.0, "mating": 1.0}, used)
+    hole = next((m for m in reversed(question.parts) if verb and m.start >= verb.end), None)
+    if verb is not None and hole is not None and text.lengths:
+        size, wide = text.lengths[0], Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=()))
+        check = Check(wide, Relation.AT_LEAST, text.tokens[size].value)
+        yield Draft(check, {"mating": 1.0}, {size, *verb.tokens, *hole.used})
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
@@ -123,54 +118,55 @@ def _apart(question: Question, start: int) -> Iterator[Draft]:
     for draft in distances(question):
         form = mapped(draft.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
         if isinstance(form, Distance):
-            check = Check(form, size.relation, size.low, size.high)
-            yield Draft(check, {**draft.features, "check": 1.0}, draft.used | used | {start})
+            yield Draft(Check(form, size.relation, size.low, size.high), draft.features, draft.used | used)
 
 
-def _placed(query: PartQuery | None) -> Iterator[PartQuery]:
+def _around(query: PartQuery | None) -> Iterator[PartQuery]:
     """The parts that say where a part is, and where those are."""
-    for place in query.places if query is not None else ():
-        if place.what is not None:
-            yield place.what
-            yield from _placed(place.what)
+    for _, other in places_of(query):
+        yield other
+        yield from _around(other)
+
+
+def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Draft]:
+    """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?'"""
+    for first, second in pairwise(parts):
+        said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
+        if said and first.query and second.query:
+            every = Every(first.query, replace_fields(second.query, plural=True))
+            yield Draft(every, {"predicate": 1.0}, first.used | second.used)
 
 
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Asked]) -> Iterator[Draft]:
     """'Are the holes all the same size?', 'Is there only one size of hole?'"""
-    same = {i for i in range(start, len(text)) if text.find(i, "same")}
+    same = {i for i in text.at_phrases("same") if i >= start}
     for mention in parts if same else ():
         for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
-            measures = (Measure.MAGNITUDE,) if one.measures == (Measure.SIZE,) else one.measures
             if mention.query is not None:
-                get = Get(measures, replace_fields(mention.query, plural=True))
-                yield Draft(Uniform(get), {"check": 1.0}, {start} | mention.used | same | one.used)
+                get = Get(one.measures, replace_fields(mention.query, plural=True))
+                yield Draft(Uniform(get), used=mention.used | same | one.used)
 
 
-def _parallel(
-    text: Text, start: int, mention: Mention, parts: Sequence[Mention], base: Features, used: set[int]
-) -> Iterator[Draft]:
-    """'Are the slots parallel?', 'Is the bore perpendicular to the face?'"""
-    assert mention.query is not None
-    other = next((m for m in parts if m.start > mention.end), None)
+def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Draft]:
+    """'Are the slots parallel?', 'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
+    target = mention.part
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
-    for word, square in (("parallel", False), ("perpendicular", True)):
-        at = {i for i in range(start, len(text)) if text.find(i, word)}
-        if at:
-            yield Draft(Parallel(mention.query, second, square), base, used | at | more)
-
-
-def _attributes(text: Text, mention: Mention, target: PartQuery, base: Features, used: set[int]) -> Iterator[Draft]:
-    """'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
-    if _any_of(text, mention) and (target.adjectives or target.lacking):
-        yield Draft(Exists(target), {**base, "predicate": 1.0}, used)
-    elif (target.adjectives or target.lacking) and _adjective_last(text, mention):
-        adjectives = target.adjectives[:-1] if not target.lacking else target.adjectives
+    for word in ("parallel", "perpendicular"):
+        if at := {i for i in text.at_phrases(word) if i >= start}:
+            yield Draft(Parallel(target, second, square=word == "perpendicular"), used=at | more)
+    restricted, last = bool(target.adjectives or target.lacking), mention.end - 1
+    if restricted and _any_of(text, mention):
+        yield Draft(Exists(target), {"predicate": 1.0})
+    elif restricted and (
+        mention.head < last or (text.find(last, "adjective", "trait") and not text.find(last, "noun"))
+    ):
+        adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Draft(Every(bare, target), base, used)
+        yield Draft(Every(bare, target))
     if target.threads:
-        yield Draft(Every(replace_fields(target, threads=()), target), base, used)
+        yield Draft(Every(replace_fields(target, threads=()), target))
     if target.sides:
-        yield Draft(Every(replace_fields(target, sides=()), target), {**base, "check_side": 1.0}, used)
+        yield Draft(Every(replace_fields(target, sides=()), target), {"check_side": 1.0})
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
@@ -179,33 +175,31 @@ def _any_of(text: Text, mention: Mention) -> bool:
     return text.is_word(mention.start, "a", "an") or any(text.is_word(i, "any", "one", "some") for i in before)
 
 
-def _predicates(text: Text, mention: Mention, named: Target, base: Features, used: set[int]) -> Iterator[Draft]:
+def _predicates(text: Text, mention: Mention) -> Iterator[Draft]:
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
+    named = mention.query
     target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
-        color, span = text.find(at, "color"), text.find(at, "adjective")
-        if at in used or (color is None and (span is None or not span.value.tags)):
+        span = text.find(at, "color") or text.find(at, "adjective")
+        if at in mention.used or span is None or (span.category == "adjective" and not span.value.tags):
             continue
-        if color is not None:
-            said, used = replace_fields(target, colors=(*target.colors, color.value)), used | set(color.tokens)
-        elif span is not None:
-            if named is None and not span.value.decided:  # the whole has no other tags
-                return
-            used = used | set(span.tokens)
+        if span.category == "color":
+            said = replace_fields(target, colors=(*target.colors, span.value))
+        elif named is None and not span.value.decided:  # the whole has no other tags
+            return
+        elif text.is_word(at - 1, "not", "non"):
+            said = replace_fields(target, lacking=(*target.lacking, span.value.name))
+        else:
             said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-            if text.is_word(at - 1, "not", "non"):
-                said = replace_fields(target, lacking=(*target.lacking, span.value.name))
         form = Every(target, said) if named is not None and not _any_of(text, mention) else Exists(said)
-        yield Draft(form, {**base, "predicate": 1.0}, used)
+        yield Draft(form, {"predicate": 1.0}, set(span.tokens))
         return
 
 
 def _verb_start(question: Question) -> int | None:
     """Where a clause begins that is answered by yes or no."""
     text, (start, end) = question.text, question.asking
-    if question.claims:
-        return start
-    if question.offers_yes_no:
+    if question.claims or question.offers_yes_no:
         return start
     if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
         return None
@@ -215,12 +209,9 @@ def _verb_start(question: Question) -> int | None:
     if behind and not text.is_word(behind[0] + 1, "there"):
         return behind[0]  # 'Going by the model, is it …?'
     leading = next((i for i in range(start, end) if not _leads(text, i)), end)
-    verbs = [i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal")]
-    if verbs and text.is_word(verbs[0] - 1, "there"):
-        return None
-    if verbs or (text.is_word(end, "?") and text.is_word(start, "go")):
-        return verbs[0] if verbs else start
-    return None
+    verbs = (i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal"))
+    verb = next(verbs, start if text.is_word(end, "?") and text.is_word(start, "go") else None)
+    return None if verb is None or text.is_word(verb - 1, "there") else verb
 
 
 def _leads(text: Text, at: int) -> bool:
@@ -234,23 +225,14 @@ def _leads(text: Text, at: int) -> bool:
 def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilter, set[int]] | None:
     text = question.text
     for begin in range(at, min(len(text), at + within)):
-        found = question.phrases.size(begin)
-        if found is not None:
+        if (found := stated_size(text, begin)) is not None:
             return found[0], set(range(begin, found[1]))
     return None
 
 
-def _checked(
-    text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked], base: Features, used: set[int]
-) -> Iterator[Draft]:
+def _checked(text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
     measure = size.measure or (asked[0].measures[0] if asked else Measure.MAGNITUDE)
-    tokens = used.union(*(one.used for one in asked))
     least = size.relation is Relation.EQUAL and text.has("least")
     relation = Relation.AT_LEAST if least else size.relation
-    yield Draft(Check(Get((measure,), target), relation, size.low, size.high), base, tokens)
-
-
-def _adjective_last(text: Text, mention: Mention) -> bool:
-    return (
-        text.find(mention.end - 1, "adjective", "trait") is not None and text.find(mention.end - 1, "noun") is None
-    ) or mention.head < mention.end - 1
+    check = Check(Get((measure,), target), relation, size.low, size.high)
+    return Draft(check, used=frozenset().union(*(one.used for one in asked)))
