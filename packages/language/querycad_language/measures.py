@@ -127,6 +127,12 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.CENTRE_LENGTH: "center_length; ~length - width",
     Measure.DIAGONAL: "~distance((0.0, 0.0, 0.0), extents)",
     Measure.HALF_SIZE: "half_extents",
+    Measure.AXIAL_EXTENT: {
+        "WHOLE": "extents[along]; height",
+        "hole counterbore spotface": "depth",
+        "groove": "width",
+        "": "height; ~extents[along]; ~length",
+    },
     Measure.X_EXTENT: "extents[0]",
     Measure.Y_EXTENT: "extents[1]",
     Measure.Z_EXTENT: "extents[2]",

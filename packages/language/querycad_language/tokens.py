@@ -94,6 +94,7 @@ _SYMBOLS = {
 }  # fmt: skip
 """ISO 129-1 and ASME Y14.5."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
+INCH = 0.0254
 DENSITY = -3
 """The power of lengths in kilograms per cubic metre."""
 
@@ -269,10 +270,14 @@ def _english() -> SpellChecker:
 def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Symbols and the numbers that they explain become one; ranges and tolerances share their unit."""
     joined: list[Token] = []
+    words = {token.word for token in tokens}
+    inches = "inch" in words and words.isdisjoint(("mm", "millimeter", "cm", "centimeter"))
     for token in tokens:
         mark = joined[-1].raw if joined else ""
         if mark in _MARKS and token.kind in (Kind.NUMBER, Kind.QUANTITY):
-            length = replace(token, value=token.value * 1e-3, power=1) if token.kind is Kind.NUMBER else token
+            # ASME Y14.5: less than one inch is written without a zero before the point, less than 1 mm with it
+            scale = INCH if inches or token.raw.startswith(".") else 1e-3
+            length = replace(token, value=token.value * scale, power=1) if token.kind is Kind.NUMBER else token
             joined[-1] = replace(length, kind=Kind.QUANTITY, measure=_MARKS[mark], raw=mark + token.raw)
         else:
             joined.append(token)

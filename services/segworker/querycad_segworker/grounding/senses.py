@@ -58,13 +58,15 @@ def bases(request: Request) -> Iterator[Way]:
 
 def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) -> Iterator[Way]:
     """Bodies that are called so, and the model where its file is."""
+    called = False
     for body_words in dict.fromkeys((tuple(words), tuple(noun))):
         named = inventory.body_named(body_words)
         if named:
             best = max(share for _, share in named)
+            called = called or best == 1.0
             bodies = tuple(body for body, share in named if share == best)
             yield Way(bodies, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
-    if inventory.model is not None and inventory.file_named(words):
+    if inventory.model is not None and inventory.file_named(words) and not called:  # 'cap' in 'bottle with cap'
         features = {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)}
         yield Way((inventory.model,), features)
 

@@ -30,6 +30,18 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
     return None, set()
 
 
+def own_axis_named(question: Question) -> set[int]:
+    """The words that say 'along its own axis': 'axially', 'in axial direction', 'along the pipe axis'."""
+    text = question.text
+    found = text.at_words("axially")
+    for at in text.at_words("along", "in"):
+        ends = [i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "direction")]
+        told = ends and all(text.find(i, "axis") is None for i in range(at + 1, ends[0]))
+        if told and (text.is_word(ends[0], "axis") or text.is_word(ends[0] - 1, "axial")):
+            found |= set(range(at, ends[0] + 1))
+    return found
+
+
 def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
     text = question.text

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery
+from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
 from querycad_language.phrases import bare_of, replace_fields
@@ -17,7 +17,7 @@ from querycad_language.readings.question import Question
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY
 
-from .axes import axes_listed, axis_named
+from .axes import axes_listed, axis_named, own_axis_named
 from .remains import less, material
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -40,6 +40,8 @@ def values(question: Question) -> Iterator[Draft]:
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
+            yield from _box(draft)
+            yield from _circle(question, asked, draft)
             yield from _surface(draft)
             yield from _extremes(question, draft)
             get = draft.form
@@ -92,9 +94,35 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     if overall or text.is_word(asked.start, "overall", "total"):
         features["overall_whole" if target is None else "overall_part"] = 1.0
     with_head = text.has("head") and text.has("incl", "included", "including") and not text.has("not")
-    over_all = asked.measures == (Measure.LENGTH,) and bool(overall or with_head or text.at_phrases("over_all"))
+    over_all = asked.measures == (Measure.LENGTH,) and bool(
+        overall or with_head or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
+    )
     density, said = _density(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
+
+
+def _box(draft: Draft) -> Iterator[Draft]:
+    """'Width, depth and height of the plate' are its size."""
+    get = draft.form
+    assert isinstance(get, Get)
+    if len(set(get.measures)) == MOST_TOGETHER and all(measure in _ALONG for measure in get.measures):
+        yield Draft(replace(get, measures=(Measure.SIZE,)), {**draft.features, "asked_box": 1.0}, draft.used)
+
+
+def _circle(question: Question, asked: Asked, draft: Draft) -> Iterator[Draft]:
+    """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
+    get, text = draft.form, question.text
+    assert isinstance(get, Get)
+    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
+    if not leads or get.target is None or get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS):
+        return
+    if said := text.at_phrases("arranged"):
+        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
+        yield Draft(
+            replace(get, target=circle, reduce=Reduce.ONE),
+            {**draft.features, "arranged": 1.0},
+            draft.used | leads | said,
+        )
 
 
 def _density(text: Text) -> tuple[float | None, set[int]]:
@@ -145,6 +173,8 @@ def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
             found.append((((Measure.X, Measure.Y, Measure.Z)[axis],), used))
     if get.measures == (Measure.WIDTH,) and text.has("flat"):
         found.append(((Measure.ACROSS_FLATS,), text.at_words("across", "over", "flat", "between")))
+    if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
+        found.append(((Measure.AXIAL_EXTENT,), own))
     for measures, said in found:
         yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
     yield draft
