@@ -76,7 +76,7 @@ def test_reading_is_seen_by_stage_and_place_and_a_question_waits_for_it(
         )
         page.page.fill("#question", "How many holes are there?")
         page.page.keyboard.press("Enter")
-        expect(page.page.locator(".card").first).to_contain_text(re.compile("waiting|being read"))
+        expect(page.page.locator(".card").first).to_contain_text(re.compile("waiting|being read"), timeout=20_000)
     expect(row.filter(has_text="one.step")).to_contain_text("KiB", timeout=60_000)
     expect(page.page.locator(".card .answer").first).not_to_be_empty(timeout=60_000)
     told = page.page.evaluate("() => [...told].join(' | ')")

@@ -103,7 +103,10 @@ def test_a_question_that_cannot_be_answered_is_one_line_with_what_is_known(
 
 
 def test_a_missing_file_and_a_missing_list_of_questions_are_said(capsys: pytest.CaptureFixture[str]) -> None:
-    assert "no such file" in run(capsys, "nowhere.step", "How many holes?")[2]
+    assert (
+        run(capsys, "nowhere.step", "How many holes?")[2]
+        == f"querycad: no such file: {Path('nowhere.step').resolve()}\n"
+    )
     assert "nowhere.txt" in run(capsys, FLANGE, "--questions", "nowhere.txt")[2]
     assert run(capsys, FLANGE)[0] == 2
 

@@ -21,7 +21,7 @@ from querycad_segworker.errors import FileProblem
 
 from .features import listed
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
-from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain
+from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain, complain_of
 from .reading import OpenModel
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def prompt(options: argparse.Namespace) -> int:
         try:
             summary, view = runtime.summary(options.file), runtime.view(options.file)
         except FileProblem as problem:
-            return complain(f"{options.file}: {problem}")
+            return complain_of(options.file, problem)
     settings = LlmSettings.read()
     if (options.codegen or settings.default_codegen) == Codegen.AGENT:
         readings = Understanding(options.question, view, Expectation()).readings
@@ -113,7 +113,7 @@ def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: lis
             progress.clear()
             if options.json:
                 print(_unreadable(questions[0], problem).model_dump_json())
-            return complain(f"{options.file}: {problem}")
+            return complain_of(options.file, problem)
     worst = EXIT_DONE
     for number, question in enumerate(questions):
         reply = model.ask(question, unit=LengthUnit(options.unit), options=how)

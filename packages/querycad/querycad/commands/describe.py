@@ -9,7 +9,7 @@ from querycad.runtime import EmbeddedRuntime
 from querycad_contracts import Comparison, Description, LengthUnit
 from querycad_segworker.errors import FileProblem
 
-from .outcomes import EXIT_DONE, complain
+from .outcomes import EXIT_DONE, complain_of
 from .reading import with_model
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def compare(options: argparse.Namespace) -> int:
             try:
                 models.append(runtime.open(file))
             except FileProblem as problem:
-                return complain(f"{file}: {problem}")
+                return complain_of(file, problem)
         return _print(models[0].compare(models[1], LengthUnit(options.unit)), options)
 
 

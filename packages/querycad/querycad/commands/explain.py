@@ -15,7 +15,7 @@ from querycad_contracts import Expectation, LengthUnit
 from querycad_language.weights import weights
 from querycad_segworker.errors import FileProblem
 
-from .outcomes import EXIT_DONE, complain
+from .outcomes import EXIT_DONE, complain_of
 
 FEATURES_SHOWN = 6
 """Of each reading those that weigh most."""
@@ -29,7 +29,7 @@ def explain(options: argparse.Namespace) -> int:
             understanding = Understanding(options.question, view, Expectation())
             tried = understanding.tried(runtime.runner(options.file), every=True)
         except FileProblem as problem:
-            return complain(f"{options.file}: {problem}")
+            return complain_of(options.file, problem)
     refused = understanding.refused
     unit = LengthUnit(options.unit)
     told = _told(tried, values(tried), unit)

@@ -11,3 +11,9 @@ def complain(message: str, code: int = EXIT_BAD_INPUT) -> int:
     """Says what is wrong; returns the exit code."""
     print(f"querycad: {message}", file=sys.stderr)
     return code
+
+
+def complain_of(file: str, problem: Exception) -> int:
+    """Says what is wrong with a file, which is named once; returns the exit code."""
+    said = str(problem)
+    return complain(said if file in said else f"{file}: {said}")

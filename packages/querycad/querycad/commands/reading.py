@@ -12,7 +12,7 @@ from querycad_segworker.errors import FileProblem
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import Artefacts, ModelStore
 
-from .outcomes import complain
+from .outcomes import complain_of
 
 if TYPE_CHECKING:
     from querycad.model import Model
@@ -26,7 +26,7 @@ def read(file: str) -> Artefacts | None:
     try:
         return ingest(Path(file), ModelStore(model_store()))
     except FileProblem as problem:
-        complain(f"{file}: {problem}")
+        complain_of(file, problem)
         return None
 
 
@@ -40,7 +40,7 @@ def with_model(options: argparse.Namespace, work: Callable[[Model], int]) -> int
         try:
             return work(open_model(lambda _stage: None))
         except FileProblem as problem:
-            return complain(f"{options.file}: {problem}")
+            return complain_of(options.file, problem)
 
     if options.server:
         from .server import on_server  # here: no HTTP client is loaded where nothing is sent
