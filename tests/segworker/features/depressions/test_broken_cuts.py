@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from tests.segworker.shapes import box, cut, cylinder, extruded, find, plate, prism
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.TopoDS import TopoDS_Edge
+from tests.segworker.shapes import box, cut, cylinder, edges, extruded, filleted, find, plate, prism
 
 TRIANGLE = ((-10.0, -8.0), (10.0, -8.0), (0.0, 18.0))
 
@@ -108,16 +110,26 @@ def test_a_trough_wider_than_the_disc_that_it_fits_is_no_woodruff_seat(width: fl
     assert any(part.kind.cuts_in for part in found.parts)
 
 
-@pytest.mark.parametrize(("degrees", "kind"), [(30.0, "slot"), (60.0, "step")])
-def test_narrow_flanks_are_a_v_groove_without_what_lay_beside_one_and_wider_ones_an_undercut_step(
-    degrees: float, kind: str
+@pytest.mark.parametrize(("degrees", "bottom", "kind"), [(30.0, 0.0, "slot"), (60.0, 0.0, "step"), (30.0, 2.0, "step")])
+def test_narrow_sharp_flanks_are_a_v_groove_without_what_lay_beside_one_and_others_an_undercut_step(
+    degrees: float, bottom: float, kind: str
 ) -> None:
-    """The flank beside which a deep step was cut ends at an upright wall."""
+    """The flank beside which a deep step was cut ends at an upright wall. `bottom`: the radius in the fold."""
     run = 12 / math.tan(math.radians(degrees))
     groove = prism(((-35, 20 - run, -12), (-35, 20 + run, 0), (-35, 22, -12)), (70, 0, 0))
     beside = prism(((-35, 20 - run, -12), (-35, 25, -12), (-35, 25, 5), (-35, 20, 0)), (70, 0, 0))
-    (part,) = [part for part in find(cut(plate(), groove, beside)).parts if part.kind in ("slot", "step", "notch")]
+    shape = cut(plate(), groove, beside)
+    fold = [edge for edge in edges(shape) if all(math.dist(p, (p[0], 20 - run, -12)) < 1e-6 for p in ends(edge))]
+    assert len(fold) == 1
+    parts = find(filleted(shape, bottom, *fold) if bottom else shape).parts
+    (part,) = [part for part in parts if part.kind in ("slot", "step", "notch")]
     assert part.kind == kind
+
+
+def ends(edge: TopoDS_Edge) -> list[tuple[float, float, float]]:
+    curve = BRepAdaptor_Curve(edge)
+    points = [curve.Value(at) for at in (curve.FirstParameter(), curve.LastParameter())]
+    return [(point.X(), point.Y(), point.Z()) for point in points]
 
 
 def test_a_pocket_that_a_slope_opens_beside_its_floor_opens_at_its_mouth() -> None:

@@ -79,6 +79,21 @@ def test_two_flats_on_a_shaft_are_a_wrench_size_and_tangent_planes_are_not() -> 
     assert all(boss.across_flats is None for boss in find(web).of("boss"))
 
 
+def test_a_square_bar_has_them_across_its_length_and_a_flat_one_does_not() -> None:
+    for shape in (box((10, 10, 60)), turned(box((60, 10, 10)), (0.3, 0.5, 0.8), 40.0)):
+        (bar,) = find(shape).of("prism")
+        assert (bar.across_flats, bar.across_corners) == pytest.approx((10 * MM, 10 * math.sqrt(2) * MM))
+    (flat,) = find(box((60, 10, 8))).of("prism")
+    assert flat.across_flats is None
+
+
+def test_what_is_flat_between_round_ends_is_no_wrench_size_of_theirs() -> None:
+    bar = fuse(box((40, 12, 6), (-20, -6, 0)), cylinder(10, 6, (-20, 0, 0)), cylinder(10, 6, (20, 0, 0)))
+    eye = fuse(cylinder(15, 8, (0, 0, -4)), cylinder(5, 40, (14, 0, 0), (1, 0, 0)))
+    for shape in (bar, eye):
+        assert [boss.across_flats for boss in find(shape).of("boss")] == [None, None]
+
+
 def test_an_obround_slot_has_its_length_from_centre_to_centre() -> None:
     (slot,) = find(cut(plate(), obround(35, 10, 25))).of("cutout")
     assert (slot.length, slot.center_length) == pytest.approx((35 * MM, 25 * MM))

@@ -247,6 +247,11 @@ def test_legs_on_foot_plates_are_the_long_blocks() -> None:
     assert [(leg.extents[0], leg.height) for leg in legs] == [pytest.approx((12 * MM, 82 * MM))] * 4
 
 
+def test_what_is_as_high_as_the_part_itself_is_no_foot() -> None:
+    link = fuse(box((40, 12, 6), (-20, -6, 0)), cylinder(10, 6, (-20, 0, 0)), cylinder(10, 6, (20, 0, 0)))
+    assert not [part for part in find(link).parts if {"foot", "leg"} & set(part.tags)]
+
+
 def test_screws_that_reach_the_ground_are_no_feet() -> None:
     block = box((60, 60, 10), (-30, -30, 0))
     screws = []

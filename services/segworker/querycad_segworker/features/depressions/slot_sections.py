@@ -23,7 +23,7 @@ V_ANGLE_RAD = (math.radians(3.0), math.radians(160.0))
 """Two faces that enclose less or more than this are a crack or a bend, no groove with a V section."""
 NARROW_RAD = math.radians(44.0)
 """Floor and flank of a step that is undercut like a dovetail enclose 45 degrees at least: what encloses less is a V
-groove, also where another cut has taken what lay beside a flank."""
+groove, also where another cut has taken what lay beside a flank. Not so over a round: the inside of a bent strap."""
 SAME_WAY = math.cos(math.radians(45.0))
 """The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
 FLARE = math.cos(math.radians(44.0))
@@ -184,7 +184,8 @@ def _v_between(
         return None
     first, second = ([face for piece in flank for face in _beside(brep, piece, along, normal)] for flank in (a, b))
     same_way = any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second)
-    if not same_way and opening_angle > NARROW_RAD:
+    is_sharp = all(brep.faces[i].kind is SurfaceKind.PLANE for i in group)
+    if not same_way and not (is_sharp and opening_angle < NARROW_RAD):
         return None
     frame = frame_of(brep, group, normal, None, along)
     slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)

@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import dist, dot, parallel, scale
+from querycad_segworker.vectors import dist, dot, line_key, parallel, scale
 
 Measured = dict[str, object]
 """Fields of `Part` -> values."""
@@ -137,6 +137,18 @@ def _regular(part: Part, brep: Brep) -> Measured:
     return {} if found is None else {"across_flats": found[0], "across_corners": found[1]}
 
 
+def _square_bar(part: Part, brep: Brep) -> Measured:
+    """Of a block whose section across its length is square, not its outline."""
+    if part.normal is None or "rectangular" not in part.tags or _regular(part, brep):
+        return {}
+    planes = (brep.faces[i].axis for i in part.faces if brep.faces[i].kind is SurfaceKind.PLANE)
+    for axis in {line_key(plane): plane for plane in planes}.values():
+        found = across_flats_and_corners(brep, part.faces, axis)
+        if found is not None:
+            return {"across_flats": found[0], "across_corners": found[1]}
+    return {}
+
+
 def _flats(part: Part, brep: Brep) -> Measured:
     found = None if part.axis is None else flats_on_shaft(brep, part.faces, part.axis)
     return {} if found is None else {"across_flats": found}
@@ -256,7 +268,7 @@ _OF_PART: Final[dict[str, tuple[Callable[[Part], Measured], ...]]] = {
     "groove": (_ring_groove,),
 }
 _OF_FACES: Final[dict[str, tuple[Callable[[Part, Brep], Measured], ...]]] = {
-    "prism": (_regular,),
+    "prism": (_regular, _square_bar),
     "pocket": (_regular,),
     "cutout": (_regular,),
     "protrusion": (_regular, _drafted),

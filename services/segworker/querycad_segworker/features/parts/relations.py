@@ -166,13 +166,20 @@ def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
 
 def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
     """Several solid bodies that reach the ground while others do not; else several protrusions that do."""
+    top = shape.center[2] + shape.extents[2] / 2
     for kinds in (("body",), ("boss", "prism", "protrusion")):
         candidates = _outermost([part for part in parts if part.kind in kinds])
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
+        if kinds != ("body",):  # something of the one body stands on them
+            slim = [part for part in slim if _top(part) < top - CENTRAL_SHARE * shape.extents[2]]
         if len(slim) >= MIN_FEET and (kinds != ("body",) or len(slim) < len(candidates)):
             return slim
     return []
+
+
+def _top(part: Part) -> float:
+    return part.center[2] + part.extents[2] / 2
 
 
 def _outermost(parts: Sequence[Part]) -> list[Part]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeKind
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import cross, dot, parallel, perpendicular
 
 EVEN = 0.01
@@ -59,7 +59,8 @@ def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, 
 def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | None:
     """How wide is a round step across the flats that a wrench takes hold of, in metres? None without two alike.
 
-    Flats are planes along the axis, bounded by straight edges along it in the round wall, in opposite pairs.
+    Flats are planes along the axis, in opposite pairs, cut into the round wall: what is flat beside a round end of a
+    lever, or where a shaft meets an eye, joins it in concave edges.
     """
     own = [i for i in walls if brep.faces[i].kind is SurfaceKind.CYLINDER]
     flats = {
@@ -67,6 +68,7 @@ def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | No
         for i in own
         for edge, other in brep.neighbours(i)
         if edge.kind is EdgeKind.LINE
+        and edge.convexity is EdgeConvexity.CONVEX
         and brep.faces[other].kind is SurfaceKind.PLANE
         and abs(dot(brep.faces[other].axis, axis)) <= UPRIGHT
     }
