@@ -35,7 +35,7 @@ def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bo
     relative = False
     for at in range(start, min(len(text), start + 6)):
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
-            after = _left_out(phrases, at + 1, draft, depth)
+            after = _joins(phrases, at, draft, depth, joined) or _left_out(phrases, at + 1, draft, depth)
             if after == at + 1 and _opens(text, at):
                 continue
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
@@ -100,9 +100,7 @@ def _one_modifier(phrases: Phrases, at: int, draft: Draft, depth: int, joined: b
         return adjective.end
     if (end := placed(phrases, at, draft, depth)) > at:
         return end
-    if joined and text.is_word(at, "and", "or", "&", "plus") and (other := phrases.at(at + 1, depth + 1, False)):
-        return _also(text, other, draft, at)
-    return at
+    return _joins(phrases, at, draft, depth, joined) or at
 
 
 def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
@@ -112,12 +110,26 @@ def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
     return Span(noun.start, adjective.end, "noun", found) if found is not None else None
 
 
+def _joins(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+    """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
+    text = phrases.text
+    comma = text.is_word(at, ",")
+    other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
+    if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
+        return 0
+    end = _also(text, other, draft, at)
+    return end if end > at else 0
+
+
 def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
     """'holes and slots': both kinds count; not where a measure of its own follows."""
     query = other.query
     if query is None or not draft.nouns or not query.known or not query.noun or not query.plural:
         return at
-    if text.find(other.end, "measure", "be", "do") or not any(text.tokens[i].plural for i in draft.nouns[-1].tokens):
+    there = text.is_word(other.end + 1, "there")  # 'how many holes and slots are there'
+    if (text.find(other.end, "measure", "be", "do") and not there) or not any(
+        text.tokens[i].plural for i in draft.nouns[-1].tokens
+    ):
         return at
     draft.also.append(query)
     return other.end
