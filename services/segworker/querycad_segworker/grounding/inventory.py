@@ -8,18 +8,8 @@ from functools import cached_property, partial
 
 from querycad_contracts import Grounded, Measure, Part, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
+from querycad_segworker.relations import orders
 from querycad_segworker.relations.nearby import Nearby
-from querycad_segworker.relations.orders import (
-    SAME_SIZE,
-    by_size,
-    end_of,
-    first,
-    measured,
-    off_center,
-    out_to_corner,
-    size,
-    without_twins,
-)
 from querycad_segworker.relations.roles import ROLES, Kinds
 from querycad_segworker.vectors import dot
 
@@ -76,8 +66,8 @@ class Inventory:
     @cached_property
     def alike(self) -> list[list[Part]]:
         """What is cut in or stands out, in groups of one kind and size: most parts first, then the largest."""
-        groups = by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
-        return sorted(groups, key=lambda group: (len(group), size(group[0])), reverse=True)
+        groups = orders.by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
+        return sorted(groups, key=lambda group: (len(group), orders.size(group[0])), reverse=True)
 
     @cached_property
     def largest(self) -> float:
@@ -128,7 +118,7 @@ class Inventory:
         found = [part for part in self.kinds.get(*sense.kind) if self._fits(part, sense)]
         if sense.step is not None:
             found = self._steps(found, sense.step)
-        return without_twins(self._picked(found, sense.pick) if sense.pick else found)
+        return orders.without_twins(self._picked(found, sense.pick) if sense.pick else found)
 
     def _fits(self, part: Part, sense: Sense) -> bool:
         tags = self.tags(part, (*sense.tags, *sense.any, *sense.without))
@@ -148,24 +138,22 @@ class Inventory:
             case "standing":
                 return [part for part in found if self._stands(part)]
             case "most":
-                group = max(by_size(found), key=len)
+                group = max(orders.by_size(found), key=len)
                 return group if len(group) > 2 else []
             case "lowest":
                 near = 0.02 * max(part.extents[2] for part in found) + 1e-9
-                return first(found, lambda part: part.extents[2] / 2 - part.center[2], near)
-        largest = max(size(part) for part in found)
-        if pick == "wide":
-            return first(found, size, (1 - WIDE) * largest)
-        if pick == "largest":
-            return first(found, size, 1e-3 * largest)
-        return first(found, lambda part: -size(part), 1e-3 * min(size(part) for part in found))
+                return orders.first(found, lambda part: part.extents[2] / 2 - part.center[2], near)
+        sizes = [orders.size(part) for part in found]
+        if pick == "smallest":
+            return orders.first(found, lambda part: -orders.size(part), 1e-3 * min(sizes))
+        return orders.first(found, orders.size, (1e-3 if pick == "largest" else 1 - WIDE) * max(sizes))
 
     def _stands(self, part: Part) -> bool:
         """Does it stand out of its body, instead of being the body's own outline?"""
         body = next((b for b in self.bodies if set(part.faces) <= set(b.faces)), None)
         if body is None or body.diameter is None or part.diameter is None:
             return True
-        return part.diameter < body.diameter / SAME_SIZE
+        return part.diameter < body.diameter / orders.SAME_SIZE
 
     def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
         """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
@@ -199,7 +187,7 @@ class Inventory:
         """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
         kept = list(found)
         for side in sides:
-            kept = first(kept, partial(_towards, side), 0.02 * self.largest)
+            kept = orders.first(kept, partial(_towards, side), 0.02 * self.largest)
         return kept
 
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
@@ -208,9 +196,9 @@ class Inventory:
             return list(found)
         order, middle = adjective.order, self.model
         if order == "corner":
-            return [part for part in found if out_to_corner(part, middle) >= CORNER_SHARE - 1e-6] or list(found)
-        values = [off_center(p, middle) if order == "distance" else measured(p, order) for p in found]
-        return end_of(found, values, adjective.most, count)
+            return [part for part in found if orders.out_to_corner(part, middle) >= CORNER_SHARE - 1e-6] or list(found)
+        values = [orders.off_center(p, middle) if order == "distance" else orders.measured(p, order) for p in found]
+        return orders.end_of(found, values, adjective.most, count)
 
 
 def _towards(side: Side, part: Part) -> float:

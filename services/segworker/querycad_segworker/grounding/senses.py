@@ -25,6 +25,7 @@ PIECES = frozenset((PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFAC
 """Pieces of holes: who says 'the holes' does not mean them."""
 GUESSES = 6
 """So many groups of like parts may be what an unknown noun means."""
+_GENERIC = {"whole_generic": 1.0, "whole_sense": 1.0}
 NAMELESS = frozenset(("depression", "elevation"))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
@@ -38,7 +39,7 @@ def bases(request: Request) -> Iterator[Way]:
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
-        yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the complete dish'
+        yield Way((inventory.model,), _GENERIC)  # 'the complete dish'
     if noun is not None:
         found = list(_senses(inventory, noun, query.noun))
         yield from found
@@ -49,7 +50,7 @@ def bases(request: Request) -> Iterator[Way]:
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         if query.definite and not others and solid and inventory.alone and inventory.model is not None:
-            yield Way((inventory.model,), {"whole_generic": 1.0, "whole_sense": 1.0})  # 'the pin' is all there is
+            yield Way((inventory.model,), _GENERIC)  # 'the pin' is all there is
     elif not query.noun:
         yield Way(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
     elif not named:
