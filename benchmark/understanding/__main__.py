@@ -84,13 +84,12 @@ def _write(table: Table, doubts: Table, data: list[Question], right: float) -> N
         "", "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
         "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
     ]  # fmt: skip
-    for group, measures in grouped(table).items():
-        lines += [
-            f"[{group}]",
-            *(f"{name} = {_inline(of)}" for name, of in measures.items() if max(map(abs, of.values())) >= LEAST),
-            "",
-        ]
-    weights_file().write_text("\n".join(lines), encoding="utf-8")
+    lines.append("[measures]")
+    for measure, groups in grouped(table).items():
+        told = {group: of for group, of in groups.items() if max(map(abs, of.values())) >= LEAST}
+        if told:
+            lines.append(f"{measure} = {{ {', '.join(f'{group} = {_inline(of)}' for group, of in told.items())} }}")
+    weights_file().write_text("\n".join([*lines, ""]), encoding="utf-8")
 
 
 def _inline(table: Table) -> str:

@@ -14,6 +14,7 @@ from typing import Any
 from benchmark.scoring.own_models import LAST_LOOK, MODELS
 
 SHARED = Path("../shared")
+SPECIFIED = Path("benchmark/specified/models")
 SI = {
     "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6,
     "mm3": 1e-9, "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,
@@ -73,12 +74,14 @@ def _examples() -> Iterator[Question]:
 
 
 def model_file(model: str) -> Path:
-    """Where is the STEP file of 'own:name', 'shared:path' or 'sealed:name'?"""
+    """Where is the file of 'own:name', 'shared:path', 'sealed:name' or 'specified:name'?"""
     where, _, name = model.partition(":")
     if where == "shared":
         return SHARED / name
     if where == "sealed":
         return LAST_LOOK / f"{name}.step"
+    if where == "specified":
+        return SPECIFIED / f"{name}.step.gz"
     example = Path("examples") / f"{name}.step"
     return example if example.is_file() else MODELS / f"{name}.step"
 

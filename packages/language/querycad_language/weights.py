@@ -14,8 +14,10 @@ def weights_file() -> Path:
     return Path(str(files(__package__).joinpath("data").joinpath("weights.toml")))
 
 
+ALONE = "alone"
+"""The family of features whose first word no other has."""
 GROUPS = ("of", "as")
-"""Tables of their own: how natural a measure is of a kind of part, and what it means: 'depth of hole'."""
+"""Of each measure: how natural it is of a kind of part, and what it means there: 'depth of hole'."""
 
 
 @cache
@@ -27,30 +29,34 @@ def _table() -> dict[str, dict[str, Any]]:
 def _fitted() -> dict[str, float]:
     table: dict[str, float] = {}
     for name, weight in _table()["weights"].items():
-        table |= {"_".join(filter(None, (name, rest))): value for rest, value in weight.items()}
-    for group in GROUPS:
-        for measure, of in _table().get(group, {}).items():
-            table.update({f"{measure} {group} {name}": weight for name, weight in of.items()})
+        first = "" if name == ALONE else name
+        table |= {"_".join(filter(None, (first, rest))): value for rest, value in weight.items()}
+    for measure, groups in _table().get("measures", {}).items():
+        for group, of in groups.items():
+            table |= {f"{measure} {group} {name}": weight for name, weight in of.items()}
     return table
 
 
 def families(table: dict[str, float]) -> dict[str, dict[str, float]]:
-    """The weights of plain features as the file holds them, by the first word of their names."""
-    found: dict[str, dict[str, float]] = {}
+    """The weights of plain features as the file holds them, by the first word of their names, or `ALONE`."""
+    found: dict[str, dict[str, float]] = {ALONE: {}}
     for name, weight in sorted(table.items()):
         if " " not in name:
             first, _, rest = name.partition("_")
             found.setdefault(first, {})[rest] = weight
+    for first, of in list(found.items()):
+        if len(of) == 1 and first != ALONE:
+            found[ALONE] |= {"_".join(filter(None, (first, rest))): weight for rest, weight in found.pop(first).items()}
     return found
 
 
 def grouped(table: dict[str, float]) -> dict[str, dict[str, dict[str, float]]]:
-    """The weights of each group as the file holds them: measure, then kind or expression."""
-    found: dict[str, dict[str, dict[str, float]]] = {group: {} for group in GROUPS}
+    """The weights of measures as the file holds them: measure, group, then kind or expression."""
+    found: dict[str, dict[str, dict[str, float]]] = {}
     for name, weight in sorted(table.items()):
         measure, group, of = (*name.split(" ", 2), "", "")[:3]
         if group in GROUPS:
-            found[group].setdefault(measure, {})[of] = weight
+            found.setdefault(measure, {}).setdefault(group, {})[of] = weight
     return found
 
 
