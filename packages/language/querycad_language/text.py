@@ -33,6 +33,8 @@ class Text:
         moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
         if moved != self.tokens:
             self._tell(moved)
+        self._all: dict[tuple[str, ...], list[Span]] = {}
+        self._begins: dict[tuple[str, ...], frozenset[int]] = {}
         self._content = [self._names_something(at) for at in range(len(self.tokens))]
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:
@@ -46,16 +48,19 @@ class Text:
 
     def find(self, at: int, *categories: str) -> Span | None:
         """The longest phrase of one of the categories that begins here."""
-        here = self.spans[at] if 0 <= at < len(self.tokens) else ()
-        return next((span for span in here if span.category in categories), None)
+        for span in self.spans[at] if 0 <= at < len(self.tokens) else ():
+            if span.category in categories:
+                return span
+        return None
 
     def all(self, *categories: str) -> list[Span]:
         """The phrases of the categories, from left to right, none inside another."""
-        found: list[Span] = []
-        for at in range(len(self.tokens)):
-            span = self.find(at, *categories) if not found or at >= found[-1].end else None
-            if span is not None:
-                found.append(span)
+        if (found := self._all.get(categories)) is None:
+            found = self._all[categories] = []
+            for at in range(len(self.tokens)):
+                span = self.find(at, *categories) if not found or at >= found[-1].end else None
+                if span is not None:
+                    found.append(span)
         return found
 
     def covered(self, *categories: str) -> set[int]:
@@ -81,7 +86,11 @@ class Text:
 
     def at_phrases(self, *categories: str) -> frozenset[int]:
         """Where phrases of these categories begin."""
-        return frozenset(at for at in range(len(self.tokens)) if self.find(at, *categories))
+        if (begins := self._begins.get(categories)) is None:
+            begins = self._begins[categories] = frozenset(
+                i for i in range(len(self.tokens)) if self.find(i, *categories)
+            )
+        return begins
 
     def skip(self, at: int, *categories: str) -> int:
         """Where the words of these categories that begin here end."""

@@ -191,7 +191,7 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     used: set[int] = set()
     start, end = question.asking
     for meaning in (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL):
-        for at in range(start, end):
+        for at in sorted(i for i in text.at_phrases(meaning.value) if start <= i < end):
             span = text.find(at, meaning.value)
             if span is None or (meaning is Reduce.MEAN and text.is_word(at - 1, "i", "we", "you")):
                 continue
