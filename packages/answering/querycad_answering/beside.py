@@ -54,7 +54,8 @@ def _side(part: Part) -> Side | None:
 def reads_height(candidate: Candidate) -> bool:
     """Is a height along z read, and nothing else?"""
     reads = [(read.measure, read.expression) for read in candidate.written.reads]
-    return isinstance(candidate.reading.form, Get) and reads == [(Measure.HEIGHT.value, "{0}.extents[2]")]
+    of_z = ("{0}.extents[2]", "{0}.height")
+    return isinstance(candidate.reading.form, Get) and reads in [[(Measure.HEIGHT.value, one)] for one in of_z]
 
 
 def is_of_whole(candidate: Candidate, alone: bool) -> bool:
