@@ -15,6 +15,8 @@ from querycad_segworker.vectors import box_extents, cross, dot, sub
 
 SAME = 0.01
 """Thicknesses that differ by less than this share are one."""
+HOLLOW = 0.35
+"""An open box fills less than this share of its block; a nut fills 0.4 of it and more (ISO 4032)."""
 MOST = 0.5
 """A body that is a plate, or joined of plates of one thickness, has more than this share of its volume in them."""
 
@@ -123,7 +125,7 @@ def _low_prism(brep: Brep, record: BodyRecord, prisms: Sequence[Prism]) -> float
     extents = box_extents(faces_box(brep, record.faces))
     for prism in prisms:
         fills = all(abs(a - b) <= SAME * max(extents) for a, b in zip(prism.extents, extents, strict=True))
-        solid = record.volume > MOST * prism.length * prism.width * prism.height  # no open box
+        solid = record.volume > HOLLOW * prism.length * prism.width * prism.height  # no open box
         if fills and solid and prism.height < (1 - SAME) * prism.width and _is_whole(brep, record, prism):
             return prism.height
     return None
