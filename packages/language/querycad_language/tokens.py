@@ -45,7 +45,7 @@ _TOKEN = re.compile(
 )
 _UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
-_OPENING = re.compile(r"\W*(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
+_OPENING = re.compile(r"\W{0,3}(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
 """Words before which 'in' is no unit."""
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
 _SIGNED = tuple(
