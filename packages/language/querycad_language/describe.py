@@ -183,8 +183,6 @@ def _length(value: float) -> str:
 
 def plural_of(noun: str) -> str:
     """What several of these are called: 'boss' gives 'bosses', 'foot' gives 'feet'."""
-    if (many := lexicon().plurals.get(noun)) is not None:
-        return many
-    if noun.endswith(("s", "x", "ch", "sh")):
-        return f"{noun}es"
+    if noun in lexicon().plurals or noun.endswith(("s", "x", "ch", "sh")):
+        return lexicon().plurals.get(noun, f"{noun}es")
     return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"

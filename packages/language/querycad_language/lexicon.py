@@ -174,9 +174,8 @@ class Lexicon:
 
     def is_comparative(self, word: str) -> bool:
         """Does it compare two: 'larger', 'shorter'?"""
-        return any(
-            category == "scale" and value.degree in ("more", "less") for category, value in self.phrases.get(word, ())
-        )
+        scale = dict(self.phrases.get(word, ())).get("scale")
+        return scale is not None and scale.degree in ("more", "less")
 
     def words(self, category: str) -> Iterator[str]:
         """All phrases of a category."""

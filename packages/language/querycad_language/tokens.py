@@ -270,8 +270,7 @@ def _english() -> SpellChecker:
 def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Symbols and the numbers that they explain become one; ranges and tolerances share their unit."""
     joined: list[Token] = []
-    words = {token.word for token in tokens}
-    inches = "inch" in words and words.isdisjoint(("mm", "millimeter", "cm", "centimeter"))
+    inches = {token.word for token in tokens}.intersection(("inch", "mm", "millimeter", "cm", "centimeter")) == {"inch"}
     for token in tokens:
         mark = joined[-1].raw if joined else ""
         if mark in _MARKS and token.kind in (Kind.NUMBER, Kind.QUANTITY):
