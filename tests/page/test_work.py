@@ -76,12 +76,33 @@ def test_reading_is_seen_by_stage_and_place_and_a_question_waits_for_it(
         )
         page.page.fill("#question", "How many holes are there?")
         page.page.keyboard.press("Enter")
-        expect(page.page.locator(".card").first).to_contain_text(re.compile("waiting|being read"), timeout=20_000)
+        expect(page.page.locator(".card").first).to_contain_text(re.compile("waiting|being read"))
     expect(row.filter(has_text="one.step")).to_contain_text("KiB", timeout=60_000)
     expect(page.page.locator(".card .answer").first).not_to_be_empty(timeout=60_000)
     told = page.page.evaluate("() => [...told].join(' | ')")
     assert "of 5)" in told
     page.drawn()
+
+
+SLOW = """() => {
+  const before = window.fetch;
+  window.fetch = async (address, ...more) => {
+    if (/models\\/[0-9a-f]+$/.test(String(address))) await new Promise((resolve) => setTimeout(resolve, 2000));
+    return before(address, ...more);
+  };
+}"""
+
+
+def test_a_question_that_is_asked_before_its_model_is_open_is_asked_then(seen: Opener, tmp_path: Path) -> None:
+    page = seen().open()
+    page.page.evaluate(SLOW)
+    page.page.set_input_files("#file", fresh(tmp_path, "early.step"))
+    page.page.fill("#question", "How many holes are there?")
+    page.page.keyboard.press("Enter")
+    expect(page.page.get_by_text("Asked as soon as a model is open.").first).to_be_visible()
+    expect(page.page.locator(".card .answer").first).not_to_be_empty(timeout=60_000)
+    expect(page.page.locator(".card")).to_have_count(1)
+    expect(page.page.locator("#question")).to_have_value("")
 
 
 def test_a_file_that_is_sent_or_read_can_be_stopped(seen: Opener, service: Service, tmp_path: Path) -> None:

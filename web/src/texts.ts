@@ -108,6 +108,7 @@ export const texts = {
     follows: (number: number): string => `Follows ${count(number, "question")} of this conversation: “and how deep are they?” works.`,
     fresh: "New conversation",
     more: "Earlier questions",
+    waits: "Asked as soon as a model is open.",
   },
 
   selection: {

@@ -2,7 +2,7 @@
 
 import * as api from "../api/client";
 import type { Job } from "../api/types";
-import { byId, h } from "../dom";
+import { announce, byId, h } from "../dom";
 import type { Session } from "../session";
 import { texts } from "../texts";
 import { AnswerCard } from "./answer";
@@ -23,6 +23,8 @@ export class Conversation {
   private context: string[] = [];
   /** How many of the model's questions are in the list. */
   private known = 0;
+  /** Asked before there was a model: the one that is opened next is meant. */
+  private waiting = "";
 
   constructor(
     panel: HTMLElement,
@@ -62,7 +64,9 @@ export class Conversation {
     const open = model !== undefined && model.status !== "failed";
     for (const input of this.form.querySelectorAll<HTMLInputElement>("input, button")) input.disabled = !open;
     if (!model) return;
-    await this.load(answer);
+    const waiting = open ? this.waiting : "";
+    this.waiting = "";
+    await Promise.all([this.load(answer), waiting ? this.ask(waiting) : undefined]);
   }
 
   suggest(questions: readonly string[]): void {
@@ -100,7 +104,12 @@ export class Conversation {
 
   private async ask(question: string): Promise<void> {
     const { model, selection, unit } = this.session;
-    if (!model || !question) return;
+    if (!question) return;
+    if (!model) {
+      this.waiting = question;
+      this.tell(texts.ask.waits);
+      return;
+    }
     const selected = selection.parts.length || selection.faces.length;
     const asked = {
       question,
@@ -111,16 +120,27 @@ export class Conversation {
     const job = await api.ask(model.id, asked);
     this.session.emit("trouble", "");
     this.question.value = "";
+    if (this.session.model?.id !== model.id) return; // it stands with its model's other questions
     this.context.push(question);
     sessionStorage.setItem(`context-${model.id}`, JSON.stringify(this.context));
     this.tellContext();
-    const card = this.card(job);
-    this.cards.unshift(card);
-    this.known += 1;
-    this.list.prepend(card.element);
+    const listed = this.cards.find((card) => card.job.id === job.id); // the list was asked for at the same time
+    const card = listed ?? this.card(job);
+    if (!listed) {
+      this.cards.unshift(card);
+      this.known += 1;
+      this.list.prepend(card.element);
+    }
     this.suggestions.open = false; // the answer stands where they stood
     byId("tabs").querySelector<HTMLElement>("[data-tab=ask]")?.click();
-    await card.run(true).catch((error: unknown) => this.lost(error));
+    if (!listed) await card.run(true).catch((error: unknown) => this.lost(error));
+  }
+
+  /** Says something where it is told which questions the next one follows. */
+  private tell(text: string): void {
+    this.follows.hidden = false;
+    this.follows.replaceChildren(h("span", {}, text));
+    announce(text);
   }
 
   private card(job: Job): AnswerCard {
