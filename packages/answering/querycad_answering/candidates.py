@@ -217,6 +217,8 @@ def _digits(value: float) -> int:
     return min(found, default=MOST_DIGITS)
 
 
+NEAR = 1e-6
+"""Metres within which a value is an extent."""
 _LINEAR = frozenset((Measure.WIDTH, Measure.LENGTH, Measure.HEIGHT, Measure.DEPTH, Measure.THICKNESS))
 
 
@@ -233,10 +235,6 @@ def _of_extent(candidate: Candidate, sizes: Sequence[float], extents: Sequence[f
         return {}
     rank = "largest" if not above else "middle" if below else "smallest"
     return {f"{form.measures[0]} as the {rank} extent": 1.0}
-
-
-NEAR = 1e-6
-"""Metres within which a value is an extent."""
 
 
 def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Candidate:
@@ -271,7 +269,7 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
             features["value_zero"] = 1.0
         if (
             sizes
-            and any(abs(max(sizes) - extent) < 1e-6 for extent in extents)
+            and any(abs(max(sizes) - extent) < NEAR for extent in extents)
             and not (isinstance(form, Get) and form.target is None)
         ):
             features["value_is_extent"] = 1.0
