@@ -23,9 +23,6 @@ from .collect import Row, Tried
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
-TEMPER = 0.75
-"""The fitted weights are taken that much smaller: likelihood trusts the best program too much, and equal values of
-several programs too little. Chosen by cross-validation among 0.5 to 2: half a point of right answers by hands."""
 CAUTION = 1.1
 """A wrong answer weighs that much more than a right one in calibration: wrong and sure is the worst outcome."""
 Table = dict[str, float]
@@ -65,8 +62,7 @@ def fit(rows: Sequence[Row], prior: Table, begin: Table | None = None, l2: float
         )
 
     found = minimize(loss, first, jac=True, method="L-BFGS-B", options={"maxiter": 300})
-    fitted = {name: round(TEMPER * float(value), 3) for name, value in zip(names, found.x, strict=True)}
-    table = {name: value for name, value in fitted.items() if value}
+    table = {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
     return {**table, NONE: round(_none(rows, table), 3)}
 
 

@@ -16,7 +16,6 @@ _COMPARED = re.compile(r"all\(.* for v in (?P<what>values)\)")
 _OTHER = re.compile(r"all\(v [<>]=? (?P<what>.+) [-+] [\d.e+-]+ for v in values\)")
 _ANGLES = re.compile(r"all\(.*? for angle in (?P<what>.+)\)")
 _SAME = re.compile(r"len\((?P<what>different\(.+\))\) == 1")
-_COUNTED = re.compile(r"(?P<what>len\(.+\)) == \d+")
 _FITS = re.compile(r"all\(all\(.*\) for p in (?P<what>.+)\)")
 
 
@@ -34,7 +33,7 @@ def grounds_of(candidate: Candidate) -> tuple[Ground, ...]:
     if isinstance(form, Check):
         left = form.left
         if isinstance(left, Count):
-            return _made(candidate, _COUNTED, left, AnswerType.COUNT)
+            return _made(candidate, _COMPARED, left, AnswerType.COUNT, "{0}[0]")
         measure = Measure.LENGTH if isinstance(left, Distance) else left.measures[0]
         other = form.low if isinstance(form.low, Get) else None
         found = _made(candidate, _COMPARED, left, answer_type(measure))

@@ -69,7 +69,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
         case forms.Check(left, relation, low, high):
-            value = describe(low) if isinstance(low, Get) else _length(low)
+            counted = isinstance(left, forms.Count) and isinstance(low, float)
+            value = f"{low:g}" if counted else describe(low) if isinstance(low, Get) else _length(low)
             value = f"{value} to {_length(high)}" if high is not None else value
             return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
         case forms.Exists(target):

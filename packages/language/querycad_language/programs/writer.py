@@ -248,7 +248,7 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
 def _check(draft: Draft, form: forms.Check) -> str:
     match form.left:
         case Count(target):
-            return f"len({draft.parts(target)}) == {int(form.low) if isinstance(form.low, float) else 0}"
+            values = f"[len({draft.parts(target)})]"
         case Distance(mode="overlap"):
             return f"len({overlapping(draft, form.left)}) > 0"
         case Distance():
@@ -261,6 +261,6 @@ def _check(draft: Draft, form: forms.Check) -> str:
     low = repr(form.low) if isinstance(form.low, float) else _scalar(draft, form.low)
     draft.lines.append(f"values = {values}")
     share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
-    length = isinstance(form.left, Distance) or is_length(form.left.measures[0])
+    length = isinstance(form.left, Count | Distance) or is_length(form.left.measures[0])
     compared = _COMPARED[form.relation].format(low=low, high=repr(form.high), slack="5e-05" if length else f"{share:g}")
     return f"all({compared} for v in values)"

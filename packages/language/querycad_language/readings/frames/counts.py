@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery
-from querycad_language.forms import Count, Exists
+from querycad_language.forms import Check, Count, Exists
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
 from querycad_language.readings.drafts import Draft, Features
 from querycad_language.readings.question import Question
+from querycad_language.text import Text
 
 _LEADING = ("courtesy", "chatter")
 _TOPOLOGY = {"face": Measure.FACE_COUNT, "surface": Measure.FACE_COUNT, "edge": Measure.EDGE_COUNT}
@@ -120,26 +122,34 @@ def exists(question: Question) -> Iterator[Draft]:
         counted = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale")
         if question.in_question(span.start) and not counted:
             named = [m for m in question.mentions if m.start >= span.start]
-            yield from _existing(named[:2], set(span.tokens))
+            yield from _existing(text, named[:2], set(span.tokens))
     start = _having(question)
     owned = [m for m in question.parts if start is not None and m.start >= start][:2]
-    yield from _existing(owned, {start or 0})
+    yield from _existing(text, owned, {start or 0})
     for owner, mention in pairwise(owned):
-        held = Exists(placed_in(mention.part, "of", owner.part))
-        yield Draft(held, {"exists": 1.0, "owner_before": 1.0}, {start or 0} | mention.used | owner.used)
+        held = replace(mention, query=placed_in(mention.part, "of", owner.part))
+        yield from (
+            draft.with_more({"owner_before": 1.0}, owner.used) for draft in _existing(text, [held], {start or 0})
+        )
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
     if question.closed and said:  # 'Is a lug present?', 'Can any slots be found?'
-        yield from _existing(present[:1] or question.mentions[:1], said)
+        yield from _existing(text, present[:1] or question.mentions[:1], said)
     elif question.offers_yes_no and len(question.mentions) == 1:  # 'lugs, yes or no?', 'has_lug: true or false?'
-        yield from _existing(question.mentions, set(text.at_phrases("have")))
+        yield from _existing(text, question.mentions, set(text.at_phrases("have")))
 
 
-def _existing(mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
-    """Whether there is the first of them, or less likely the second."""
+def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
+    """Whether there is the first of them, or less likely the second; of 'more than 8 lugs' whether so many."""
+    compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
-        if mention.query is not None:
-            yield Draft(Exists(mention.query), {"exists": 1.0, "count_far": float(index)}, used | mention.used)
+        query, span = mention.query, compared.get(mention.start)
+        features = {"exists": 1.0, "count_far": float(index)}
+        if query is not None and query.count and span is not None:
+            several = Count(replace_fields(query, count=None, plural=True))
+            yield Draft(Check(several, span.value, float(query.count)), features, used | mention.used | {*span.tokens})
+        elif query is not None:
+            yield Draft(Exists(query), features, used | mention.used)
 
 
 def _having(question: Question) -> int | None:

@@ -29,6 +29,7 @@ MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
+_ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
 
 
@@ -40,17 +41,17 @@ def values(question: Question) -> Iterator[Draft]:
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
             draft = _value(question, asked, owner)
-            yield from _box(draft)
-            yield from _circle(question, asked, draft)
-            yield from _surface(draft)
-            yield from _extremes(question, draft)
             get = draft.form
             assert isinstance(get, Get)
+            yield from _box(get, draft)
+            yield from _circle(question, asked, get, draft)
+            yield from _surface(get, draft)
+            yield from _extremes(question, get, draft)
             if asked not in asked_for:
                 draft.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
                 draft.features["later_measure"] = 1.0
-            yield from _with_axis(question, draft)
+            yield from _with_axis(question, get, draft)
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
                 yield Draft(floor, draft.features, draft.used)  # 'the floor thickness of the tray'
@@ -101,28 +102,21 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
 
 
-def _box(draft: Draft) -> Iterator[Draft]:
+def _box(get: Get, draft: Draft) -> Iterator[Draft]:
     """'Width, depth and height of the plate' are its size."""
-    get = draft.form
-    assert isinstance(get, Get)
     if len(set(get.measures)) == MOST_TOGETHER and all(measure in _ALONG for measure in get.measures):
         yield Draft(replace(get, measures=(Measure.SIZE,)), {**draft.features, "asked_box": 1.0}, draft.used)
 
 
-def _circle(question: Question, asked: Asked, draft: Draft) -> Iterator[Draft]:
+def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterator[Draft]:
     """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
-    get, text = draft.form, question.text
-    assert isinstance(get, Get)
+    text = question.text
     leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
-    if not leads or get.target is None or get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS):
-        return
-    if said := text.at_phrases("arranged"):
+    is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
+    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED)):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
-        yield Draft(
-            replace(get, target=circle, reduce=Reduce.ONE),
-            {**draft.features, "arranged": 1.0},
-            draft.used | leads | said,
-        )
+        form = replace(get, target=circle, reduce=Reduce.ONE)
+        yield Draft(form, {**draft.features, "arranged": 1.0}, draft.used | leads | said)
 
 
 def _density(text: Text) -> tuple[float | None, set[int]]:
@@ -134,10 +128,9 @@ def _density(text: Text) -> tuple[float | None, set[int]]:
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
 
 
-def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
+def _extremes(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
     """'the diameters of the largest and the smallest hole', 'min and max depth of the slots'."""
-    get, text = draft.form, question.text
-    assert isinstance(get, Get)
+    text = question.text
     ends = question.extremes
     first, last = (min(ends.values()), max(ends.values())) if len(ends) == 2 else (0, 0)
     joined = any(text.is_word(i, "and", "to", "&", "/", ",") for i in range(first + 1, last))
@@ -147,21 +140,17 @@ def _extremes(question: Question, draft: Draft) -> Iterator[Draft]:
         yield Draft(both, {**draft.features, "both_extremes": 1.0}, draft.used | set(ends.values()))
 
 
-def _surface(draft: Draft) -> Iterator[Draft]:
+def _surface(get: Get, draft: Draft) -> Iterator[Draft]:
     """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
-    get = draft.form
-    assert isinstance(get, Get)
     area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
     if area and get.target is not None and bare_of(get.target, "surface", "face"):
         yield Draft(Get((Measure.AREA,), None), {**draft.features, "topology": 1.0}, draft.used)
 
 
-def _with_axis(question: Question, draft: Draft) -> Iterator[Draft]:
+def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
     """'How long is it in y direction?' is the extent along y."""
     text = question.text
     axis, used = axis_named(question, draft.used)
-    get = draft.form
-    assert isinstance(get, Get)
     axes, listed = axes_listed(question)
     found: list[tuple[tuple[Measure, ...], set[int]]] = []
     if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in (Measure.SIZE, Measure.MAGNITUDE):

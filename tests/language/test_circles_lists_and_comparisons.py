@@ -1,0 +1,90 @@
+"""Lengths along an axis, circles that parts stand on, boxes, lists of kinds, numbers that are compared, bare inches."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, Relation
+from querycad_language.describe import describe, plural_of
+from querycad_language.forms import Check, Count, Exists, Form, Get, queries
+from querycad_language.readings.reader import read
+from querycad_language.tokens import tokenize
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+@pytest.mark.parametrize(
+    ("question", "relation", "number"),
+    [
+        ("Are there more than 8 lugs?", Relation.MORE, 8.0),
+        ("Are there at least four blind lugs?", Relation.AT_LEAST, 4.0),
+        ("Are there fewer than 5 lugs?", Relation.LESS, 5.0),
+        ("Does the lever have more than 2 ribs?", Relation.MORE, 2.0),
+    ],
+)
+def test_a_number_of_parts_is_compared_and_never_passed_over(question: str, relation: Relation, number: float) -> None:
+    found = forms(question)
+    checks = [form for form in found if isinstance(form, Check)]
+    assert [(form.relation, form.low) for form in checks[:1]] == [(relation, number)]
+    assert isinstance(checks[0].left, Count)
+    assert not any(isinstance(form, Exists) and form.target.count for form in found)
+    assert "mm" not in describe(checks[0])
+
+
+def test_a_number_without_a_comparison_asks_whether_there_are_so_many() -> None:
+    assert any(isinstance(form, Exists) and form.target.count == 8 for form in forms("Are there 8 lugs?"))
+
+
+@pytest.mark.parametrize("words", ["along its axis", "in axial direction", "axially"])
+def test_along_its_axis_is_the_axial_extent(words: str) -> None:
+    measures = [form.measures for form in forms(f"How wide is the ring {words}?") if isinstance(form, Get)]
+    assert (Measure.AXIAL_EXTENT,) in measures
+    assert (Measure.AXIAL_EXTENT,) not in [
+        f.measures for f in forms("How wide is the ring along y?") if isinstance(f, Get)
+    ]
+
+
+def test_on_what_diameter_parts_are_arranged_asks_for_their_circle() -> None:
+    def nouns(question: str) -> set[str]:
+        return {query.noun for form in forms(question) for query in queries(form)}
+
+    assert "bolt circle" in nouns("On what diameter are the studs arranged?")
+    assert "bolt circle" not in nouns("What diameter do the studs have?")
+
+
+def test_three_sizes_of_one_part_are_its_box() -> None:
+    asked = [form.measures for form in forms("Give width, depth and height of the lug") if isinstance(form, Get)]
+    assert (Measure.SIZE,) in asked
+    assert (Measure.SIZE,) not in [f.measures for f in forms("Give width and depth of the lug") if isinstance(f, Get)]
+
+
+@pytest.mark.parametrize(
+    ("question", "kinds"),
+    [
+        ("How many lugs, ribs and slots are there?", ("rib", "slot")),
+        ("How many lugs and ribs are there?", ("rib",)),
+        ("How many lugs are there, and where?", ()),
+    ],
+)
+def test_kinds_of_a_list_are_counted_together(question: str, kinds: tuple[str, ...]) -> None:
+    targets = [form.target for form in forms(question) if isinstance(form, Count)]
+    assert kinds in [
+        tuple(other.noun for query in (target, *target.also) for other in query.also) for target in targets
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "metres"),
+    [("Ø.250 lugs", 0.00635), ("Ø0.250 lugs", 0.00025), ("Ø5 lugs", 0.005), ("Ø2 lugs, in inches", 0.0508)],
+)
+def test_less_than_an_inch_is_written_without_a_zero(text: str, metres: float) -> None:
+    """ASME Y14.5: millimetres below one have the zero."""
+    assert next(token.value for token in tokenize(text) if token.measure) == pytest.approx(metres)
+
+
+def test_plurals_that_no_rule_gives() -> None:
+    assert [plural_of(noun) for noun in ("foot", "tooth", "boss", "cavity", "lug")] == [
+        "feet", "teeth", "bosses", "cavities", "lugs",
+    ]  # fmt: skip
