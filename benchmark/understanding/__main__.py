@@ -94,7 +94,8 @@ def _write(table: Table, doubts: Table, data: list[Question], right: float) -> N
 
 def _inline(table: Table) -> str:
     """A table on one line, without what weighs next to nothing."""
-    return "{ " + ", ".join(f'"{name}" = {weight}' for name, weight in table.items() if abs(weight) >= LEAST) + " }"
+    told = (f"{json.dumps(name)} = {weight}" for name, weight in table.items() if abs(weight) >= LEAST)
+    return f"{{ {', '.join(told)} }}"
 
 
 if __name__ == "__main__":

@@ -219,22 +219,6 @@ def _digits(value: float) -> int:
 
 NEAR = 1e-6
 """Metres within which a value is an extent."""
-_LINEAR = frozenset((Measure.WIDTH, Measure.LENGTH, Measure.HEIGHT, Measure.DEPTH, Measure.THICKNESS))
-
-
-def _of_extent(candidate: Candidate, sizes: Sequence[float], extents: Sequence[float]) -> Features:
-    """Is the value the largest, the middle or the smallest extent of what is measured? A thickness is the smallest."""
-    form = candidate.reading.form
-    if not isinstance(form, Get) or len(form.measures) != 1 or form.measures[0] not in _LINEAR or not sizes:
-        return {}
-    parts = candidate.grounds[form.target].parts if form.target is not None else ()
-    own = parts[0].extents if parts else extents
-    above = sum(extent > sizes[0] + NEAR for extent in own)
-    below = sum(extent < sizes[0] - NEAR for extent in own)
-    if above + below == len(own) or not above + below:  # none of them, or all
-        return {}
-    rank = "largest" if not above else "middle" if below else "smallest"
-    return {f"{form.measures[0]} as the {rank} extent": 1.0}
 
 
 def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Candidate:
@@ -273,7 +257,6 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
             and not (isinstance(form, Get) and form.target is None)
         ):
             features["value_is_extent"] = 1.0
-        features.update(_of_extent(candidate, sizes, extents))
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS, AnswerType.ANGLE):
         scale = 180 / math.pi if candidate.written.expects is AnswerType.ANGLE else 1e3
         numbers = [v * scale for v in listed if isinstance(v, float)]

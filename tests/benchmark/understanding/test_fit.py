@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
+from benchmark.understanding.__main__ import _inline
 from benchmark.understanding.collect import Row, Tried
 from benchmark.understanding.cross_validation import (
     Told,
@@ -96,3 +98,9 @@ def test_confidence_that_is_honest_has_no_calibration_error() -> None:
 )
 def test_a_value_is_right_within_what_drawings_mean(value: object, truth: object, kind: str, right: bool) -> None:
     assert is_right(value, question(truth=truth, kind=kind)) is right
+
+
+def test_weights_are_written_as_toml_whatever_their_names_hold() -> None:
+    table = {'sum(f.area for f in faces(facing="bottom"))': 0.5, "{0}.depth": -1.0, "next to nothing": 0.001}
+    written = tomllib.loads(f"depth = {_inline(table)}")
+    assert written == {"depth": {name: weight for name, weight in table.items() if abs(weight) > 0.01}}
