@@ -13,19 +13,18 @@ import tomllib
 from pathlib import Path
 
 from benchmark.scoring.own_models import own_models
-from querycad_language.weights import calibration, families, grouped, weights, weights_file
+from querycad_language.weights import calibration, weights
 
 from .collect import Row, collect
 from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
 from .data import Question, asked, questions
 from .fit import Table
 from .plot import draw
+from .table import write
 
 PRIOR = Path(__file__).with_name("prior.toml")
 RESULTS = Path(__file__).with_name("results.json")
 STORE = Path("build/understanding")
-LEAST = 0.03
-"""Weights of a measure of a kind that are smaller are not written."""
 
 
 def main() -> int:
@@ -52,7 +51,11 @@ def _fit(jobs: int, rounds: int) -> int:
         told = cross_validated(rows, prior)
         text = summary(told)
         right = sum(one.right for one in told) / len(told)
-        _write(table, doubts, data, right)
+        write(
+            table,
+            doubts,
+            f"{len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right",
+        )
     print(text)
     draw(told)
     curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
@@ -74,28 +77,6 @@ def _hash(data: list[Question]) -> str:
     """What identifies the questions that the weights were fitted on."""
     text = json.dumps([[one.model, one.writer, one.question, repr(one.truth)] for one in data])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
-
-
-def _write(table: Table, doubts: Table, data: list[Question], right: float) -> None:
-    """The weights as a readable table, with what they were fitted on."""
-    lines = [
-        "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
-        f"# {len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right.",
-        "", "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
-        "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
-    ]  # fmt: skip
-    lines.append("[measures]")
-    for measure, groups in grouped(table).items():
-        told = {group: of for group, of in groups.items() if max(map(abs, of.values())) >= LEAST}
-        if told:
-            lines.append(f"{measure} = {{ {', '.join(f'{group} = {_inline(of)}' for group, of in told.items())} }}")
-    weights_file().write_text("\n".join([*lines, ""]), encoding="utf-8")
-
-
-def _inline(table: Table) -> str:
-    """A table on one line, without what weighs next to nothing."""
-    told = (f"{json.dumps(name)} = {weight}" for name, weight in table.items() if abs(weight) >= LEAST)
-    return f"{{ {', '.join(told)} }}"
 
 
 if __name__ == "__main__":

@@ -22,6 +22,11 @@ OPTIONS = 4
 RUNS = 6
 """So many programs are run."""
 
+_VECTORS = {
+    *(AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS),
+    *(AnswerType.SIZE, AnswerType.SIZES),
+}
+
 Features = dict[str, float]
 Ground = Callable[[Sequence[PartQuery]], Sequence[Sequence[Grounded]]]
 
@@ -226,17 +231,15 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
     features = dict(candidate.features)
     form = candidate.reading.form
     listed = value if isinstance(value, list) else [value]
+    if candidate.written.expects in _VECTORS and all(isinstance(v, float) for v in listed):
+        listed = [value]  # its coordinates are not several values
     flat = [round(v, 7) if isinstance(v, float) else repr(v) for v in listed]
     distinct = len(set(flat))
     if value is None or (value == [] and candidate.written.expects is not AnswerType.PARTS):  # 'none' is an answer
         features["value_none"] = 1.0
     one = isinstance(form, Get | Distance) and form.reduce is Reduce.ONE
     asked = max(len(form.measures), 1 + ("[*" in candidate.written.code)) if isinstance(form, Get) else 1
-    if (
-        one
-        and distinct > asked
-        and candidate.written.expects not in (AnswerType.SIZE, AnswerType.POINT, AnswerType.DIRECTION)
-    ):
+    if one and distinct > asked:
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0

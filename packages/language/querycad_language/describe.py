@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Measure, PartQuery, Place, Rank, Relation, SizeFilter
+import math
+from collections.abc import Sequence
+
+from querycad_contracts import AnswerType, Measure, PartQuery, Place, Rank, Relation, SizeFilter
 
 from . import forms
 from .forms import Distance, Form, Get, Reduce
 from .lexicon import lexicon
+from .measures import answer_type
 
 _MEASURES = {
     Measure.MAGNITUDE: "size", Measure.X_EXTENT: "extent along x", Measure.Y_EXTENT: "extent along y",
@@ -32,8 +36,7 @@ _COMPARATIVES = {
     Measure.MAGNITUDE: ("larger", "smaller"),
 }  # fmt: skip
 _OPERATIONS = {"minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with"}
-
-
+_UNITS = {AnswerType.AREA: (1e6, " mm²"), AnswerType.VOLUME: (1e9, " mm³"), AnswerType.ANGLE: (180 / math.pi, "°")}
 _MODES = {"centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides "}
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
@@ -70,8 +73,9 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
         case forms.Check(left, relation, low, high):
             counted = isinstance(left, forms.Count) and isinstance(low, float)
-            value = f"{low:g}" if counted else describe(low) if isinstance(low, Get) else _length(low)
-            value = f"{value} to {_length(high)}" if high is not None else value
+            measure = left.measures[0] if isinstance(left, Get) else None
+            value = f"{low:g}" if counted else describe(low) if isinstance(low, Get) else _stated(low, measure)
+            value = f"{value} to {_stated(high, measure)}" if high is not None else value
             return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
         case forms.Exists(target):
             return f"whether there is {noun_phrase(target)}"
@@ -143,20 +147,24 @@ def noun_phrase(query: PartQuery | None) -> str:
     return " ".join(["the", *words, *tail])
 
 
-def none_such(query: PartQuery) -> str:
-    """What is said where parts are there and none is as asked: 'no hole is wider than 80 mm'; nothing restricts: ''."""
+def none_such(query: PartQuery, values: Sequence[float] = ()) -> str:
+    """What is said where parts are there and none is as asked: 'no hole is wider than 80 mm'; nothing restricts: ''.
+
+    `values`: the smallest and the largest that they have.
+    """
     said = [*query.colors, *map(_compared, query.sizes)]
     left = {"colors": (), "sizes": (), "plural": False, "count": None, "ranks": ()}
     if not said:
         said, left = list(query.adjectives), {**left, "adjectives": ()}
     noun = noun_phrase(query.model_copy(update=left)).removeprefix("the ")
-    return f"no {noun} is {' and '.join(said)}" if said else ""
+    have = " to ".join(dict.fromkeys(_stated(value, query.sizes[0].measure) for value in values))
+    return f"no {noun} is {' and '.join(said)}" + (f"; they have {have}" if have else "") if said else ""
 
 
 def _compared(size: SizeFilter) -> str:
     more, less = _COMPARATIVES.get(size.measure or Measure.MAGNITUDE, ("", ""))
     word = {Relation.MORE: more, Relation.LESS: less}.get(size.relation)
-    return f"{word} than {_length(size.low)}" if word else _size(size)
+    return f"{word} than {_stated(size.low, size.measure)}" if word else _size(size)
 
 
 def _rank(rank: Rank) -> str:
@@ -169,8 +177,8 @@ def _rank(rank: Rank) -> str:
 
 def _size(size: SizeFilter) -> str:
     named = f"{_measure(size.measure)} " if size.measure else ""
-    high = f" to {_length(size.high)}" if size.high is not None else ""
-    return f"of {named}{_RELATIONS.get(size.relation, '')}{_length(size.low)}{high}"
+    high = f" to {_stated(size.high, size.measure)}" if size.high is not None else ""
+    return f"of {named}{_RELATIONS.get(size.relation, '')}{_stated(size.low, size.measure)}{high}"
 
 
 def _place(place: Place) -> str:
@@ -178,8 +186,9 @@ def _place(place: Place) -> str:
     return f"{relation} {noun_phrase(place.what)}" if place.what is not None else ""
 
 
-def _length(value: float) -> str:
-    return f"{value * 1e3:.6g} mm"
+def _stated(value: float, measure: Measure | None = None) -> str:
+    scale, unit = _UNITS.get(answer_type(measure or Measure.LENGTH), (1e3, " mm"))
+    return f"{value * scale:.6g}{unit}"
 
 
 def plural_of(noun: str) -> str:

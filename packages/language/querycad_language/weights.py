@@ -5,19 +5,10 @@ from __future__ import annotations
 import tomllib
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
-
-
-def weights_file() -> Path:
-    """Where the table lies in a checkout."""
-    return Path(str(files(__package__).joinpath("data").joinpath("weights.toml")))
-
 
 ALONE = "alone"
 """The family of features whose first word no other has."""
-GROUPS = ("of", "as")
-"""Of each measure: how natural it is of a kind of part, and what it means there: 'depth of hole'."""
 
 
 @cache
@@ -35,29 +26,6 @@ def _fitted() -> dict[str, float]:
         for group, of in groups.items():
             table |= {f"{measure} {group} {name}": weight for name, weight in of.items()}
     return table
-
-
-def families(table: dict[str, float]) -> dict[str, dict[str, float]]:
-    """The weights of plain features as the file holds them, by the first word of their names, or `ALONE`."""
-    found: dict[str, dict[str, float]] = {ALONE: {}}
-    for name, weight in sorted(table.items()):
-        if " " not in name:
-            first, _, rest = name.partition("_")
-            found.setdefault(first, {})[rest] = weight
-    for first, of in list(found.items()):
-        if len(of) == 1 and first != ALONE:
-            found[ALONE] |= {"_".join(filter(None, (first, rest))): weight for rest, weight in found.pop(first).items()}
-    return found
-
-
-def grouped(table: dict[str, float]) -> dict[str, dict[str, dict[str, float]]]:
-    """The weights of measures as the file holds them: measure, group, then kind or expression."""
-    found: dict[str, dict[str, dict[str, float]]] = {}
-    for name, weight in sorted(table.items()):
-        measure, group, of = (*name.split(" ", 2), "", "")[:3]
-        if group in GROUPS:
-            found.setdefault(measure, {}).setdefault(group, {})[of] = weight
-    return found
 
 
 _used: dict[str, float] | None = None

@@ -6,7 +6,6 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from benchmark.understanding.__main__ import _inline
 from benchmark.understanding.collect import Row, Tried
 from benchmark.understanding.cross_validation import (
     Told,
@@ -18,6 +17,7 @@ from benchmark.understanding.cross_validation import (
 )
 from benchmark.understanding.data import Question, is_right
 from benchmark.understanding.fit import answered, fit
+from benchmark.understanding.table import _inline
 
 
 def question(writer: str = "w", model: str = "own:a", truth: object = 1.0, kind: str = "length") -> Question:

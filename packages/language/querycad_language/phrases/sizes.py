@@ -10,6 +10,7 @@ from .mention import Draft
 from .words import noun_follows
 
 _COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
+_POWERS = {0: None, 1: None, 2: Measure.AREA, 3: Measure.VOLUME}
 _LINKS = (
     "with", "of", "a", "an", "the", "is", "are", "between", "from", "in", "whose", "having", "at", "=", "measuring",
     "be", "measure", "about", "size", "sized", "range", "have", "has",
@@ -44,8 +45,8 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
     relation = Relation.EQUAL
     while at < end:
         token = text.tokens[at]
-        if token.kind is Kind.QUANTITY and token.power in (0, 1):
-            return _sized(text, at, measure or token.measure, relation)
+        if token.kind is Kind.QUANTITY and token.power in _POWERS:
+            return _sized(text, at, measure or token.measure or _POWERS[token.power], relation)
         if token.kind is Kind.NUMBER and measure is not None and not noun_follows(text, at + 1):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         if scale := text.find(at, "scale"):

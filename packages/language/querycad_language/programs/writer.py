@@ -77,7 +77,10 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 
 
 
 def _decided(draft: Draft, form: Form) -> str:
-    """Yes or no."""
+    """Yes or no; what is said of a part that is not there is neither."""
+    counted = isinstance(form, forms.Exists | forms.Every) or isinstance(getattr(form, "left", None), Count)
+    if not counted and not all(map(draft.of, forms.queries(form))):
+        raise Unwritable
     match form:
         case forms.Check():
             return _check(draft, form)
@@ -135,9 +138,8 @@ def _of_parts(draft: Draft, form: Get, target: PartQuery) -> tuple[str, AnswerTy
         draft.lines.append(f"names = [p.name for p in {name}]")
         return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
     expression = draft.read(measure, parts)
-    if expression == "{0}.tip":
-        draft.lines.append(f"tips = [tip for p in {name} for tip in p.tips]")
-        return "tips[0] if len(tips) == 1 else tips", AnswerType.POINTS
+    if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:
+        return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
         expression = _dense(form, expression)
     if expression.startswith("[*"):

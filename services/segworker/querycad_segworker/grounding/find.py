@@ -63,16 +63,15 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
 
 
 def _none_such(inventory: Inventory, query: PartQuery) -> str:
-    """Why none is left of parts that are there: 'no hole is wider than 80 mm; they have 5 to 26 mm'."""
+    """Why none is left of parts that are there: 'no hole is wider than 80 mm; they have 5 mm to 26 mm'."""
     plain = query.model_copy(update={"sizes": (), "colors": (), "sides": (), "plural": True})
     there = ground(inventory, plain)[0]
     if not there.parts:
         there = ground(inventory, plain.model_copy(update={"adjectives": ()}))[0]
-    if not there.parts or "nothing" in there.features or not (said := none_such(query)):
+    if not there.parts or "nothing" in there.features:
         return ""
     values = sorted(v for size in query.sizes[:1] for part in there.parts for v in values_of(part, size.measure))
-    texts = dict.fromkeys(f"{value * 1e3:.4g}" for value in (*values[:1], *values[-1:]))
-    return said + (f"; they have {' to '.join(texts)} mm" if texts else "")
+    return none_such(query, (*values[:1], *values[-1:]))
 
 
 def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Side] | None) -> Grounded:

@@ -175,7 +175,7 @@ def _of_size(way: Way, size: SizeFilter) -> Sequence[Way]:
 
 def compares(value: float, size: SizeFilter) -> bool:
     """Does a value compare so with a stated size? Metres; equal is within drawing accuracy or half a per cent."""
-    low, slack = size.low, 1e-6
+    low, slack = size.low, min(1e-6, 1e-3 * abs(size.low))
     match size.relation:
         case Relation.EQUAL:
             return abs(value - low) <= max(DRAWN_M if low > 1e-3 else 0.05 * low, 0.002 * low)

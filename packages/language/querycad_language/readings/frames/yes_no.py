@@ -231,8 +231,9 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
 
 
 def _checked(text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
-    measure = size.measure or (asked[0].measures[0] if asked else Measure.MAGNITUDE)
+    named = asked[0].measures[0] if asked else None
+    measure = (named if size.measure in (None, Measure.AREA, Measure.VOLUME) else None) or size.measure
     least = size.relation is Relation.EQUAL and text.has("least")
     relation = Relation.AT_LEAST if least else size.relation
-    check = Check(Get((measure,), target), relation, size.low, size.high)
+    check = Check(Get((measure or Measure.MAGNITUDE,), target), relation, size.low, size.high)
     return Draft(check, used=frozenset().union(*(one.used for one in asked)))
