@@ -127,7 +127,7 @@ _LENGTHS = (
     "outer_diameter",
     "inner_diameter", "tube_diameter", "across_flats", "across_corners", "center_length", "chamfer_size", "bend_radius",
     "mouth_length", "mouth_width", "bottom_length", "bottom_width",
-    "bottom_thickness", "wall_distance", "developed_length",
+    "bottom_thickness", "minimum_thickness", "wall_distance", "developed_length",
 )  # fmt: skip
 _DISTANCES = ("distance_to", "center_distance", "edge_distance", "distance", "offset")
 _KNOWN = frozenset({*_SCALARS, *_TRIPLES, *_LENGTHS, *_DISTANCES})

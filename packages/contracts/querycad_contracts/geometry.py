@@ -157,6 +157,7 @@ class Shape(Weighed):
     volume: float
     area: float
     thickness: float | None = Field(None, description="Of sheet or plate material, where most walls share one.")
+    minimum_thickness: float | None = Field(None, description="The thinnest wall, where faces of exact shapes make it.")
     bodies: tuple[Body, ...]
     face_count: int
     edge_count: int = Field(0, description="As the file has them; seams of round faces are none.")
@@ -401,6 +402,10 @@ class Part(Weighed):
     opening_area: float | None = Field(None, description="Of what has one opening: the area within its rim.")
     bottom_thickness: float | None = Field(
         None, description="Of what is blind: the least material straight behind its bottom, along its axis."
+    )
+    minimum_thickness: float | None = Field(
+        None,
+        description="Of a body and of the whole: the least material between two faces that look away from each other.",
     )
     wall_distance: float | None = Field(
         None, description="Of a hole: from its wall sideways to the nearest outer face, across the material."

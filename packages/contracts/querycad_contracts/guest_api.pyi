@@ -97,6 +97,8 @@ class Shape:
     area: float
     thickness: float
     """Of sheet or plate material."""
+    minimum_thickness: float
+    """Of the thinnest wall."""
     bodies: list[Body]
     face_count: int
     edge_count: int
@@ -189,6 +191,8 @@ class Part:
     developed_length: float
     bottom_thickness: float
     """Left behind a blind bottom."""
+    minimum_thickness: float
+    """Of the thinnest wall. Of a body."""
     wall_distance: float
     """To the nearest outer face. Of a hole, across the material."""
     inclination: float

@@ -49,6 +49,8 @@ class Measure(StrEnum):
     """Of bent sheet: laid flat."""
     BOTTOM_THICKNESS = "bottom_thickness"
     """Of what is blind: the material behind its bottom."""
+    MINIMUM_THICKNESS = "minimum_thickness"
+    """Of a body or the whole: of the thinnest wall."""
     WALL_DISTANCE = "wall_distance"
     """Of a hole: the material from its wall to the nearest outer face."""
     ANGLE = "angle"

@@ -104,6 +104,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "TUBE": "max(radii) - min(radii); thickness",
         "": "thickness",
     },
+    Measure.MINIMUM_THICKNESS: "minimum_thickness; ~thickness",
     Measure.MAGNITUDE: {
         "WHOLE": "extents; ~max(extents)",
         "fillet round bend": "radius",

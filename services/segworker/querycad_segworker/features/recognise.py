@@ -109,7 +109,7 @@ def recognise(
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
     whole = united(brep, tolerances)
-    shape = _shape(brep, thickness.model, brep if whole is None else whole.brep)
+    shape = _shape(brep, thickness, brep if whole is None else whole.brep)
     with gathering() as refused:
         if whole is None:
             parts = _parts(brep, shape, tolerances, is_clear, Volumes(brep, mesh), thickness)
@@ -217,7 +217,9 @@ def _parts(
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
-    bodies = with_body_thickness(bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies))
+    bodies = with_body_thickness(
+        bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies), thickness.least
+    )
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     shown = _numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))
     parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
@@ -287,7 +289,7 @@ def _numbered(records: Sequence[T], make: Callable[[T, int], Part]) -> list[Part
     return [make(record, number) for number, record in enumerate(records, start=1)]
 
 
-def _shape(brep: Brep, thickness_m: float | None, whole: Brep) -> Shape:
+def _shape(brep: Brep, thickness: Thickness, whole: Brep) -> Shape:
     """`whole`: the same with pieces of one surface united, which symmetry is told by."""
     masses = [weighed(whole, [record]) for record in whole.bodies]
     together = masses[0] if len(masses) == 1 else weighed(whole, whole.bodies)
@@ -297,7 +299,8 @@ def _shape(brep: Brep, thickness_m: float | None, whole: Brep) -> Shape:
         extents=box_extents(brep.box),
         volume=sum(record.volume for record in brep.bodies),
         area=sum(record.area for record in brep.bodies),
-        thickness=thickness_m,
+        thickness=thickness.model,
+        minimum_thickness=thickness.of_all(len(brep.bodies)),
         bodies=tuple(body(brep, record, mass) for record, mass in zip(brep.bodies, masses, strict=True)),
         face_count=len(brep.faces),
         edge_count=sum(edge.convexity is not EdgeConvexity.SEAM for edge in brep.edges),

@@ -284,6 +284,7 @@ def model_part(brep: Brep, shape: Shape, only: Part | None = None) -> Part:
         height=shape.extents[2],
         length=max(shape.extents),
         thickness=shape.thickness if shape.thickness is not None or only is None else only.thickness,
+        minimum_thickness=shape.minimum_thickness,
         volume=shape.volume or None,
         area=shape.area,
         name=shape.name or None,

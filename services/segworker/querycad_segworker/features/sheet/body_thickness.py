@@ -27,11 +27,12 @@ def with_body_thickness(
     prisms: Sequence[Prism],
     turned: Sequence[TurnedBody | None],
     walls: Mapping[int, float],
+    least: Mapping[int, float],
 ) -> list[Part]:
-    """The same bodies with their thickness, where they have one.
+    """The same bodies with their thickness, and that of their thinnest wall, where they have one.
 
     `prisms`: those of the model, plates among them; `turned`: what each body is as a turned one; `walls`: thicknesses
-    that most of a body's surface, or the sides of a box, share, by body id.
+    that most of a body's surface, or the sides of a box, share, by body id; `least`: those of the thinnest ones.
     """
     result = []
     own: dict[int, list[Prism]] = defaultdict(list)
@@ -39,7 +40,8 @@ def with_body_thickness(
         own[prism.body].append(prism)
     for part, record, form in zip(bodies, brep.bodies, turned, strict=True):
         thickness = _thickness(brep, record, own[record.id], form, walls.get(record.id))
-        result.append(part if thickness is None else part.model_copy(update={"thickness": thickness}))
+        found = {"thickness": thickness, "minimum_thickness": least.get(record.id)}
+        result.append(part.model_copy(update={name: value for name, value in found.items() if value is not None}))
     return result
 
 

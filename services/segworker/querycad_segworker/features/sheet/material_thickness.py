@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, FaceRecord
-from querycad_segworker.vectors import Box, box_union, dist, dot, sub
+from querycad_segworker.topology import Brep
+from querycad_segworker.vectors import Box, box_union, dist
 from querycad_segworker.visibility.raycast import Scene
+
+from .gaps import NO_WALL, Depths, gap
+from .minimum_thickness import thinnest
 
 SHARED_AREA = 0.6
 """A thickness is the material's when at least this share of the surface has it: edges and ends of a sheet have
@@ -27,8 +28,6 @@ SAME = 0.01
 """Thicknesses that differ by less than 1 % are one: far below sheet tolerances (EN 10051: some 5 %)."""
 MOSTLY = 0.5
 """Plane faces speak for the whole where they are more than this share of the surface."""
-NO_WALL = math.inf
-"""Between faces that do not run alongside each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +36,14 @@ class Thickness:
 
     model: float | None = None
     bodies: Mapping[int, float] = field(default_factory=dict)
+    least: Mapping[int, float] = field(default_factory=dict)
+    """Of the thinnest wall of each body, by id."""
     opposite_m2: Mapping[tuple[int, int], float] = field(default_factory=dict)
     """How much of a plane face has another plane face straight behind it, across the material? By ids of both."""
+
+    def of_all(self, bodies: int) -> float | None:
+        """The thinnest wall of a model of so many bodies; None where that of any is not known."""
+        return min(self.least.values()) if self.least and len(self.least) == bodies else None
 
     def renumbered(self, owner: Sequence[int]) -> Thickness:
         """The same of a model whose face `i` is part of face `owner[i]`."""
@@ -52,24 +57,6 @@ NO_THICKNESS = Thickness()
 """Of what is no sheet and has no walls."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Depths:
-    """What lies behind each of N triangles, seen from its middle straight into the material.
-
-    faces, beyond: (N,) ids of their faces, and of those seen. areas_m2, walls_m: (N,), the latter `NO_WALL` where no
-    wall lies between.
-    """
-
-    faces: NDArray[np.int32]
-    beyond: NDArray[np.int32]
-    areas_m2: NDArray[np.float64]
-    walls_m: NDArray[np.float64]
-
-    def of(self, chosen: NDArray[np.bool_]) -> _Depths:
-        """Those of some triangles."""
-        return _Depths(self.faces[chosen], self.beyond[chosen], self.areas_m2[chosen], self.walls_m[chosen])
-
-
 def material_thickness(brep: Brep, mesh: Mesh, scene: Scene) -> Thickness:
     """Which thickness do the sheets or walls have that the model and each of its bodies are made of?
 
@@ -81,19 +68,19 @@ def material_thickness(brep: Brep, mesh: Mesh, scene: Scene) -> Thickness:
     owners = np.array([face.body for face in brep.faces], dtype=np.int64)[depths.faces]
     plane = np.array([face.kind is SurfaceKind.PLANE for face in brep.faces], dtype=np.bool_)
     whole = _shared(brep.box, depths, plane)
-    opposite = _opposite(depths, plane)
+    opposite, least = _opposite(depths, plane), thinnest(brep, depths, scene)
     if len(brep.bodies) == 1:
-        return Thickness(whole, {} if whole is None else {brep.bodies[0].id: whole}, opposite)
+        return Thickness(whole, {} if whole is None else {brep.bodies[0].id: whole}, least, opposite)
     found = {}
     for body in brep.bodies:
         box = box_union(brep.faces[f].box for f in body.faces)
         thickness = _shared(box, depths.of(owners == body.id), plane) if box is not None else None
         if thickness is not None:
             found[body.id] = thickness
-    return Thickness(whole, found, opposite)
+    return Thickness(whole, found, least, opposite)
 
 
-def _opposite(depths: _Depths, plane: NDArray[np.bool_]) -> dict[tuple[int, int], float]:
+def _opposite(depths: Depths, plane: NDArray[np.bool_]) -> dict[tuple[int, int], float]:
     """The areas of `Thickness.opposite_m2`."""
     chosen = np.isfinite(depths.walls_m) & plane[depths.faces] & plane[depths.beyond]
     pairs = np.stack([depths.faces[chosen], depths.beyond[chosen]], axis=1)
@@ -102,7 +89,7 @@ def _opposite(depths: _Depths, plane: NDArray[np.bool_]) -> dict[tuple[int, int]
     return {(int(a), int(b)): float(area) for (a, b), area in zip(unique, areas, strict=True)}
 
 
-def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> _Depths:
+def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> Depths:
     """What lies behind the triangles, but for those behind which nothing lies."""
     corners = mesh.vertices_m[mesh.triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -121,36 +108,13 @@ def _depths(brep: Brep, mesh: Mesh, scene: Scene) -> _Depths:
     if len(pairs):
         tolerances = Tolerances.for_diagonal(dist(*brep.box))
         pairs_of_faces = (divmod(int(pair), len(brep.faces)) for pair in pairs)
-        gaps = np.array([_gap(brep.faces[a], brep.faces[b], tolerances) for a, b in pairs_of_faces])[index.ravel()]
+        gaps = np.array([gap(brep.faces[a], brep.faces[b], tolerances) for a, b in pairs_of_faces])[index.ravel()]
         walls = np.where(np.isnan(gaps), distances, gaps)
-    return _Depths(faces, beyond, doubled[solid][reached] / 2, walls)
+    starts = corners[solid][reached]
+    return Depths(faces, beyond, doubled[solid][reached] / 2, distances, walls, starts, normals[reached])
 
 
-def _gap(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> float:
-    """How far apart are two faces that run alongside each other? `NO_WALL` where they do not, NaN for freeform ones."""
-    if SurfaceKind.FREEFORM in (a.kind, b.kind):
-        return math.nan
-    if a.kind is not b.kind:
-        return NO_WALL
-    if a.kind is SurfaceKind.PLANE:
-        return abs(dot(sub(a.point, b.point), a.axis)) if dot(a.axis, b.axis) < -0.999999 else NO_WALL
-    near = 3 * tolerances.length
-    if a.kind is SurfaceKind.SPHERE:
-        coaxial = dist(a.origin, b.origin) <= near
-    else:
-        coaxial = Axis(a.origin, a.axis).same_line(Axis(b.origin, b.axis), tolerances)
-    if not coaxial or a.outward == b.outward:
-        return NO_WALL
-    if a.kind is SurfaceKind.CONE:
-        alike = dot(a.axis, b.axis) > 0 and abs(a.half_angle - b.half_angle) <= 10 * tolerances.angle
-        return dist(a.origin, b.origin) * math.sin(a.half_angle) if alike else NO_WALL
-    if a.kind is SurfaceKind.TORUS:
-        alike = dist(a.origin, b.origin) <= near and abs(a.radius - b.radius) <= near
-        return abs(a.minor_radius - b.minor_radius) if alike else NO_WALL
-    return abs(a.radius - b.radius)
-
-
-def _shared(box: Box, depths: _Depths, plane: NDArray[np.bool_]) -> float | None:
+def _shared(box: Box, depths: Depths, plane: NDArray[np.bool_]) -> float | None:
     """The thickness that most of the surface shares; None where there is none, or where it is no sheet's."""
     extents = sorted(high - low for low, high in zip(*box, strict=True))
     flat = depths.of(plane[depths.faces])
@@ -159,7 +123,7 @@ def _shared(box: Box, depths: _Depths, plane: NDArray[np.bool_]) -> float | None
     return next((t for t in shared if t is not None and t <= SHEET_RATIO * extents[1]), None)
 
 
-def _most_common(depths: _Depths) -> float | None:
+def _most_common(depths: Depths) -> float | None:
     """The thickness that most of this surface shares: that of the largest part of it which has one to the digit."""
     order = np.argsort(depths.walls_m, kind="stable")
     walls, areas = depths.walls_m[order], depths.areas_m2[order]
