@@ -101,6 +101,7 @@ def full_part() -> Part:
         bottom_width=1.0,
         opening_area=1.0,
         bottom_thickness=1.0,
+        minimum_thickness=1.0,
         wall_distance=1.0,
         inclination=1.0,
         developed_length=1.0,
@@ -121,9 +122,9 @@ def test_every_attribute_of_the_stub_is_served_and_no_other() -> None:
     assert frame_measures(LocalFrame(UP, UP, UP, UP)).keys() == attributes("Frame")
     assert opening_measures(Opening(UP, UP, Outline.CIRCLE)).keys() == attributes("Opening")
     assert body_measures(make_body(color="#c0c0c0")).keys() == attributes("Body")
-    assert shape_measures(make_shape(thickness=0.01, up=Side.TOP, center_of_mass=UP)).keys() | {"bodies"} == attributes(
-        "Shape"
-    )
+    assert shape_measures(make_shape(thickness=0.01, minimum_thickness=0.01, up=Side.TOP, center_of_mass=UP)).keys() | {
+        "bodies"
+    } == attributes("Shape")
 
 
 def test_every_method_of_the_stub_is_served_and_no_other() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import build123d as bd
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import box, compound, cut, cylinder, find, plate, scaled, turned
+from tests.segworker.shapes import ball, box, compound, cut, cylinder, find, plate, scaled, turned
 
 MM = 1e-3
 
@@ -61,3 +61,6 @@ def test_each_body_has_its_own_and_the_whole_that_of_the_thinnest() -> None:
     found = find(compound(plate(60, 40, 20), box((10, 10, 5), (50, 50, 0))))
     assert sorted(body.minimum_thickness or 0.0 for body in found.of("body")) == pytest.approx([5 * MM, 20 * MM])
     assert found.shape.minimum_thickness == pytest.approx(5 * MM)
+    with_ball = find(compound(plate(60, 40, 20), ball(5, (50, 50, 0))))
+    assert [body.minimum_thickness for body in with_ball.of("body")] == [pytest.approx(20 * MM), None]
+    assert with_ball.shape.minimum_thickness is None

@@ -35,7 +35,7 @@ def thinnest(brep: Brep, depths: Depths, scene: Scene) -> Mapping[int, float]:
     thinnest corners, to 1 % of their size. Wedges and the ends of chamfers count as no wall.
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
-    found: dict[int, float] = defaultdict(lambda: NO_WALL)
+    found: dict[int, float] = {}
     for a, b, distance in _pairs(brep, depths, scene):
         first, second = brep.faces[a], brep.faces[b]
         between = gap(first, second, tolerances)
@@ -45,7 +45,7 @@ def thinnest(brep: Brep, depths: Depths, scene: Scene) -> Mapping[int, float]:
                 continue
         if between == NO_WALL and _tapered(brep, a, b):
             between = distance
-        if tolerances.length < between < found[first.body]:
+        if tolerances.length < between < found.get(first.body, NO_WALL):
             found[first.body] = between
     area, free = defaultdict[int, float](float), defaultdict[int, float](float)
     for face in brep.faces:
