@@ -39,6 +39,11 @@ def test_a_wall_that_tapers_is_as_thin_as_at_its_rim() -> None:
     assert thinnest(wedge.wrapped) == pytest.approx(2.5, rel=0.02)
 
 
+def test_a_wedge_is_no_wall() -> None:
+    knife = bd.extrude(bd.make_face(bd.Polyline((0, 0), (6, 0), (3, 40), close=True)), 50)
+    assert thinnest(knife.wrapped) == pytest.approx(50)
+
+
 def test_a_chamfer_and_a_fillet_end_in_no_wall() -> None:
     beveled = bd.chamfer(bd.Box(60, 40, 20).edges(), 2)
     assert thinnest(beveled.wrapped) == pytest.approx(20)

@@ -76,4 +76,5 @@ def _tapered(brep: Brep, a: int, b: int) -> bool:
     """Are two planes sides of a wall, though not parallel ones?"""
     first, second = brep.faces[a], brep.faces[b]
     planes = first.kind is second.kind is SurfaceKind.PLANE
-    return planes and -0.999999 <= dot(first.axis, second.axis) <= OPPOSITE
+    leaning = planes and -0.999999 <= dot(first.axis, second.axis) <= OPPOSITE
+    return leaning and all(other != b for _, other in brep.neighbours(a))  # where they meet it is a wedge
