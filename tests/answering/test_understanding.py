@@ -8,12 +8,13 @@ import pytest
 from tests.made import body, hole, inventory, part, view, whole
 
 from querycad_answering.answering import answer_question
-from querycad_answering.candidates import candidates
+from querycad_answering.candidates import candidates, with_value
 from querycad_answering.ranking import confidence, key, values
 from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
     AnswerOptions,
     AnswerRecord,
+    AnswerType,
     Expectation,
     Program,
     RunOutcome,
@@ -181,3 +182,13 @@ def test_the_programs_run_in_the_sandbox_on_the_same_query() -> None:
             assert record.status in (Status.ANSWERED, Status.UNSURE)  # few were asked whether there is one
             assert record.answer is not None
             assert record.answer.value == value
+
+
+def test_one_place_is_one_value_and_two_are_two() -> None:
+    tips = ((0.0, 0.0, 0.1), (0.0, 0.0, -0.1))
+    model = view(part("boss-1", tags=("shaft",), tip=tips[0], tips=tips))
+    asked = candidates(read("Where is the tip of the boss?"), model.ground, model.whole)[0]
+    assert asked.written.expects is AnswerType.POINTS
+    ends = [[0.0, 0.0, 0.1], [0.0, 0.0, -0.1]]
+    assert "values_several_for_one" not in with_value(asked, ends[0], model.whole.extents).features
+    assert with_value(asked, ends, model.whole.extents).features["values_several_for_one"] == 1.0

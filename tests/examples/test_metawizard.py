@@ -128,7 +128,7 @@ def test_without_what_is_not_sure_there_is_no_program(known: dict[str, Any]) -> 
 def test_a_person_is_asked_for_what_is_not_sure(monkeypatch: pytest.MonkeyPatch) -> None:
     from metawizard import synthesise
 
-    unsure = [{**synthesise.BLOCK[0], "type": "point"}, *synthesise.BLOCK[1:]]
+    unsure = [{**synthesise.BLOCK[0], "type": "point", "question": "Where is the bolt hole?"}, *synthesise.BLOCK[1:]]
     monkeypatch.setattr(synthesise, "BLOCK", unsure)
     asked: list[ParameterValue] = []
 

@@ -88,3 +88,51 @@ def test_plurals_that_no_rule_gives() -> None:
     assert [plural_of(noun) for noun in ("foot", "tooth", "boss", "cavity", "lug")] == [
         "feet", "teeth", "bosses", "cavities", "lugs",
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "relation", "value", "said"),
+    [
+        ("Is the volume less than 500 cm3?", Measure.VOLUME, Relation.LESS, 5e-4, "less than 500000 mm³"),
+        ("Is the surface area over 2 m²?", Measure.AREA, Relation.MORE, 2.0, "more than 2e+06 mm²"),
+        ("Is the lug's area at least 3 in2?", Measure.AREA, Relation.AT_LEAST, 3 * 0.0254**2, "at least 1935.48 mm²"),
+        (
+            "Is the angle of the cone less than 30 degrees?",
+            Measure.ANGLE,
+            Relation.LESS,
+            0.5235987755982988,
+            "than 30°",
+        ),
+    ],
+)
+def test_areas_volumes_and_angles_are_compared(
+    question: str, measure: Measure, relation: Relation, value: float, said: str
+) -> None:
+    checks = [form for form in forms(question) if isinstance(form, Check) and isinstance(form.left, Get)]
+    assert (measure,) in [form.left.measures for form in checks if isinstance(form.left, Get)]
+    assert {form.relation for form in checks} == {relation}
+    assert [form.low for form in checks] == pytest.approx([value] * len(checks))
+    assert said in describe(checks[0])
+
+
+def test_an_area_is_a_size_that_parts_have() -> None:
+    asked = [query for form in forms("How many faces are larger than 5 cm²?") for query in queries(form)]
+    assert {size.measure for query in asked for size in query.sizes} == {Measure.AREA}
+    assert [size.low for query in asked for size in query.sizes] == pytest.approx([5e-4] * len(asked))
+
+
+@pytest.mark.parametrize(
+    ("question", "first", "second"),
+    [
+        ("Is the lever taller than it is wide?", Measure.HEIGHT, Measure.WIDTH),
+        ("Is the part longer than wide?", Measure.LENGTH, Measure.WIDTH),
+        ("Is the bore deeper than it is wide?", Measure.DEPTH, Measure.WIDTH),
+    ],
+)
+def test_a_part_is_compared_with_itself(question: str, first: Measure, second: Measure) -> None:
+    pairs = {
+        (form.left.measures, form.low.measures, form.left.target == form.low.target)
+        for form in forms(question)
+        if isinstance(form, Check) and isinstance(form.left, Get) and isinstance(form.low, Get)
+    }
+    assert pairs == {((first,), (second,), True)}

@@ -27,6 +27,7 @@ from querycad_language.forms import (
     Reduce,
     Several,
     Uniform,
+    Within,
     queries,
 )
 from querycad_language.measures import options
@@ -101,6 +102,27 @@ def test_a_form_becomes_a_program_that_passes_the_type_check(
 def test_a_measure_of_no_part_is_not_written() -> None:
     with pytest.raises(Unwritable):
         write(DEPTH, {HOLES: ((), 0)}, whole())
+
+
+@pytest.mark.parametrize(
+    "form",
+    [
+        Check(Get((Measure.ANGLE,), PINS), Relation.EQUAL, 1.5),
+        Uniform(Get((Measure.DEPTH,), PINS)),
+        Parallel(PINS, None),
+        Within(PINS, (0.1, 0.1, 0.1)),
+        Check(Distance(PINS, HOLES), Relation.MORE, 0.01),
+    ],
+)
+def test_of_parts_that_are_not_there_nothing_is_true_or_false(form: Form) -> None:
+    grounds = {query: ((), 0) if query == PINS else (TWO, 0) for query in queries(form)}
+    with pytest.raises(Unwritable):
+        write(form, grounds, whole())
+
+
+def test_none_is_a_number_that_is_compared() -> None:
+    written = write(Check(Count(PINS), Relation.MORE, 8.0), {PINS: ((), 0)}, whole())
+    assert [(one.expression, one.expects) for one in written.compared] == [("values[0]", AnswerType.COUNT)]
 
 
 def test_only_bodies_overlap() -> None:

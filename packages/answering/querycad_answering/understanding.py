@@ -29,7 +29,6 @@ from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
-from .because import grounds_of
 from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text
@@ -275,12 +274,13 @@ class Understanding:
 
     def _because(self, candidate: Candidate, run: Run, unit: LengthUnit) -> Iterator[str]:
         """What was compared, of an answer of yes or no."""
-        for ground in grounds_of(candidate):
-            asked = {"code": ground.code, "expects": ground.expects}
+        before = candidate.written.code.rpartition("solution = ")[0]
+        for form, expression, expects in candidate.written.compared:
+            asked = {"code": f"{before}solution = {expression}", "expects": expects}
             program = _program(candidate).model_copy(update=asked)
             answer = judge(program, run(program), unit, Expectation()).answer
             if answer is not None and answer.text:
-                yield f"{ground.called}: {answer.text}"
+                yield f"{'angles' if form is None else describe(form)}: {answer.text}"
 
     def _understood(
         self, best: Value, verdict: Verdict, others: tuple[Alternative, ...], notes: Sequence[str]

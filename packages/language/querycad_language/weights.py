@@ -17,7 +17,8 @@ def _table() -> dict[str, dict[str, Any]]:
 
 
 @cache
-def _fitted() -> dict[str, float]:
+def weights() -> dict[str, float]:
+    """The weight of each feature; a feature without one weighs nothing."""
     table: dict[str, float] = {}
     for name, weight in _table()["weights"].items():
         first = "" if name == ALONE else name
@@ -28,22 +29,6 @@ def _fitted() -> dict[str, float]:
     return table
 
 
-_used: dict[str, float] | None = None
-
-
-def weights() -> dict[str, float]:
-    """The weight of each feature; a feature without one weighs nothing."""
-    if _used is not None:
-        return _used
-    return _fitted()
-
-
 def calibration() -> dict[str, float]:
     """How a share of the probability becomes a confidence: weights of its log odds and of each doubt."""
     return _table().get("calibration", {})
-
-
-def use(table: dict[str, float] | None) -> None:
-    """Ranks with these weights from now on, for fitting; None: the ones in the repository."""
-    global _used  # noqa: PLW0603 - fitting tries many tables in one process
-    _used = table

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery
+from querycad_language.forms import Form
 from querycad_language.measures import WHOLE, Grade, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
@@ -23,14 +24,23 @@ class Read(NamedTuple):
     grade: Grade
 
 
+class Compared(NamedTuple):
+    """What a yes or no rests on: the form of what is compared, None for angles, and the expression that gives it."""
+
+    form: Form | None
+    expression: str
+    expects: AnswerType
+
+
 @dataclass(frozen=True, slots=True)
 class Written:
-    """A program, the type of its result, and the measures that it reads."""
+    """A program, the type of its result, the measures that it reads, and what its yes or no compares."""
 
     code: str
     expects: AnswerType
     reads: tuple[Read, ...] = ()
     option: int = 0
+    compared: tuple[Compared, ...] = ()
 
 
 Grounds = Mapping[PartQuery, tuple[Sequence[Part], int]]
@@ -52,6 +62,7 @@ class Draft:
         self.lines: list[str] = []
         self.names: dict[PartQuery, str] = {}
         self.reads: list[Read] = []
+        self.compared: list[Compared] = []
 
     def parts(self, query: PartQuery) -> str:
         """The variable with the parts of a query."""

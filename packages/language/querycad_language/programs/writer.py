@@ -12,7 +12,7 @@ from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import answer_type, is_length, of_several
 
 from .distances import SLACK, distance, overlapping, touching
-from .draft import Draft, Grounds, Unwritable, Written
+from .draft import Compared, Draft, Grounds, Unwritable, Written
 from .sides import angle_between, directions, towards
 
 _OF_SHAPE = {
@@ -48,7 +48,8 @@ def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written
     measured = getattr(form, "left", form)
     draft = Draft(grounds, whole, option, overall=isinstance(measured, Get) and measured.overall)
     result, kind = _form(draft, form)
-    return Written("\n".join([*draft.lines, f"solution = {result}"]), kind, tuple(draft.reads), option)
+    code = "\n".join([*draft.lines, f"solution = {result}"])
+    return Written(code, kind, tuple(draft.reads), option, tuple(draft.compared))
 
 
 def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
@@ -90,12 +91,18 @@ def _decided(draft: Draft, form: Form) -> str:
             found, kept = draft.parts(target), draft.parts(among)
             return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
         case forms.Uniform(get) if get.target is not None:
-            return f"len(different({_values(draft, get.measures[0], get.target)}, 5e-05)) == 1"
+            different = f"different({_values(draft, get.measures[0], get.target)}, 5e-05)"
+            draft.compared.append(Compared(get, different, answer_type(get.measures[0])))
+            return f"len({different}) == 1"
         case forms.Parallel(first, second, square):
             limit = "abs(angle - 1.5707963267948966)" if square else "angle"
-            return f"all({limit} < 0.01 for angle in {directions(draft, first, second, Reduce.EACH)})"
+            angles = directions(draft, first, second, Reduce.EACH)
+            draft.compared.append(Compared(None, angles, AnswerType.ANGLE))
+            return f"all({limit} < 0.01 for angle in {angles})"
         case forms.Within(target, box):
             found = "[shape]" if target is None else draft.parts(target)
+            extents = f"{found}[0].extents if len({found}) == 1 else None"
+            draft.compared.append(Compared(Get((Measure.SIZE,), target), extents, AnswerType.SIZE))
             return f"all(all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r})) for p in {found})"
     raise Unwritable
 
@@ -237,9 +244,14 @@ def _scalar(draft: Draft, get: Get | Count) -> str:
     return _of_whole(draft, get)[0]
 
 
+def _kind(form: Get | Count | Distance) -> AnswerType:
+    if isinstance(form, Count):
+        return AnswerType.COUNT
+    return answer_type(Measure.LENGTH if isinstance(form, Distance) else form.measures[0])
+
+
 def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
-    left = form.left
-    kind = AnswerType.COUNT if isinstance(left, Count) else answer_type(left.measures[0])
+    left, kind = form.left, _kind(form.left)
     if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
         value = draft.read(left.measures[0], draft.of(left.target)).format("p")
         return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
@@ -262,6 +274,10 @@ def _check(draft: Draft, form: forms.Check) -> str:
             values = f"[{_scalar(draft, form.left)}]"
     low = repr(form.low) if isinstance(form.low, float) else _scalar(draft, form.low)
     draft.lines.append(f"values = {values}")
+    kind = _kind(form.left)
+    draft.compared.append(Compared(form.left, "values[0]" if kind is AnswerType.COUNT else "values", kind))
+    if isinstance(form.low, Get):
+        draft.compared.append(Compared(form.low, low, _kind(form.low)))
     share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
     length = isinstance(form.left, Count | Distance) or is_length(form.left.measures[0])
     compared = _COMPARED[form.relation].format(low=low, high=repr(form.high), slack="5e-05" if length else f"{share:g}")

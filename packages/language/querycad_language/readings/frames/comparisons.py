@@ -35,14 +35,17 @@ def _compared(question: Question) -> Iterator[Draft]:
     parts = [m for m in question.mentions if not m.pronoun]
     behind = [m for m in parts if m.start > than]
     before = [m for m in parts if m.start < than][-1:] or behind[1:2]
-    if not before or not behind or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
+    other = next(filter(None, (text.find(i, "scale") for i in range(than + 1, len(text)))), None)
+    own = other if other is not None and other.value.degree == "positive" and not behind else None
+    if not before or not (behind or own) or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
-    left, right = before[0], behind[0]
+    left, right = before[0], (behind or before)[0]
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is Measure.MAGNITUDE and named is not None:  # 'larger in diameter'
         measure, used = named.measures[0], used | named.used
-    a, b = Get((measure,), left.query), Get((measure,), right.query)
+    a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
+    used.update(range(than, own.end) if own else ())  # 'taller than it is wide'
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Draft(Combine("apart", a, b), {"combined": 1.0}, used)
