@@ -28,7 +28,7 @@ from .settings import home
 from .supervisor import POLL_S, Command, Supervisor, python
 
 HOST = "127.0.0.1"
-LOOPBACK_OF = {"0.0.0.0": HOST, "::": "::1"}  # noqa: S104 - told apart, not listened on
+LOOPBACK_OF = {"0.0.0.0": HOST, "::": "::1"}  # noqa: S104 # nosec B104 - told apart, not listened on
 """How addresses that stand for all are reached from this machine."""
 READY_S = 90.0
 """A slow machine needs some 20 s for all imports; longer means that something is wrong, and is said."""

@@ -279,7 +279,7 @@ def _add_completion(commands: Commands[argparse.ArgumentParser]) -> None:
 def _complete(options: argparse.Namespace) -> int:
     from argcomplete.shell_integration import shellcode
 
-    print(shellcode(["querycad"], shell=options.shell))
+    print(shellcode(["querycad"], shell=options.shell))  # nosec B604 - the name of a shell, none is started
     return 0
 
 
