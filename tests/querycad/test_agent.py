@@ -266,6 +266,48 @@ def test_to_say_the_same_again_is_no_reason_against_a_sure_parser_but_a_look_is(
     ) * 2
 
 
+def test_the_last_word_of_a_capable_model_stands_against_the_parser(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded([DEEPER, DEEPER])
+    record = ask(runtime, flange, "How deep are the counterbores?", model, llm_capable=True)
+    assert "a parser, which is sure," in model.shown[1][-1]["text"]
+    assert record.answer is not None
+    assert (record.codegen, record.answer.value) == ("agent", pytest.approx([0.022]))
+
+
+@pytest.mark.parametrize(
+    ("question", "program", "doubt"),
+    [
+        ("What is the diameter of the hole?", 'find_parts("bore")[0].diameter', "a parser understands"),
+        ("What is the bolt hole's diameter?", 'find_parts("hole", ["top"])[0].diameter', 'does not say "top"'),
+    ],
+    ids=["a parser that is not sure", "another word"],
+)
+def test_a_capable_model_is_not_told_what_small_ones_forget(
+    runtime: EmbeddedRuntime, flange: Path, question: str, program: str, doubt: str
+) -> None:
+    replies = [f"```python\nsolution = {program}\n```"] * 2
+    small, capable = Recorded(replies), Recorded(replies)
+    ask(runtime, flange, question, small)
+    ask(runtime, flange, question, capable, llm_capable=True)
+    assert doubt in small.shown[1][-1]["text"]
+    assert not any(doubt in turn[-1]["text"] for turn in capable.shown[1:])
+
+
+def test_the_same_answer_by_another_program_is_not_doubted_again(runtime: EmbeddedRuntime, flange: Path) -> None:
+    once, again = 'parts(kind="hole", tags="counterbored")[0].depth', 'max(parts(tags="counterbored")[0].depth, 0)'
+    model = Recorded([f"```python\nsolution = {program}\n```" for program in (once, again)])
+    ask(runtime, flange, "How deep are the counterbores?", model, llm_capable=True)
+    assert len(model.shown) == 2
+
+
+def test_a_size_and_its_lengths_agree(runtime: EmbeddedRuntime, flange: Path) -> None:
+    model = Recorded(["```python\nsolution = [shape.width, shape.depth, shape.height]\n```"])
+    record = ask(runtime, flange, "What are the width, depth and height of the model?", model)
+    assert len(model.shown) == 1
+    assert record.answer is not None
+    assert record.answer.value == pytest.approx([0.17, 0.17, 0.053])
+
+
 def test_an_answer_that_was_only_doubted_is_kept_when_the_model_goes_away(
     runtime: EmbeddedRuntime, flange: Path
 ) -> None:

@@ -95,10 +95,9 @@ class Shape:
     height: float
     volume: float
     area: float
+    minimum_thickness: float
     thickness: float
     """Of sheet or plate material."""
-    minimum_thickness: float
-    """Of the thinnest wall."""
     bodies: list[Body]
     face_count: int
     edge_count: int
@@ -189,10 +188,9 @@ class Part:
     bottom_width: float
     opening_area: float
     developed_length: float
+    minimum_thickness: float
     bottom_thickness: float
     """Left behind a blind bottom."""
-    minimum_thickness: float
-    """Of the thinnest wall. Of a body."""
     wall_distance: float
     """To the nearest outer face. Of a hole, across the material."""
     inclination: float

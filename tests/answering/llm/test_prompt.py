@@ -25,6 +25,7 @@ from querycad_answering.llm.prompt import (
 )
 from querycad_answering.llm.reference import BY_SIGHT, attributes, functions, reference
 from querycad_answering.llm.settings import PromptExamples
+from querycad_answering.llm.task import Limits
 from querycad_contracts import AnswerType, Body, Expectation, ModelSummary, Shape
 
 SNAPSHOT = Path(__file__).parent / "prompt.txt"
@@ -197,7 +198,7 @@ def test_an_agent_is_shown_the_examples_that_a_single_shot_is_shown() -> None:
     question = "How deep are the counterbores?"
     assert agent_conversation(question)[1:-1] == conversation(question)[1:-1]
     assert len(agent_conversation(question)) == 2 + 2 * EXAMPLES
-    assert len(agent_conversation(question, which=PromptExamples.NONE)) == 2
+    assert len(agent_conversation(question, limits=Limits(examples=PromptExamples.NONE))) == 2
 
 
 def test_an_agent_is_told_the_lengths_of_the_question_in_metres() -> None:
@@ -208,7 +209,7 @@ def test_an_agent_is_told_the_lengths_of_the_question_in_metres() -> None:
 
 def test_who_can_say_nothing_but_a_program_is_not_told_to() -> None:
     for only_programs in (False, True):
-        system = agent_conversation("How many holes are there?", only_programs=only_programs)[0]
+        system = agent_conversation("How many holes are there?", limits=Limits(only_programs=only_programs))[0]
         assert ('reply "unsure" alone' in system.text) is not only_programs
 
 

@@ -12,12 +12,14 @@ import re
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from textwrap import shorten
 
 from querycad_answering.judging import Verdict
 from querycad_answering.typed import are_several, same_value
 from querycad_contracts import (
     Answer,
+    AnswerType,
     Attempt,
     Grounding,
     Part,
@@ -34,8 +36,7 @@ from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
 from .program import RESULT, blocks_in, program_in
 from .prompt import agent_conversation, in_words, shown
-from .settings import PromptExamples
-from .task import Candidate, Task, Written
+from .task import Candidate, Limits, Task, Written
 
 ROWS, CELL_CHARS = 12, 80
 """Of a table of parts: lines, and characters of a label."""
@@ -45,6 +46,8 @@ NEAREST_DIGITS = 8
 """Of a coordinate in metres: what is nearer to zero is the kernel's noise."""
 PRINTED_CHARS, VALUE_CHARS, SHOWN_CHARS = 1500, 400, 3000
 """Of what is shown after a step: as much as a small model reads in a moment."""
+WIDER = 4
+"""So many times as much for a capable one."""
 CUT = "… cut here, {} more lines: print less, or what is alike once."
 NOISE = 1e-15
 """A number nearer to zero is zero, that was computed."""
@@ -54,22 +57,9 @@ MEND = "Send another program, which mends this. Only if nothing of it is so, sen
 LOOK_FIRST = "to keep your answer against it, look first at what shows that the parser is wrong"
 REPLY_CHARS = 2000
 """Of a reply that stays in the conversation."""
+_WORD = re.compile(r"[a-z]+")
 _UNSURE = re.compile(r"^\W*unsure\b\W*", re.IGNORECASE)
 _ASK = re.compile(r"^\W*ask\b\s*:\s*", re.IGNORECASE)
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """How far an agent may go with one question, and how its prompt begins."""
-
-    steps: int = 6
-    tokens: int = 60_000
-    """Read and written, in all."""
-    temperature: float = 0.7
-    """Of a reply to what it answered with a program that had failed before: at 0 it would say so again."""
-    examples: PromptExamples = PromptExamples.NEAREST
-    only_programs: bool = False
-    """It is held to a form in which it can say nothing else."""
 
 
 @dataclass(slots=True)
@@ -84,6 +74,8 @@ class _Course:
     """Those that the last program asked for."""
     codes: set[str] = field(default_factory=set)
     """Those of them that were doubted."""
+    doubted: list[tuple[Answer, frozenset[str]]] = field(default_factory=list)
+    """Their answers, and what was said against each."""
     tables: set[str] = field(default_factory=set)
     """Those that were shown: none is shown again."""
     has_looked: bool = False
@@ -96,6 +88,10 @@ class _Course:
         if self.said[-1:] == [code]:
             self.tables.clear()
         return self.tables
+
+    def was_told(self, answer: Answer, against: Sequence[str]) -> bool:
+        """Was all of this said against the same answer before? Then the model holds to it, in other words."""
+        return any(same_value(answer, other) and told.issuperset(against) for other, told in self.doubted)
 
     def goes_on(self, reply: Reply, code: str | None, seen: str, left: int) -> bool:
         """Adds a reply and what it is shown. Is it one that came before? Then the conversation grows by nothing.
@@ -116,51 +112,47 @@ class _Course:
 
 def work(model: ChatModel, task: Task, codegen: str, limits: Limits, deadline: TimeLimit, written: Written) -> None:
     """Adds to `written` what comes of the question. Raises LlmError. What there is by then is kept."""
-    course = _Course(
-        agent_conversation(
-            task.question,
-            task.summary,
-            task.expect,
-            task.readings(),
-            limits.steps,
-            task.tools,
-            limits.examples,
-            limits.only_programs,
-        )
-    )
+    course = _Course(agent_conversation(task.question, task.summary, task.expect, task.readings(), task.tools, limits))
     temperature = 0.0
     for step in range(1, limits.steps + 1):
         began = time.perf_counter()
         try:
             reply = model.reply(course.messages, temperature, step, deadline)
         except LlmError:
-            _end(task, course, written)
+            _end(task, course, limits, written)
             raise
         course.tokens += reply.tokens
         attempt = Attempt(codegen=codegen, sample=step, code=None, tokens=reply.tokens)
-        is_done, seen, attempt = _step(task, course, reply, attempt, written)
+        is_done, seen, attempt = _step(task, course, reply, attempt, limits, written)
         seconds = round(time.perf_counter() - began, 3)
         written.attempts.append(attempt.model_copy(update={"seconds": seconds, "problem": seen}))
         if is_done or course.tokens.input + course.tokens.output >= limits.tokens:
             break
         is_again = course.goes_on(reply, attempt.code, seen, limits.steps - step)
         temperature = limits.temperature if is_again else 0.0
-    _end(task, course, written)
+    _end(task, course, limits, written)
 
 
-def _end(task: Task, course: _Course, written: Written) -> None:
-    """The last answer stands where none was settled on. To say the same again is no reason against a sure parser."""
+def _end(task: Task, course: _Course, limits: Limits, written: Written) -> None:
+    """The last answer stands where none was settled on.
+
+    To say the same again is no reason against a sure parser, unless a capable model says it: of 60 fresh questions such
+    a one was right on all, and on each of the three where the sure parser was not.
+    """
     if written.question or written.is_unsure:
         return
     if not written.candidates:
         written.candidates += course.answers[-1:]
     answer = written.candidates[-1].verdict.answer if written.candidates else None
-    parsed = task.parsed() if answer is not None and not course.has_looked else None
+    yields = answer is not None and not course.has_looked and not limits.capable
+    parsed = task.parsed() if yields else None
     if parsed is not None and answer is not None and parsed.is_sure:
         written.yields = not same_value(parsed.answer, answer, each_once=True)
 
 
-def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
+def _step(
+    task: Task, course: _Course, reply: Reply, attempt: Attempt, limits: Limits, written: Written
+) -> tuple[bool, str, Attempt]:
     """Is the question settled, and if not, what is the language model shown? With the step's record."""
     blocks = blocks_in(reply.text, reply.cut)
     if not blocks:
@@ -172,7 +164,7 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
         drawn = _drawn(task, course, outcome)
         return (
             False,
-            "\n".join((look(outcome, shown=course.shown_to(code)), *drawn)),
+            "\n".join((look(outcome, shown=course.shown_to(code), wide=limits.capable), *drawn)),
             attempt.model_copy(update={"code": code}),
         )
     code = program_in(reply.text, reply.cut) or code
@@ -183,18 +175,19 @@ def _step(task: Task, course: _Course, reply: Reply, attempt: Attempt, written: 
     outcome = task.run(program)
     verdict = task.judged(program, outcome)
     if verdict.answer is None:
-        return False, _failed(outcome, verdict, course.shown_to(code)), attempt
+        return False, _failed(outcome, verdict, course.shown_to(code), limits.capable), attempt
     candidate = Candidate(program, verdict)
     course.answers.append(candidate)
     attempt = attempt.model_copy(update={"answer": verdict.answer.text})
-    against = _against(task, code, outcome, verdict)
-    if not against or code in course.codes:
+    against = _against(task, code, outcome, verdict, limits.capable)
+    if not against or code in course.codes or course.was_told(verdict.answer, against):
         written.candidates.append(candidate)
         return True, "", attempt
     course.codes.add(code)
+    course.doubted.append((verdict.answer, frozenset(against)))
     noted = "\n".join(f"- {each}" for each in against)
     would = f"The answer would be {verdict.answer.text}. What may speak against it:\n{noted}"
-    return False, f"{look(outcome, shown=course.shown_to(code))}\n{would}\n{MEND}", attempt
+    return False, f"{look(outcome, shown=course.shown_to(code), wide=limits.capable)}\n{would}\n{MEND}", attempt
 
 
 def _said(course: _Course, reply: Reply, attempt: Attempt, written: Written) -> tuple[bool, str, Attempt]:
@@ -241,25 +234,27 @@ def _drawn(task: Task, course: _Course, outcome: RunOutcome) -> list[str]:
     return lines
 
 
-def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None) -> str:
+def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None, wide: bool = False) -> str:
     """What a program showed, in short: what it printed, what it gave, and a table of the parts that it found.
 
     `why`: also why it did not end well. `shown`: tables that were shown before, to which those of this one are added.
+    `wide`: several times as much, for who reads it at a glance.
     """
+    scale = WIDER if wide else 1
     before, tables = set() if shown is None else shown, list[str]()
     lines: list[str] = []
     if why and outcome.status is not RunStatus.OK:
         lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
     if outcome.printed:
-        lines.append(f"printed: {_within(_short(outcome.printed.strip()), PRINTED_CHARS)}")
+        lines.append(f"printed: {_within(_short(outcome.printed.strip()), scale * PRINTED_CHARS)}")
     if outcome.status is RunStatus.OK and outcome.value is not None:
-        lines.append(f"{RESULT} = {str(_rounded(outcome.value))[:VALUE_CHARS]}")
+        lines.append(f"{RESULT} = {str(_rounded(outcome.value))[: scale * VALUE_CHARS]}")
     for grounding in outcome.groundings:
-        head, *rows = _table(grounding)
+        head, *rows = _table(grounding, scale * ROWS)
         table = "\n".join((head, *rows))
         lines += [f"{head} | as shown before"] if rows and table in before else [head, *rows]
         tables.append(table)
-    text = _within("\n".join(lines), SHOWN_CHARS) or NOTHING
+    text = _within("\n".join(lines), scale * SHOWN_CHARS) or NOTHING
     before.update(table for table in tables if table in text)
     return text
 
@@ -290,7 +285,7 @@ def _rounded(value: object) -> object:
     return float(f"{value:.6g}") if isinstance(value, float) else value
 
 
-def _table(grounding: Grounding) -> list[str]:
+def _table(grounding: Grounding, most: int) -> list[str]:
     """The parts of one call, a line each, with what of its words is not in them."""
     said = f"{grounding.description!r} is {len(grounding.parts)} part{'' if len(grounding.parts) == 1 else 's'}"
     notes = [f"ignored: {', '.join(grounding.ignored)}"] if grounding.ignored else []
@@ -298,8 +293,8 @@ def _table(grounding: Grounding) -> list[str]:
     notes += [grounding.message] if grounding.message else []
     notes += [f"known here: {', '.join(grounding.nearest)}"] if grounding.nearest else []
     rows = [row for group in _alike(grounding.parts) for row in _rows(group)]
-    more = len(rows) - ROWS
-    return [" | ".join([said, *notes]), *rows[:ROWS], *([f"  … and {more} more lines"] if more > 0 else [])]
+    more = len(rows) - most
+    return [" | ".join([said, *notes]), *rows[:most], *([f"  … and {more} more lines"] if more > 0 else [])]
 
 
 def _alike(parts: Sequence[Part]) -> list[list[Part]]:
@@ -332,14 +327,17 @@ def _row(part: Part, ids: str, places: str) -> str:
     return "  " + " | ".join(filter(None, cells))
 
 
-def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str]) -> str:
+def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str], wide: bool) -> str:
     assert verdict.failure is not None
     told = verdict.failure.message
-    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before)}"
+    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before, wide)}"
 
 
-def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> list[str]:
-    """What speaks against an answer: words left out, none found, a whole body, several for one, the parser's own."""
+def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict, capable: bool) -> list[str]:
+    """What speaks against an answer: words left out, none found, a whole body, several for one, the parser's own.
+
+    A capable model is not told what small ones forget, nor of a parser that is not sure: of 15 such, 13 were wrong.
+    """
     assert verdict.answer is not None
     found: list[str] = []
     for grounding in outcome.groundings:
@@ -348,21 +346,35 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict) -> li
         found += [grounding.message] if not grounding.parts and grounding.message else []
     if verdict.answer.value in (0, 0.0, []) and not isinstance(verdict.answer.value, bool):
         found.append("the answer is none")
-    whole = (PartKind.BODY, PartKind.MODEL)
-    if verdict.parts and all(part.kind in whole for part in verdict.parts) and "find_parts" in code:
+    if "find_parts" in code and verdict.parts and not any(map(partial(_is_feature, task.question), verdict.parts)):
         found.append(f"it rests on a whole body: {verdict.parts[0].label}")
     if several := are_several(verdict.answer, task.wanted):
         asked = in_words(task.wanted) if task.wanted is not None else "one"
         found.append(f"{asked} is asked for, and these are {several}: tell which part is meant")
     found += filter(None, (odd(verdict.answer, code), other_measure(code, task.wanted)))
     if task.asked is not None:
-        found += doubts(code, task.question, task.asked, task.summary)
+        found += doubts(code, task.question, task.asked, task.summary, by_words=not capable)
     parsed = task.parsed()
-    if parsed is not None and not same_value(parsed.answer, verdict.answer, each_once=True):
+    if parsed is not None and (parsed.is_sure or not capable) and not _agrees(parsed.answer, verdict.answer):
         who = "a parser, which is sure," if parsed.is_sure else "a parser"
         found.append(f"{who} understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
         found += [LOOK_FIRST] if parsed.is_sure else []
     return list(dict.fromkeys(found))
+
+
+def _agrees(answer: Answer, other: Answer) -> bool:
+    """Do they say the same? So do a size and its three lengths, in any order."""
+    first, second = (
+        one.model_copy(update={"type": AnswerType.LENGTHS}) if one.type is AnswerType.SIZE else one
+        for one in (answer, other)
+    )
+    return same_value(answer, other, each_once=True) or same_value(first, second)
+
+
+def _is_feature(question: str, part: Part) -> bool:
+    """Is it less than a body, or a body that the question calls by its whole name?"""
+    said, name = set(_WORD.findall(question.lower())), _WORD.findall((part.name or "").lower())
+    return part.kind not in (PartKind.BODY, PartKind.MODEL) or (bool(name) and said.issuperset(name))
 
 
 def _assigns_result(code: str) -> bool:

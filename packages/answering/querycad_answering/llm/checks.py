@@ -90,13 +90,13 @@ def _is(number: float, other: float) -> bool:
 def _problem(node: ast.AST) -> str | None:
     match node:
         case ast.BinOp(left=left, op=ast.Mult(), right=right) if _converts(left, right) or _converts(right, left):
-            return f"`{ast.unparse(node)}` converts the result: leave it in metres."
+            return f"`{ast.unparse(node)}` converts the result: leave it in metres (m2, m3, kg)."
         case ast.BinOp(left=left, op=ast.Mult(), right=right) if _shrinks(left, right) or _shrinks(right, left):
             return f"`{ast.unparse(node)}` converts what is in metres already: leave it."
         case ast.BinOp(left=left, op=ast.Div(), right=right) if (
             _number(left) is None and _number(right) in _UNITS_IN_METRES
         ):
-            return f"`{ast.unparse(node)}` converts the result: leave it in metres."
+            return f"`{ast.unparse(node)}` converts the result: leave it in metres (m2, m3, kg)."
         case ast.Call(func=ast.Name(id="round"), args=[value, digits]) if _is_rough(digits) and _number(value) is None:
             return f"`{ast.unparse(node)}` loses digits, as values are in metres: do not round."
         case ast.Call(func=ast.Attribute(value=part, attr=name), args=[other]) if _are_one(name, part, other):

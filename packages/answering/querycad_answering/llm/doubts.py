@@ -9,6 +9,7 @@ import ast
 import math
 import re
 from collections.abc import Iterator
+from itertools import chain
 
 from querycad_answering.quantities import measures, measures_anything, scalar_type, triple_type
 from querycad_answering.typed import unit_of
@@ -34,15 +35,24 @@ _MEASURES = (*_UNITS, AnswerType.LENGTHS, AnswerType.AREAS, AnswerType.VOLUMES, 
 _ALONG = re.compile(r"\balong (?:the |its )?(width|depth|height|[xyz])\b|\bin ([xyz])[- ]direction\b")
 
 
-def doubts(code: str, question: str, wanted: AnswerType | None, summary: ModelSummary | None = None) -> tuple[str, ...]:
-    """What should the writer look at again, a sentence each? `summary` is what it was told of the model."""
+def doubts(
+    code: str,
+    question: str,
+    wanted: AnswerType | None,
+    summary: ModelSummary | None = None,
+    by_words: bool = True,
+) -> tuple[str, ...]:
+    """What should the writer look at again, a sentence each? `summary` is what it was told of the model.
+
+    `by_words`: also where the program's sides, descriptions and choices are not the question's own words.
+    """
     try:
         tree = ast.parse(code)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ()
     asked = _WORD.findall(question.lower())
-    found = [*_sides(tree, asked), *_descriptions(tree, question, summary), *_extreme(tree, asked)]
-    found += _lengths(tree, question)
+    worded = (_sides(tree, asked), _descriptions(tree, question, summary), _extreme(tree, asked)) if by_words else ()
+    found = [*chain(*worded), *_lengths(tree, question)]
     if wanted in (AnswerType.LENGTH, AnswerType.LENGTHS):
         found += [*_radius_or_diameter(code, asked), *_along(tree, question)]
     return tuple(dict.fromkeys(found))

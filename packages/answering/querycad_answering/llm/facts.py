@@ -9,6 +9,8 @@ from querycad_contracts import ModelSummary, PartGroup, PartKind, Side, Vector
 
 BUDGET_CHARS = 800
 """Of all lines: some 240 tokens, so that a prompt stays below 3,000 with the names beside them."""
+CAPABLE_CHARS = 4000
+"""For a capable model."""
 LEFT_CHARS, KINDS_TOLD = 90, 5
 """Of the line on what there is no room for."""
 BODIES_TOLD = 5
@@ -19,11 +21,11 @@ PLAIN_TAGS = frozenset(("circular", "grounded", "horizontal", "lying", "planar",
 TAGS_TOLD = 3
 
 
-def facts(summary: ModelSummary) -> str:
+def facts(summary: ModelSummary, budget: int = BUDGET_CHARS) -> str:
     """How large is the model, how does it stand, which bodies and which parts has it, of what size, seen from where?
 
     Parts that are alike share a line; those that say most of a model come first, and what the budget leaves no room for
-    is named by its kinds.
+    is named by its kinds. `budget`: characters in all.
     """
     shape = summary.shape
     x, y, z = (f"{extent:.4g}" for extent in shape.extents)
@@ -36,7 +38,7 @@ def facts(summary: ModelSummary) -> str:
     if not groups:
         return "\n".join(lines)
     lines.append("Parts, as: number x label {kind; tags} seen from, layout:")
-    told, left = _told(groups, BUDGET_CHARS - LEFT_CHARS - sum(len(line) + 1 for line in lines))
+    told, left = _told(groups, budget - LEFT_CHARS - sum(len(line) + 1 for line in lines))
     lines += told
     if left:
         kinds = [f"{count} x {kind}" for kind, count in left.most_common(KINDS_TOLD)]

@@ -11,12 +11,13 @@ from pydantic import TypeAdapter
 from querycad_contracts import AnswerType, Expectation, Frozen, ModelSummary
 
 from .checks import in_metres
-from .facts import facts, names
+from .facts import BUDGET_CHARS, CAPABLE_CHARS, facts, names
 from .files import prompt_data, prompt_text
 from .messages import Message, Role
 from .nearest import Nearest
 from .reference import reference
 from .settings import PromptExamples
+from .task import LIMITS, Limits
 
 EXAMPLES = 3
 """Shown for a question: enough forms to follow, and little to read for a small model on a slow machine."""
@@ -141,26 +142,24 @@ def agent_conversation(
     summary: ModelSummary | None = None,
     expect: Expectation | None = None,
     readings: tuple[str, ...] = (),
-    steps: int = 6,
     tools: Sequence[str] = (),
-    which: PromptExamples = PromptExamples.NEAREST,
-    only_programs: bool = False,
+    limits: Limits = LIMITS,
 ) -> tuple[Message, ...]:
     """What is sent first to who may look before answering: the rules, the facts, examples, how a parser reads it.
 
     `tools`: which of `look` and `picture` it may call, since eyes are set up, or it takes images itself.
-    `only_programs`: it is held to a form in which it can say nothing else.
     """
     told = "" if expect is None or expect.type is None else f"\n`solution` must be {in_words(expect.type)}."
     listed = "".join(f"\n- {reading}" for reading in readings)
     lengths = f"\nIn metres: {', '.join(found)}." if (found := in_metres(question)) else ""
     read = f"\nHow a parser reads it, the likeliest first:{listed}" if readings else ""
-    model = facts(summary) if summary is not None else "Nothing is known of it."
-    said = () if only_programs else (_WORDS_ALONE,)
-    how = "\n".join((filled("agent.md", steps=str(steps)), *said, *(_TOOLS[tool] for tool in tools)))
+    budget = CAPABLE_CHARS if limits.capable else BUDGET_CHARS
+    model = facts(summary, budget) if summary is not None else "Nothing is known of it."
+    said = () if limits.only_programs else (_WORDS_ALONE,)
+    how = "\n".join((filled("agent.md", steps=str(limits.steps)), *said, *(_TOOLS[tool] for tool in tools)))
     asked = filled("question.md", question=" ".join(question.split()), expected=told + lengths + _names(summary) + read)
     system = filled("system.md", reference=reference(tuple(tools)), model=model, reply=how)
-    return (_system(system), *_worked(question, which), Message(Role.USER, asked))
+    return (_system(system), *_worked(question, limits.examples), Message(Role.USER, asked))
 
 
 def _system(text: str) -> Message:

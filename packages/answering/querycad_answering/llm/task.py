@@ -18,9 +18,29 @@ from querycad_contracts import (
 )
 
 from .messages import LlmError
+from .settings import PromptExamples
 
 Judge = Callable[[Program], Verdict]
 """Runs a program and says what comes of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How far an agent may go with one question, and how its prompt begins."""
+
+    steps: int = 6
+    tokens: int = 60_000
+    """Read and written, in all."""
+    temperature: float = 0.7
+    """Of a reply to what it answered with a program that had failed before: at 0 it would say so again."""
+    examples: PromptExamples = PromptExamples.NEAREST
+    only_programs: bool = False
+    """It is held to a form in which it can say nothing else."""
+    capable: bool = False
+    """A strong model: it is shown more at once, doubted less, and its last word stands against the parser's."""
+
+
+LIMITS = Limits()
 
 
 @dataclass(frozen=True, slots=True)

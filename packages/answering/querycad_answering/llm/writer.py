@@ -14,7 +14,7 @@ from querycad_contracts import (
     TokenUse,
 )
 
-from .agent import Limits, work
+from .agent import work
 from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts, odd, other_measure
@@ -26,7 +26,7 @@ from .program import program_in
 from .prompt import conversation, in_words, repair
 from .replies import ResumedReplies, Transcript
 from .settings import LlmSettings
-from .task import Candidate, Task, Written
+from .task import Candidate, Limits, Task, Written
 
 if TYPE_CHECKING:
     from querycad_answering.eyes.looking import Eyes
@@ -106,7 +106,7 @@ class LlmWriter:
         try:
             if looks:
                 codegen = self.codegen.replace("llm", "agent", 1)
-                work(model, task, codegen, self._limits(), deadline, written)
+                work(model, task, codegen, self.limits, deadline, written)
             for sample in range(1, 1 if looks else self.settings.llm_samples + 1):
                 candidate = self._sample(model, task, sample, deadline, written)
                 if candidate is not None:
@@ -125,7 +125,8 @@ class LlmWriter:
             model = self._models[self.settings.llm_model] = open_model(self.settings, program_form())
         return model if self._transcript is None else ResumedReplies(model, self.settings, self._transcript)
 
-    def _limits(self) -> Limits:
+    @property
+    def limits(self) -> Limits:
         """How far may it go as an agent?"""
         return Limits(
             steps=self.settings.llm_steps,
@@ -133,6 +134,7 @@ class LlmWriter:
             temperature=self.settings.llm_temperature,
             examples=self.settings.llm_examples,
             only_programs=self.settings.only_programs,
+            capable=self.settings.is_capable,
         )
 
     def _sample(

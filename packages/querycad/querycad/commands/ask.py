@@ -59,7 +59,7 @@ def ask(options: argparse.Namespace) -> int:
 
 def prompt(options: argparse.Namespace) -> int:
     """Prints what a language model would be sent for a question, at first; returns the exit code."""
-    from querycad_answering.llm import LlmSettings
+    from querycad_answering.llm import LlmSettings, LlmWriter
     from querycad_answering.llm.forms import held_by
     from querycad_answering.llm.prompt import agent_conversation, as_text, conversation, repair, shown
     from querycad_answering.llm.reference import BY_SIGHT
@@ -75,13 +75,7 @@ def prompt(options: argparse.Namespace) -> int:
         readings = Understanding(options.question, view, Expectation()).readings
         tools = () if settings.eyes() is None else BY_SIGHT if settings.llm_images else BY_SIGHT[:1]
         told = agent_conversation(
-            options.question,
-            summary,
-            readings=readings,
-            steps=settings.llm_steps,
-            tools=tools,
-            which=settings.llm_examples,
-            only_programs=settings.only_programs,
+            options.question, summary, readings=readings, tools=tools, limits=LlmWriter(settings).limits
         )
         later = shown("WHAT THE PROGRAM SHOWED", settings.llm_steps - 1)
     else:
