@@ -282,7 +282,7 @@ def along_axis(part: Part) -> int | None:
 
 def _across(part: Part) -> int | None:
     """Along which of x, y, z is what is round as a whole as wide as along another one?"""
-    if part.kind not in WHOLE:
+    if part.kind not in WHOLE or not (part.axis or part.rotation_axes):
         return None
     alike = 1e-4 * max(part.extents)
     return next((i for i, j in ((0, 1), (0, 2), (1, 2)) if abs(part.extents[i] - part.extents[j]) < alike), None)
