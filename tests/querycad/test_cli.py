@@ -195,6 +195,7 @@ def test_a_kernel_crash_is_one_line_in_a_process_of_its_own(tmp_path: Path) -> N
 
 def test_the_symbols_of_drawings_are_written_on_request(capsys: pytest.CaptureFixture[str]) -> None:
     assert "8x Ø16 THRU, ⌴Ø26 ↧8" in run(capsys, "features", FLANGE, "--symbols")[1]
+    assert run(capsys, "ask", FLANGE, "What is hole 1?", "--symbols")[1].startswith("Ø16 THRU, ⌴Ø26 ↧8 (hole-1)")
     answer = run(capsys, "ask", FLANGE, "How many counterbored holes are there?", "--symbols")[1]
     assert "8x Ø16 THRU, ⌴Ø26 ↧8" in answer
 

@@ -39,7 +39,12 @@ def callouts(
 def callout(part: Part, unit: LengthUnit = LengthUnit.MM, known: Known | None = None, *, symbols: bool = False) -> str:
     """What a drawing says of this one part; lengths are in `unit`, which is not named."""
     text = _WRITERS.get(part.kind, _by_measures)(part, unit, known or {})
-    for word, symbol in _SYMBOLS if symbols else ():
+    return with_symbols(text) if symbols else text
+
+
+def with_symbols(text: str) -> str:
+    """The same with the symbols of drawings for their words."""
+    for word, symbol in _SYMBOLS:
         text = text.replace(word, symbol)
     return text
 

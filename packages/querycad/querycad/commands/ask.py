@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, TextIO
 from pydantic import ValidationError
 
 from querycad.runtime import EmbeddedRuntime
-from querycad_answering.drawing.callouts import callout, callouts
+from querycad_answering.drawing.callouts import callout, callouts, with_symbols
 from querycad_answering.drawing.describing import listing
 from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Part, Status
@@ -148,7 +148,8 @@ def _print_record(record: AnswerRecord, options: argparse.Namespace, known: Sequ
     if many:
         print(record.question)
     if record.answer is not None:
-        print(f"{'  ' if many else ''}{record.answer.text}")
+        text = with_symbols(record.answer.text) if options.symbols else record.answer.text
+        print(f"{'  ' if many else ''}{text}")
         if record.understood_as and record.confidence is not None:
             print(f"  understood as: {record.understood_as} (confidence {record.confidence:.2f})")
         for line in _parts(record, options, known):
