@@ -36,7 +36,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "chosen": ("group_for_one", "group_for_plural"),
     "kin": ("sense_kin", "sense_wide"),
     "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
-    "miscounted": ("count_differs", "count_group", "count_largest", "one_for_plural"),
+    "miscounted": ("count_differs", "count_group", "one_for_plural"),
     "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),
     "empty": ("empty", "nothing", "counts_none", "get_of_none", "value_zero"),
     "yes_no": ("form_check", "form_every", "form_uniform", "form_exists"),

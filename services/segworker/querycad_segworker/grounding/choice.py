@@ -81,7 +81,7 @@ def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
 
 
 def counted(request: Request, way: Way) -> Sequence[Way]:
-    """As many as are said, or a group of that many alike, or the largest of more."""
+    """As many as are said, or a group of that many alike."""
     count = request.query.count
     if not count or request.query.ranks:
         return [way]
@@ -89,10 +89,8 @@ def counted(request: Request, way: Way) -> Sequence[Way]:
         return [way.to(way.parts, "count_agrees")]
     groups = [group for group in by_size(way.parts) if len(group) == count]
     differs = min(2.0, abs(math.log((len(way.parts) or 0.5) / count)))
-    largest = sorted(way.parts, key=size, reverse=True)[:count]
     return [
         *(way.to(group, "count_group", 1.0 / len(groups)) for group in groups[:3]),
-        *(way.to(largest, "count_largest") for _ in range(len(way.parts) > count and largest not in groups)),
         way.to(way.parts, "count_differs", differs),
     ]
 

@@ -15,6 +15,7 @@ from .printed import WHOLES, key
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
 """Features of a grounding whose noun nothing is known of."""
+FAR = 0.8  # a sense so far from its word is told: a 'bolt' that is a hole
 
 
 def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
@@ -48,7 +49,10 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
             message = f"the model has {len(elsewhere)} x '{said.removeprefix('the ')}', but {hidden}"
     if not way.parts and (none := _none_such(inventory, query)):
         message = none
-    warnings = tuple(f"not checked: {what}" for what in dict.fromkeys(way.unchecked)) if way.parts else ()
+    far = way.features.get("sense_stretch", 0.0) >= FAR and query.noun
+    taken = (f"'{query.noun}', taken for a {way.parts[0].kind}",) if far and way.parts else ()
+    unchecked = tuple(dict.fromkeys((*way.unchecked, *taken)))
+    warnings = tuple(f"not checked: {what}" for what in unchecked) if way.parts else ()
     return Grounding(
         description=said,
         sides=query.sides or None,
@@ -58,7 +62,7 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
         message="" if way.parts else message,
         warnings=warnings,
         ignored=() if {"unknown_named", "unknown_is_file", "printed"} & way.features.keys() else query.unknown,
-        unchecked=tuple(dict.fromkeys(way.unchecked)),
+        unchecked=unchecked,
     )
 
 
