@@ -1,6 +1,6 @@
 """Who writes the better programs: the parser, a language model in one go, or the same as an agent?
 
-`python -m benchmark.writers` asks a sample of facts-dev and CAD-Q&A, drawn by seed, in every way, and prints a table.
+`python -m benchmark.writers` asks a sample of facts-dev, CAD-Q&A and fresh questions, drawn by seed, in every way, and prints a table.
 Which language model that is the environment says: QUERYCAD_LLM_… as in docs/llm.md. Where QUERYCAD_LLM_CONSTRAINED is
 set, it is also asked in one go without. Each outcome is a line of a file, and a run goes on where one was interrupted;
 a question is asked in all ways before the next model's, so that what there is by then can be compared. Run it in the
@@ -21,12 +21,18 @@ from pathlib import Path
 from typing import Any
 
 from benchmark.understanding.data import Question, is_right, questions
+from benchmark.understanding.data import asked as asked_in
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.llm import LlmSettings
 from querycad_contracts import AnswerOptions, AnswerRecord, Codegen
 
-SETS = {"facts-dev": "facts:", "CAD-Q&A": "cad-qa"}
+SETS: dict[str, str | tuple[str, ...]] = {
+    "facts-dev": "facts:",
+    "CAD-Q&A": "cad-qa",
+    "specified": ("specifier", "library_user", "side_viewer"),
+}
 """Names of the sets, and how their writers begin."""
+SPECIFIED = Path("benchmark/specified")
 SEED = 18
 COLUMNS = (
     *("questions", "asked", "way", "right", "wrong", "no answer", "the parser stepped in", "replies"),
@@ -65,7 +71,7 @@ class Outcome:
 def sample(wanted: dict[str, int], seed: int) -> list[tuple[str, Question]]:
     """So many questions of each set, in proportion from each of its writers; model by model, in any order."""
     drawn: list[tuple[str, Question]] = []
-    source = questions()
+    source = [*questions(), *(one for file in sorted(SPECIFIED.glob("*.json")) for one in asked_in(file))]
     for name, number in wanted.items():
         chance = random.Random(f"{seed} {name}")  # noqa: S311 - no secret
         of_set = [one for one in source if one.writer.startswith(SETS[name])]
@@ -196,6 +202,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmark.writers", description=__doc__.splitlines()[0])
     parser.add_argument("--facts", type=int, default=36, metavar="N", help="questions of facts-dev (36)")
     parser.add_argument("--published", type=int, default=24, metavar="N", help="questions of CAD-Q&A (24)")
+    parser.add_argument("--specified", type=int, default=0, metavar="N", help="questions of benchmark/specified (0)")
     parser.add_argument("--seed", type=int, default=SEED, help=f"which are drawn ({SEED})")
     parser.add_argument("--ways", metavar="WAY,…", help=f"some of {PARSER}, {SINGLE}, {HELD}, {AGENT}")
     parser.add_argument("--out", type=Path, default=Path("build/writers.jsonl"), help="where outcomes are kept")
@@ -208,7 +215,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         named = options.ways.split(",") if options.ways else list(chosen)
         if unknown := [way for way in named if way not in chosen]:
             parser.error(f"there is no way {unknown[0]!r} here; there are: {', '.join(chosen)}")
-        drawn = sample({"facts-dev": options.facts, "CAD-Q&A": options.published}, options.seed)
+        wanted = {"facts-dev": options.facts, "CAD-Q&A": options.published, "specified": options.specified}
+        drawn = sample(wanted, options.seed)
         for one in asked(drawn, {way: chosen[way] for way in named}, options.out, tuple(outcomes)):
             outcomes.append(one)
             mark = "right" if one.right else "wrong"

@@ -300,6 +300,25 @@ def test_the_same_answer_by_another_program_is_not_doubted_again(runtime: Embedd
     assert len(model.shown) == 2
 
 
+def test_the_type_that_a_parser_reads_is_no_law_for_a_capable_model(runtime: EmbeddedRuntime, flange: Path) -> None:
+    program = '```python\nsolution = parts(kind="hole", tags="central")[0].diameter\n```'
+    small, capable = Recorded([program] * 3), Recorded([program] * 3)
+    ask(runtime, flange, "What is the axis of the bore?", small)
+    record = ask(runtime, flange, "What is the axis of the bore?", capable, llm_capable=True)
+    assert "No answer" in small.shown[1][-1]["text"]
+    assert "a parser takes the question to ask for one unit vector" in capable.shown[1][-1]["text"]
+    assert len(capable.shown) == 2
+    assert record.answer is not None
+    assert record.answer.value == pytest.approx(0.054)
+
+
+def test_a_capable_model_is_not_shown_again_what_it_printed(runtime: EmbeddedRuntime, flange: Path) -> None:
+    look = '```python\nfor p in parts(kind="hole"):\n    print(p.id, p.diameter)\n```'
+    model = Recorded([look, "```python\nsolution = shape.height\n```"])
+    ask(runtime, flange, "How high is it?", model, llm_capable=True)
+    assert model.shown[1][-1]["text"].count("hole-11") == 1
+
+
 def test_a_size_and_its_lengths_agree(runtime: EmbeddedRuntime, flange: Path) -> None:
     model = Recorded(["```python\nsolution = [shape.width, shape.depth, shape.height]\n```"])
     record = ask(runtime, flange, "What are the width, depth and height of the model?", model)

@@ -37,6 +37,8 @@ def test_every_feature_is_in_one_group_and_bodies_are_where_there_are_several(tm
     found = told(tmp_path)
     counts = {kind: sum(group.count for group in found.groups if group.kind is kind) for kind in PartKind}
     assert {kind: n for kind, n in counts.items() if n} == {
-        kind: n for kind, n in found.part_counts.items() if PartKind(kind).is_feature or kind == "body"
+        kind: n
+        for kind, n in found.part_counts.items()
+        if PartKind(kind).is_feature or kind in ("body", "prism", "wall", "floor")
     }
     assert sorted(group.count for group in found.groups if group.kind is PartKind.BODY) == [1, 2]

@@ -15,6 +15,8 @@ BODIES_LISTED = 100
 TERMS_LISTED = 30
 """Rarer names of parts help nobody to find out what the model is."""
 GROUPS_LISTED = 60
+_SOLIDS = (PartKind.PRISM, PartKind.WALL, PartKind.FLOOR)
+"""What bodies are made of: a base plate, a leg."""
 
 
 def summary(model: Model) -> ModelSummary:
@@ -39,12 +41,12 @@ def _terms(parts: Iterable[Part]) -> Counter[str]:
 
 
 def _groups(parts: Sequence[Part]) -> tuple[PartGroup, ...]:
-    """Which parts are alike? Cuts first, then what stands out, then edges; the largest of each first."""
+    """Which parts are alike? Cuts first, then what stands out, edges, and solids; the largest of each first."""
     layouts = _layouts(parts)
     several = sum(part.kind is PartKind.BODY for part in parts) > 1
     alike: dict[tuple[object, ...], list[Part]] = defaultdict(list)
     for part in parts:
-        if part.kind.is_feature or (several and part.kind is PartKind.BODY):
+        if part.kind.is_feature or part.kind in _SOLIDS or (several and part.kind is PartKind.BODY):
             size = tuple(round(extent, 5) for extent in sorted(part.extents)) if part.kind is PartKind.BODY else ()
             alike[part.kind, group_label(part), part.color, size].append(part)
     ranked = sorted(alike.values(), key=lambda group: (_rank(group[0].kind), -max(group[0].extents)))
@@ -53,7 +55,8 @@ def _groups(parts: Sequence[Part]) -> tuple[PartGroup, ...]:
 
 def _rank(kind: PartKind) -> int:
     """How early is a kind told of? What a drawing dimensions first."""
-    return next(i for i, is_so in enumerate((kind.cuts_in, kind.stands_out, not kind.breaks_edge, True)) if is_so)
+    ranks = (kind.cuts_in, kind.stands_out and kind not in _SOLIDS, not kind.breaks_edge and kind not in _SOLIDS)
+    return next(i for i, is_so in enumerate((*ranks, kind.breaks_edge, True)) if is_so)
 
 
 def _group(parts: Sequence[Part], layouts: dict[str, str]) -> PartGroup:

@@ -174,12 +174,15 @@ def _step(
     program = Program(code=code, codegen=attempt.codegen, expects=task.wanted)
     outcome = task.run(program)
     verdict = task.judged(program, outcome)
+    if verdict.answer is None and limits.capable and task.expect.type is None and outcome.status is RunStatus.OK:
+        program = program.model_copy(update={"expects": None})  # what the parser takes the question for is no law
+        verdict = task.judged(program, outcome)
     if verdict.answer is None:
         return False, _failed(outcome, verdict, course.shown_to(code), limits.capable), attempt
     candidate = Candidate(program, verdict)
     course.answers.append(candidate)
     attempt = attempt.model_copy(update={"answer": verdict.answer.text})
-    against = _against(task, code, outcome, verdict, limits.capable)
+    against = _against(task, program, outcome, verdict, limits.capable)
     if not against or code in course.codes or course.was_told(verdict.answer, against):
         written.candidates.append(candidate)
         return True, "", attempt
@@ -238,9 +241,10 @@ def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None, w
     """What a program showed, in short: what it printed, what it gave, and a table of the parts that it found.
 
     `why`: also why it did not end well. `shown`: tables that were shown before, to which those of this one are added.
-    `wide`: several times as much, for who reads it at a glance.
+    `wide`: several times as much, for who reads it at a glance; what was printed is then not shown again as tables.
     """
     scale = WIDER if wide else 1
+    most = 0 if wide and outcome.printed else scale * ROWS
     before, tables = set() if shown is None else shown, list[str]()
     lines: list[str] = []
     if why and outcome.status is not RunStatus.OK:
@@ -250,7 +254,7 @@ def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None, w
     if outcome.status is RunStatus.OK and outcome.value is not None:
         lines.append(f"{RESULT} = {str(_rounded(outcome.value))[: scale * VALUE_CHARS]}")
     for grounding in outcome.groundings:
-        head, *rows = _table(grounding, scale * ROWS)
+        head, *rows = _table(grounding, most)
         table = "\n".join((head, *rows))
         lines += [f"{head} | as shown before"] if rows and table in before else [head, *rows]
         tables.append(table)
@@ -293,7 +297,7 @@ def _table(grounding: Grounding, most: int) -> list[str]:
     notes += [grounding.message] if grounding.message else []
     notes += [f"known here: {', '.join(grounding.nearest)}"] if grounding.nearest else []
     rows = [row for group in _alike(grounding.parts) for row in _rows(group)]
-    more = len(rows) - most
+    more = len(rows) - most if most else 0
     return [" | ".join([said, *notes]), *rows[:most], *([f"  … and {more} more lines"] if more > 0 else [])]
 
 
@@ -333,18 +337,20 @@ def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str], wide:
     return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before, wide)}"
 
 
-def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict, capable: bool) -> list[str]:
+def _against(task: Task, program: Program, outcome: RunOutcome, verdict: Verdict, capable: bool) -> list[str]:
     """What speaks against an answer: words left out, none found, a whole body, several for one, the parser's own.
 
     A capable model is not told what small ones forget, nor of a parser that is not sure: of 15 such, 13 were wrong.
     """
     assert verdict.answer is not None
-    found: list[str] = []
+    code, found = program.code, list[str]()
+    if task.asked is not None and program.expects is None and task.expect.type is None:
+        found.append(f"a parser takes the question to ask for {in_words(task.asked)}")
     for grounding in outcome.groundings:
         left = dict.fromkeys(word.strip("'") for word in (*grounding.ignored, *grounding.unchecked))
         found += [f"of {grounding.description!r} this is not in the parts: {', '.join(left)}"] if left else []
         found += [grounding.message] if not grounding.parts and grounding.message else []
-    if verdict.answer.value in (0, 0.0, []) and not isinstance(verdict.answer.value, bool):
+    if _is_none(verdict.answer):
         found.append("the answer is none")
     if "find_parts" in code and verdict.parts and not any(map(partial(_is_feature, task.question), verdict.parts)):
         found.append(f"it rests on a whole body: {verdict.parts[0].label}")
@@ -355,10 +361,11 @@ def _against(task: Task, code: str, outcome: RunOutcome, verdict: Verdict, capab
     if task.asked is not None:
         found += doubts(code, task.question, task.asked, task.summary, by_words=not capable)
     parsed = task.parsed()
-    if parsed is not None and (parsed.is_sure or not capable) and not _agrees(parsed.answer, verdict.answer):
+    is_heard = parsed is not None and (not capable or (parsed.is_sure and not _is_none(parsed.answer)))
+    if parsed is not None and is_heard and not _agrees(parsed.answer, verdict.answer):
         who = "a parser, which is sure," if parsed.is_sure else "a parser"
         found.append(f"{who} understands the question as {parsed.meant!r} and gets {parsed.answer.text}")
-        found += [LOOK_FIRST] if parsed.is_sure else []
+        found += [LOOK_FIRST] if parsed.is_sure and not capable else []
     return list(dict.fromkeys(found))
 
 
@@ -369,6 +376,10 @@ def _agrees(answer: Answer, other: Answer) -> bool:
         for one in (answer, other)
     )
     return same_value(answer, other, each_once=True) or same_value(first, second)
+
+
+def _is_none(answer: Answer) -> bool:
+    return answer.value in (0, 0.0, []) and not isinstance(answer.value, bool)
 
 
 def _is_feature(question: str, part: Part) -> bool:

@@ -9,7 +9,6 @@ import ast
 import math
 import re
 from collections.abc import Iterator
-from itertools import chain
 
 from querycad_answering.quantities import measures, measures_anything, scalar_type, triple_type
 from querycad_answering.typed import unit_of
@@ -44,15 +43,17 @@ def doubts(
 ) -> tuple[str, ...]:
     """What should the writer look at again, a sentence each? `summary` is what it was told of the model.
 
-    `by_words`: also where the program's sides, descriptions and choices are not the question's own words.
+    `by_words`: also where the program's sides, descriptions, choices and lengths are not the question's own.
     """
     try:
         tree = ast.parse(code)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return ()
     asked = _WORD.findall(question.lower())
-    worded = (_sides(tree, asked), _descriptions(tree, question, summary), _extreme(tree, asked)) if by_words else ()
-    found = [*chain(*worded), *_lengths(tree, question)]
+    found: list[str] = []
+    if by_words:
+        found += [*_sides(tree, asked), *_descriptions(tree, question, summary), *_extreme(tree, asked)]
+        found += _lengths(tree, question)
     if wanted in (AnswerType.LENGTH, AnswerType.LENGTHS):
         found += [*_radius_or_diameter(code, asked), *_along(tree, question)]
     return tuple(dict.fromkeys(found))

@@ -40,6 +40,9 @@ def facts(summary: ModelSummary, budget: int = BUDGET_CHARS) -> str:
     lines.append("Parts, as: number x label {kind; tags} seen from, layout:")
     told, left = _told(groups, budget - LEFT_CHARS - sum(len(line) + 1 for line in lines))
     lines += told
+    if budget > BUDGET_CHARS:
+        counted = ", ".join(f"{count} {kind}" for kind, count in summary.part_counts.items())
+        lines.append(f"All kinds, surfaces among them, as parts(kind) takes them: {counted}.")
     if left:
         kinds = [f"{count} x {kind}" for kind, count in left.most_common(KINDS_TOLD)]
         lines.append(f"Not listed: {', '.join(kinds)}{' …' if len(left) > KINDS_TOLD else ''}.")
@@ -48,6 +51,8 @@ def facts(summary: ModelSummary, budget: int = BUDGET_CHARS) -> str:
 
 def _rank(group: PartGroup) -> int:
     """How early is it told of? Cuts of no plain outline come behind the others: their sizes say little of them."""
+    if not group.kind.is_feature:
+        return 3
     return 0 if group.kind.cuts_in and "free" not in group.tags else 1 if group.kind.cuts_in else 2
 
 
