@@ -1,10 +1,10 @@
 """Who writes the better programs: the parser, a language model in one go, or the same as an agent?
 
-`python -m benchmark.writers` asks a sample of facts-dev, CAD-Q&A and fresh questions, drawn by seed, in every way, and prints a table.
-Which language model that is the environment says: QUERYCAD_LLM_… as in docs/llm.md. Where QUERYCAD_LLM_CONSTRAINED is
-set, it is also asked in one go without. Each outcome is a line of a file, and a run goes on where one was interrupted;
-a question is asked in all ways before the next model's, so that what there is by then can be compared. Run it in the
-repository's root.
+`python -m benchmark.writers` asks a sample of facts-dev, CAD-Q&A and `benchmark/specified`, drawn by seed, in all
+ways, and prints a table. Which language model that is the environment says: QUERYCAD_LLM_… as in docs/llm.md. Where
+QUERYCAD_LLM_CONSTRAINED is set, it is also asked in one go without. Each outcome is a line of a file, and a run goes on
+where one was interrupted; a question is asked in all ways before the next model's, so that what there is by then can be
+compared. Run it in the repository's root.
 """
 
 from __future__ import annotations
