@@ -24,8 +24,6 @@ from .volumes import Volumes
 
 ALONG = frozenset(("rectangular", "obround", "curved"))
 """Outlines with two sides along each other: what is longer than wide within them is a slot, as no other shape is."""
-LONG = 3.0
-"""What is so many times as long as wide is called wide across, as a slot is, however it lies in the file."""
 _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
@@ -42,7 +40,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     tags.extend(tag for tag in found.tags if tag not in tags)
     size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
-    across_file = found.outline == "rectangular" and not found.is_open and found.length < LONG * found.width
+    across_file = found.outline == "rectangular" and not found.is_open
     is_round = found.outline == "circular" and not found.is_open
     return Part(
         id=f"{kind}-{number}",
@@ -79,7 +77,7 @@ def _bottom(found: Depression, through: bool) -> str | None:
 
 
 def _width(found: Depression) -> float:
-    """The width of something rectangular that is not long: along x, or along y where it opens left or right.
+    """The width of something rectangular: along x, or along y where it opens left or right.
 
     What stands oblique in the file has its own: the smaller of its two dimensions.
     """
