@@ -13,8 +13,7 @@ from .ground import ground, score
 from .inventory import Inventory, values_of
 from .printed import WHOLES, key
 
-UNDERSTOOD_NOT = ("unknown_noun", "id_missing")
-"""Features of a grounding whose noun nothing is known of."""
+UNDERSTOOD_NOT = ("unknown_noun", "id_missing")  # features of a grounding whose noun nothing is known of
 FAR = 0.8  # a sense so far from its word is told: a 'bolt' that is a hole
 
 
