@@ -120,6 +120,14 @@ def test_of_parts_that_are_not_there_nothing_is_true_or_false(form: Form) -> Non
         write(form, grounds, whole())
 
 
+def test_the_end_of_a_part_is_where_its_tip_is() -> None:
+    boss = part("boss-1", tip=(0.0, 0.0, 0.1), tips=((0.0, 0.0, 0.1),))
+    end, shaft = PartQuery(noun="end"), PartQuery(noun="shaft")
+    for target, expression in ((end, "p.tip"), (shaft, "p.center")):
+        written = write(Get((Measure.POSITION,), target), {target: ((boss,), 0)}, whole())
+        assert f"[{expression} for p in parts]" in written.code
+
+
 def test_none_is_a_number_that_is_compared() -> None:
     written = write(Check(Count(PINS), Relation.MORE, 8.0), {PINS: ((), 0)}, whole())
     assert [(one.expression, one.expects) for one in written.compared] == [("values[0]", AnswerType.COUNT)]

@@ -148,10 +148,7 @@ def noun_phrase(query: PartQuery | None) -> str:
 
 
 def none_such(query: PartQuery, values: Sequence[float] = ()) -> str:
-    """What is said where parts are there and none is as asked: 'no hole is wider than 80 mm'; nothing restricts: ''.
-
-    `values`: the smallest and the largest that they have.
-    """
+    """'no hole is wider than 80 mm; they have 5 mm to 26 mm', the ends of `values`; '' where nothing restricts."""
     said = [*query.colors, *map(_compared, query.sizes)]
     left = {"colors": (), "sizes": (), "plural": False, "count": None, "ranks": ()}
     if not said:
