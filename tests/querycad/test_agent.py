@@ -60,7 +60,7 @@ def ask(
 ) -> AnswerRecord:
     """`meant`: parts that the eyes say are meant, whatever they are asked for; without any there are no eyes."""
     place = runtime.model(file).grounded_by(GroundedBy.EYES)
-    told = LlmSettings(llm_command="recorded", llm_images=bool(meant), **settings)
+    told = LlmSettings(llm_command="recorded", llm_images=bool(meant), **{"llm_capable": False, **settings})
     eyes = Eyes(told, SidecarEyes(runtime.store.root, meant)) if meant else None
     writer = LlmWriter(told, model, eyes=eyes)
     options = AnswerOptions(codegen=Codegen.AGENT)
@@ -266,9 +266,12 @@ def test_to_say_the_same_again_is_no_reason_against_a_sure_parser_but_a_look_is(
     ) * 2
 
 
-def test_the_last_word_of_a_capable_model_stands_against_the_parser(runtime: EmbeddedRuntime, flange: Path) -> None:
+@pytest.mark.parametrize("capable", [True, None], ids=["said to be", "a command"])
+def test_the_last_word_of_a_capable_model_stands_against_the_parser(
+    runtime: EmbeddedRuntime, flange: Path, capable: bool | None
+) -> None:
     model = Recorded([DEEPER, DEEPER])
-    record = ask(runtime, flange, "How deep are the counterbores?", model, llm_capable=True)
+    record = ask(runtime, flange, "How deep are the counterbores?", model, llm_capable=capable)
     assert "a parser, which is sure," in model.shown[1][-1]["text"]
     assert record.answer is not None
     assert (record.codegen, record.answer.value) == ("agent", pytest.approx([0.022]))

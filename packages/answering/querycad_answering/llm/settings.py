@@ -156,6 +156,11 @@ class LlmSettings(Settings):
         return not self.llm_command and self._is_at(*HOSTED)
 
     @property
+    def has_last_word(self) -> bool:
+        """Does an agent's own answer stand against a parser that is sure? A command's unless it is said to be none."""
+        return self.is_capable or (bool(self.llm_command) and self.llm_capable is None)
+
+    @property
     def constrained(self) -> Constrained:
         """How are replies held to their form: as set, else by tool calls where an endpoint is capable of them?"""
         calls = self.is_capable and not self.llm_command

@@ -134,7 +134,7 @@ class LlmWriter:
             temperature=self.settings.llm_temperature,
             examples=self.settings.llm_examples,
             only_programs=self.settings.only_programs,
-            capable=self.settings.is_capable,
+            capable=self.settings.has_last_word,
         )
 
     def _sample(
