@@ -3,7 +3,7 @@
 BIN := .venv/bin
 SHELL := /bin/sh
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test attack soak parity check format serve web bench fit openapi examples lock sbom dist clean
+.PHONY: help setup demo test attack audit soak parity check format serve web bench fit openapi examples lock sbom dist clean
 
 DEMO_MODEL := examples/flange.step
 DEMO_QUESTION := What is the diameter of the holes visible from the top?
@@ -23,6 +23,9 @@ test: setup ## run all tests; arguments for pytest in ARGS
 
 attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; a quarter of an hour
 	QUERYCAD_ATTACK=whole $(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
+
+audit: setup ## look for known weaknesses: bandit in the sources, pip-audit in what is pinned, where its database is reached
+	@scripts/audit.sh
 
 soak: setup ## mixed work on a service of its own for MINUTES, 20 as a rule: latencies, errors, slopes
 	$(BIN)/python -m benchmark.perf.soak --minutes $(or $(MINUTES),20) $(ARGS)
