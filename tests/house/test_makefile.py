@@ -11,7 +11,8 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 TARGETS = (
-    "help setup demo test attack audit soak parity check format serve web bench fit openapi examples lock sbom dist clean"
+    "help setup demo test attack audit soak parity check format serve web bench fit openapi examples lock sbom dist "
+    "clean"
 )
 PROMISED = set(TARGETS.split())
 
