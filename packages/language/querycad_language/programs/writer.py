@@ -144,7 +144,7 @@ def _of_parts(draft: Draft, form: Get, target: PartQuery) -> tuple[str, AnswerTy
     if measure is Measure.COLOR:
         draft.lines.append(f"names = [p.name for p in {name}]")
         return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
-    if measure is Measure.POSITION and target.noun.endswith("end") and all(part.tip for part in parts):
+    if measure is Measure.POSITION and target.noun.split()[-1:] == ["end"] and all(part.tip for part in parts):
         measure = Measure.TIP  # a shaft ends at its tip
     expression = draft.read(measure, parts)
     if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:

@@ -14,7 +14,7 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import dist, dot
 from querycad_segworker.visibility.raycast import Scene
 
-from .gaps import NO_WALL, Depths, gap, web
+from .gaps import NO_WALL, Depths, web
 
 FREEFORM_AREA = 0.02
 """A body with more of its surface than this in freeform faces has no least thickness that could be told exactly."""
@@ -36,15 +36,15 @@ def thinnest(brep: Brep, depths: Depths, scene: Scene) -> Mapping[int, float]:
     """
     tolerances = Tolerances.for_diagonal(dist(*brep.box))
     found: dict[int, float] = {}
-    for a, b, distance in _pairs(brep, depths, scene):
+    for a, b, ray, wall in _pairs(brep, depths, scene):
         first, second = brep.faces[a], brep.faces[b]
-        between = gap(first, second, tolerances)
-        if between == NO_WALL:
-            between = web(first, second, tolerances)
-            if between != NO_WALL and distance > NEAR * between:
-                continue
+        if SurfaceKind.FREEFORM in (first.kind, second.kind):
+            continue
+        between = wall if wall != NO_WALL else web(first, second, tolerances)
         if between == NO_WALL and _tapered(brep, a, b):
-            between = distance
+            between = ray
+        if ray > NEAR * between:
+            continue
         if tolerances.length < between < found.get(first.body, NO_WALL):
             found[first.body] = between
     area, free = defaultdict[int, float](float), defaultdict[int, float](float)
@@ -54,21 +54,23 @@ def thinnest(brep: Brep, depths: Depths, scene: Scene) -> Mapping[int, float]:
     return {body: least for body, least in found.items() if free[body] <= FREEFORM_AREA * area[body]}
 
 
-def _pairs(brep: Brep, depths: Depths, scene: Scene) -> list[tuple[int, int, float]]:
-    """Faces with what lies behind them, and the shortest ray between the two."""
+def _pairs(brep: Brep, depths: Depths, scene: Scene) -> list[tuple[int, int, float, float]]:
+    """Faces with what lies behind them, the shortest ray between the two, and their wall's thickness or `NO_WALL`."""
     keys = depths.faces.astype(np.int64) * len(brep.faces) + depths.beyond
     unique, index = np.unique(keys, return_inverse=True)
-    shortest = np.full(len(unique), math.inf)
-    np.minimum.at(shortest, index.ravel(), depths.distances_m)
-    pairs = [(*divmod(int(key), len(brep.faces)), float(ray)) for key, ray in zip(unique, shortest, strict=True)]
-    tapered = np.array([_tapered(brep, a, b) for a, b, _ in pairs], dtype=np.bool_)
+    shortest = np.full((2, len(unique)), NO_WALL)
+    for row, lengths in zip(shortest, (depths.distances_m, depths.walls_m), strict=True):
+        np.minimum.at(row, index.ravel(), lengths)
+    met = zip(unique, *shortest, strict=True)
+    pairs = [(*divmod(int(key), len(brep.faces)), float(ray), float(wall)) for key, ray, wall in met]
+    tapered = np.array([_tapered(brep, a, b) for a, b, *_ in pairs], dtype=np.bool_)
     chosen = depths.of(tapered[index.ravel()]) if pairs else depths
     middles = chosen.corners_m.mean(axis=1)
     for corner in range(3 if tapered.any() else 0):
         starts = (1 - INSIDE) * chosen.corners_m[:, corner] + INSIDE * middles
         rays, beyond = scene.ahead(starts, -chosen.normals)
-        met = zip(chosen.faces, beyond, rays, strict=True)
-        pairs += [(int(a), int(b), float(ray)) for a, b, ray in met if math.isfinite(ray)]
+        again = zip(chosen.faces, beyond, rays, strict=True)
+        pairs += [(int(a), int(b), float(ray), NO_WALL) for a, b, ray in again if math.isfinite(ray)]
     return pairs
 
 
