@@ -13,8 +13,10 @@ from querycad_contracts import Status
 
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "questions.md").read_text(encoding="utf-8")
-TABLE = PAGE.partition("| on | question | answer |\n|---|---|---|\n")[2].partition("\n\n")[0]
-ROWS = [tuple(cell.strip() for cell in line.strip("|").split("|")) for line in TABLE.splitlines()]
+TABLE = PAGE.partition("| on | question | answer | picture |\n|---|---|---|---|\n")[2].partition("\n\n")[0]
+CELLS = [[cell.strip() for cell in line.strip("|").split("|")] for line in TABLE.splitlines()]
+ROWS = [tuple(cells[:3]) for cells in CELLS]
+PICTURES = [match[1] for cells in CELLS if (match := re.fullmatch(r"!\[[^]]+\]\((.+)\)", cells[3]))]
 
 
 @pytest.fixture(scope="module")
@@ -24,8 +26,13 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntim
 
 
 def test_the_page_is_one_page_with_a_table() -> None:
-    assert len(PAGE.splitlines()) < 80
+    assert len(PAGE.splitlines()) < 90
     assert len(ROWS) > 15
+
+
+def test_some_answers_have_their_picture() -> None:
+    assert len(PICTURES) > 5
+    assert all((ROOT / "docs" / picture).read_bytes().startswith(b"\x89PNG") for picture in PICTURES)
 
 
 @pytest.mark.parametrize(("model", "question", "answer"), ROWS, ids=[row[1] for row in ROWS])

@@ -6,7 +6,7 @@ import pytest
 
 from querycad_contracts import Measure, Relation
 from querycad_language.describe import describe, plural_of
-from querycad_language.forms import Check, Count, Exists, Form, Get, queries
+from querycad_language.forms import Check, Combine, Count, Exists, Form, Get, Reduce, Which, queries
 from querycad_language.readings.reader import read
 from querycad_language.tokens import tokenize
 
@@ -136,3 +136,29 @@ def test_a_part_is_compared_with_itself(question: str, first: Measure, second: M
         if isinstance(form, Check) and isinstance(form.left, Get) and isinstance(form.low, Get)
     }
     assert pairs == {((first,), (second,), True)}
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "relation"),
+    [
+        ("Which is longer, the spindle or the lever?", Measure.LENGTH, Relation.MORE),
+        ("What has the smaller diameter, lug 3 or lug 5?", Measure.DIAMETER, Relation.LESS),
+        ("Is the lug or the rib higher?", Measure.HEIGHT, Relation.MORE),
+    ],
+)
+def test_the_one_of_two_that_has_more_is_asked_for(question: str, measure: Measure, relation: Relation) -> None:
+    found = [(form.left.measures, form.relation) for form in forms(question) if isinstance(form, Which)]
+    assert found == [((measure,), relation)]
+
+
+def test_more_than_a_size_is_not_one_of_two() -> None:
+    assert not any(isinstance(form, Which) for form in forms("Is the lug or the rib higher than 5 mm?"))
+
+
+def test_the_difference_of_two_extremes_is_one_value() -> None:
+    asked = "the largest and the smallest lug diameter"
+    reduces = [form.reduce for form in forms(f"What are {asked}?") if isinstance(form, Get)]
+    assert Reduce.RANGE in reduces
+    differences = forms(f"What is the difference between {asked}?")
+    assert any(isinstance(form, Combine) for form in differences)
+    assert Reduce.RANGE not in [form.reduce for form in differences if isinstance(form, Get)]

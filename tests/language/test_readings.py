@@ -234,7 +234,7 @@ def test_no_words_no_readings() -> None:
     [
         ("How many blind slots are there?", "number of the blind slots"),
         ("What is the depth of the slot?", "depth of the slot"),
-        ("Is there a slot?", "whether there is the slot"),
+        ("Is there a slot?", "whether there are slots"),
     ],
 )
 def test_a_reading_is_told_in_plain_words(question: str, text: str) -> None:

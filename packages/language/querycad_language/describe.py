@@ -77,10 +77,15 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             value = f"{low:g}" if counted else describe(low) if isinstance(low, Get) else _stated(low, measure)
             value = f"{value} to {_stated(high, measure)}" if high is not None else value
             return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
+        case forms.Which(left, relation, right):
+            which = "larger" if relation is Relation.MORE else "smaller"
+            return (
+                f"which has the {which} {_measure(left.measures[0])}, {_anchor(left.target)} or {_anchor(right.target)}"
+            )
         case forms.Exists(target):
-            return f"whether there is {noun_phrase(target)}"
+            return f"whether there are {_several(target).removeprefix('the ')}"
         case forms.Every(target, among):
-            return f"whether {noun_phrase(target)} {_is(target)} {noun_phrase(among)}"
+            return f"whether {noun_phrase(target)} {_is(target)} among {_several(among)}"
         case forms.Uniform(get):
             return f"whether the {describe(get)} is the same for all"
         case forms.Parallel(first, second, square):
@@ -95,6 +100,10 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case forms.Towards(target, sides, seen):
             either = f"{', '.join(sides[:-1])} or {sides[-1]}" if sides else ""
             return _TOWARDS[seen].format(noun_phrase(target), _is(target), either)
+
+
+def _several(query: PartQuery) -> str:
+    return noun_phrase(query.model_copy(update={"plural": True}))
 
 
 def _is(query: PartQuery) -> str:

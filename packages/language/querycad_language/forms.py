@@ -138,6 +138,15 @@ class Check:
 
 
 @dataclass(frozen=True, slots=True)
+class Which:
+    """Which of two parts has more of a measure, or less?"""
+
+    left: Get
+    relation: Relation
+    right: Get
+
+
+@dataclass(frozen=True, slots=True)
 class Exists:
     """Is there such a part?"""
 
@@ -206,7 +215,7 @@ class Towards:
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Touching | Within
+    | Touching | Which | Within
 )  # fmt: skip
 
 

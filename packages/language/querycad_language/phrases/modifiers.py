@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Measure, Place, Rank
+from querycad_contracts import Place, Rank
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -64,9 +64,6 @@ def _opens(text: Text, at: int) -> bool:
         return True
     if text.is_word(at + 1, "not", "no", "without") and text.find(at + 2, "side_preposition", "trait"):
         return True
-    counted = any(text.find(i, "count") for i in range(at))
-    if text.words[at] == "," and counted and stated_size(text, at + 1):
-        return True  # 'how many holes, diameter over 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
 
@@ -142,11 +139,6 @@ def _through(text: Text, at: int, draft: Draft) -> int:
     tags = draft.lacking if negated else draft.adjectives
     if text.find(end, "emerging", "stopping"):
         return _ending(text, at, end, tags)
-    if end > at and text.is_word(end, "from") and text.is_word(end + 1, "one") and text.find(end + 2, "side_noun"):
-        ahead = range(end + 3, min(len(text), end + 10))  # 'that go from one side of the part out to the other'
-        if other := next((i for i in ahead if text.is_word(i, "other", "opposite")), 0):
-            tags.append("through")
-            return other + 1
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -214,10 +206,6 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     if alone is not None and not noun_follows(text, alone.end):
         draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
         return alone.end
-    nth = text.find(text.skip(at, "be"), "ordinal")
-    if nth is not None and text.is_word(nth.end, "in", "by") and text.find(nth.end + 1, "measure", "scale"):
-        draft.ranks.append(Rank(measure=Measure.MAGNITUDE, most=True, nth=nth.value))  # 'is second in size'
-        return nth.end + 2
     place = text.find(at, "place", "have")
     start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have") else len(text)
     span = text.find(start, "most", "least") or superlative(text, start)

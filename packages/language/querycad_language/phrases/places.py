@@ -119,13 +119,9 @@ def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
-    inner = text.skip(at + 1, "article")
-    exact = inner + text.is_word(inner, "very", "exact", "dead", "geometric", "precise")
     corner = text.skip(at + 1, "article", "each", "number")
     if span is not None:
         end = span.end - text.is_word(span.end - 1, "of")
-    elif text.is_word(at, "in", "at") and exact > inner and text.is_word(exact, "center", "middle"):
-        end = exact + 1
     elif text.find(at, "place") and text.is_word(corner, "corner"):
         end = corner + 1
     else:

@@ -6,19 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from querycad_contracts import AnswerType, Part, PartQuery, Side
-from querycad_language.forms import (
-    LONGEST,
-    SHORTER,
-    Anchor,
-    Behind,
-    Boundary,
-    Distance,
-    Origin,
-    Plane,
-    Reduce,
-    Target,
-    Touching,
-)
+from querycad_language import forms
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
 from querycad_language.measures import WHOLE, along_axis
 
 from .draft import Draft, Read, Unwritable
@@ -53,7 +42,7 @@ def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
     if not isinstance(first, PartQuery):
         raise Unwritable
     kind = AnswerType.LENGTHS if form.reduce is Reduce.DIFFERENT else AnswerType.LENGTH
-    if isinstance(second, Behind):
+    if isinstance(second, forms.Behind):
         second = Boundary(_behind(draft.of(first)))
         form = replace(form, mode="surfaces")
     if isinstance(second, Boundary | Origin) or second is None:
@@ -83,7 +72,7 @@ def _spread(parts: Sequence[Part]) -> Sequence[float]:
 # Between parts
 
 
-def pairwise(draft: Draft, first: PartQuery, second: Target, expression: str, reduce: Reduce) -> str:
+def pairwise(draft: Draft, first: PartQuery, second: forms.Target, expression: str, reduce: Reduce) -> str:
     """The expression of 'a' and 'b' for every two parts."""
     parts, least = draft.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
     own, others = len(draft.of(first)), "" if second is None else f", {draft.parts(second)}"
@@ -165,7 +154,7 @@ def overlapping(draft: Draft, form: Distance) -> str:
     return f"overlaps({', '.join(names)})"
 
 
-def touching(draft: Draft, form: Touching) -> str:
+def touching(draft: Draft, form: forms.Touching) -> str:
     """The bodies that touch others, as an expression; those whose boxes are apart are not measured.
 
     Fasteners hold what they touch, and what other fasteners do that they touch: a nut by its screw and a washer.

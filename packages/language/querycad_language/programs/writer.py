@@ -70,6 +70,8 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 
             return _combine(draft, form)
         case forms.Parts(target):
             return draft.parts(target), AnswerType.PARTS
+        case forms.Which():
+            return _which(draft, form)
         case forms.Touching():
             return touching(draft, form), AnswerType.PARTS
         case forms.Towards():
@@ -259,6 +261,19 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
         return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(draft, left), _scalar(draft, form.right))
     return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
+
+
+def _which(draft: Draft, form: forms.Which) -> tuple[str, AnswerType]:
+    """The parts with more, or less; both where they are alike."""
+    pair = (form.left, form.right)
+    if not all(map(draft.all_of, forms.queries(form))):
+        raise Unwritable
+    for name, get in zip("ab", pair, strict=True):
+        draft.lines.append(f"{name} = {_scalar(draft, get)}")
+        draft.compared.append(Compared(get, name, _kind(get)))
+    first, second = (draft.parts(query) for query in forms.queries(form))
+    least = "a - b" if form.relation is Relation.MORE else "b - a"
+    return f"{first} + {second} if abs(a - b) < {SLACK:g} else {first} if {least} > 0 else {second}", AnswerType.PARTS
 
 
 def _check(draft: Draft, form: forms.Check) -> str:

@@ -79,15 +79,7 @@ def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:
     if text.is_word(at, "how"):
         unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
         return _how_many(text, at, *unit) if unit is not None else _how(text, at)
-    return _said(text, at, taken) or _named(text, at, taken) or _bare_scale(text, at)
-
-
-def _bare_scale(text: Text, at: int) -> Asked | None:
-    """'pocket, DEEP?'"""
-    scale = text.find(at, "scale") if text.is_word(at - 1, ",", ":") else None
-    if scale is None or scale.value.degree != "positive" or not (scale.end == len(text) or text.is_break(scale.end)):
-        return None
-    return Asked(at, scale.end, (scale.value.measure,), "noun", used=frozenset(scale.tokens))
+    return _said(text, at, taken) or _named(text, at, taken)
 
 
 def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
@@ -107,8 +99,6 @@ def _how(text: Text, at: int) -> Asked | None:
         near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
         measure = Measure.THICKNESS if near else Measure.VOLUME
         return Asked(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
-    if text.is_word(at + 1, "much") and text.is_word(at + 2, "surface"):
-        return Asked(at, at + 2, (Measure.AREA,), "how", used=frozenset((at, at + 1, at + 2)))
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)
@@ -190,11 +180,6 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
     start, reduce = span.start, None
     if (both := _both(text, span)) is not None:  # 'inner and outer diameter'
         measures, start = [*both[1], *measures[1:]], both[0]
-    while measures[0] in EXTENTS and text.is_word(start - 1, "and", ","):  # 'x and y dimensions'
-        axis = text.find(start - 2, "axis")
-        if axis is None or axis.value >= len(EXTENTS):
-            break
-        measures, start = [EXTENTS[axis.value], *measures], start - 2
     while start - 1 not in taken and not text.is_word(start - 2, "i", "we", "you"):
         words = ((text.find(start - 1, category), meaning) for category, meaning in _REDUCES.items())
         meant = next((meaning for word, meaning in words if word is not None and word.end == start), None)
@@ -213,9 +198,6 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
             after += 1
         after = text.skip(after, "article")
         more = text.find(after, "measure")
-        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
-            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
-            continue
         if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):

@@ -9,7 +9,6 @@ from functools import cached_property
 from querycad_contracts import PartQuery
 from querycad_language.phrases import Mention, Phrases, replace_fields
 from querycad_language.text import Text
-from querycad_language.tokens import Kind
 
 
 class Question:
@@ -61,17 +60,14 @@ class Question:
 
     @property
     def offers_yes_no(self) -> bool:
-        """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?', 'width > 80 mm?'"""
+        """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?'"""
         text, (start, end) = self.text, self.asking
         yes = (i for i in range(len(text)) if text.is_word(i, "y", "yes", "true"))
         if any(text.is_word(i + 2, "n", "no", "false") for i in yes):
             return True
         if not text.is_word(end, "?") or any(text.find(i, *_ASKING) for i in range(start, end)):
             return False
-        compared = (i for i in range(start, end - 1) if text.find(i, "relation") and text.tokens[i].kind is Kind.SYMBOL)
-        named = next((m for m in self.mentions if m.start >= start), None)
-        several = named is not None and named.plural
-        return bool(text.at_phrases("same")) or any(not several and text.tokens[i + 1].power == 1 for i in compared)
+        return bool(text.at_phrases("same"))
 
     def _asks_yes_no(self, begin: int) -> bool:
         """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""

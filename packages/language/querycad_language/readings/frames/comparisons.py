@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target
+from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
 from querycad_language.phrases import bare_of
 from querycad_language.readings.asked import asked_in
@@ -20,6 +21,7 @@ MATCHED = 2
 def comparisons(question: Question) -> Iterator[Draft]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
+    yield from _which(question)
     yield from _combined(question)
     yield from _numbers(question)
 
@@ -41,9 +43,7 @@ def _compared(question: Question) -> Iterator[Draft]:
         return
     left, right = before[0], (behind or before)[0]
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
-    named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
-    if measure is Measure.MAGNITUDE and named is not None:  # 'larger in diameter'
-        measure, used = named.measures[0], used | named.used
+    measure, used = _of_noun(question, measure, used)
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide'
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
@@ -56,6 +56,32 @@ def _compared(question: Question) -> Iterator[Draft]:
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
         relation = Relation.MORE if comparative.value.degree == "more" else Relation.LESS
         yield Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
+
+
+def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Measure, set[int]]:
+    """'larger in diameter': what is compared, and the words for it."""
+    named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
+    if measure is not Measure.MAGNITUDE or named is None:
+        return measure, used
+    said = named.measures[0]  # 'the larger diameter' is an outer one where nothing is compared
+    round_one = said in (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER) and not used.isdisjoint(named.used)
+    return Measure.DIAMETER if round_one else said, used | named.used
+
+
+def _which(question: Question) -> Iterator[Draft]:
+    """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
+    text, either = question.text, question.text.at_words("or")
+    pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
+    left, right = next(pairs, (None, None))
+    scale = next((span for span in text.all("scale") if span.value.degree != "positive"), None)
+    if left is None or right is None or scale is None or text.has("than"):
+        return
+    relation = Relation.MORE if scale.value.degree in ("more", "most") else Relation.LESS
+    asking = text.at_words("which", "what") or {question.asking[0]}
+    used = {*asking, *either, *scale.tokens, *left.used, *right.used}
+    measure, used = _of_noun(question, scale.value.measure, used)
+    form = Which(Get((measure,), left.part), relation, Get((measure,), right.part))
+    yield Draft(form, {"combined": 1.0}, used)
 
 
 def _combined(question: Question) -> Iterator[Draft]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import placed_in, replace_fields
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -45,12 +45,6 @@ def parts(question: Question) -> Iterator[Draft]:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
-            verb = text.find(mention.end, "have")
-            held = next((m for m in question.parts if verb and m.start == verb.end), None)
-            if held is not None:  # 'which plate carries the tapped holes'
-                query = placed_in(query, "with", held.part)
-                used = used | set(range(mention.end, held.end))
-                yield Draft(Parts(query), {"which": 1.0}, used)
             yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
         elif any(text.is_word(i, "what") for i in lead) and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used

@@ -134,7 +134,7 @@ def _extremes(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
     ends = question.extremes
     first, last = (min(ends.values()), max(ends.values())) if len(ends) == 2 else (0, 0)
     joined = any(text.is_word(i, "and", "to", "&", "/", ",") for i in range(first + 1, last))
-    named = get.target is not None and get.target.noun
+    named = get.target is not None and get.target.noun and not text.at_phrases("operation")
     if get.target is not None and named and joined and len(get.measures) == 1 and is_length(get.measures[0]):
         both = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
         yield Draft(both, {**draft.features, "both_extremes": 1.0}, draft.used | set(ends.values()))

@@ -7,19 +7,8 @@ from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Relation, Side, SizeFilter
-from querycad_language.forms import (
-    Check,
-    Distance,
-    Every,
-    Exists,
-    Get,
-    Parallel,
-    Reduce,
-    Target,
-    Uniform,
-    Within,
-    mapped,
-)
+from querycad_language import forms
+from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
 from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
 from querycad_language.readings.asked import Asked, asked_in
 from querycad_language.readings.drafts import Draft
@@ -94,7 +83,7 @@ def within(question: Question) -> Iterator[Draft]:
     joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
-        box = Within(None, (low, middle, high))
+        box = forms.Within(None, (low, middle, high))
         yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *range(sizes[0], sizes[-1] + 1)})
 
 
@@ -144,7 +133,7 @@ def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Ask
         for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
-                yield Draft(Uniform(get), used=mention.used | same | one.used)
+                yield Draft(forms.Uniform(get), used=mention.used | same | one.used)
 
 
 def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Draft]:
@@ -153,7 +142,7 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
-            yield Draft(Parallel(target, second, square=word == "perpendicular"), used=at | more)
+            yield Draft(forms.Parallel(target, second, square=word == "perpendicular"), used=at | more)
     restricted, last = bool(target.adjectives or target.lacking), mention.end - 1
     if restricted and _any_of(text, mention):
         yield Draft(Exists(target), {"predicate": 1.0})
@@ -230,7 +219,7 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
     return None
 
 
-def _checked(text: Text, target: Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
+def _checked(text: Text, target: forms.Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
     named = asked[0].measures[0] if asked else None
     measure = (named if size.measure in (None, Measure.AREA, Measure.VOLUME) else None) or size.measure
     least = size.relation is Relation.EQUAL and text.has("least")
