@@ -110,6 +110,8 @@ def test_more_than_two_parts_are_named_together() -> None:
         ("How deep is it?", Selection(faces=(2, 25)), "How deep is hole-1?"),
         ("area of this face", Selection(faces=(25,)), "area of cylinder-12"),
         ("area of these faces", Selection(faces=(2, 5)), "area of cylinder-2 and cylinder-4"),
+        ("area of this face", Selection(parts=("face 25",)), "area of cylinder-12"),
+        ("How deep is it?", Selection(parts=("Hole 4",)), "How deep is hole-4?"),
         ("radius of it", Selection(faces=(99,)), "radius of cylinder-99"),
         ("How many slots are there?", Selection(parts=("hole-4",)), "How many slots are there?"),
         ("How deep is it?", Selection(), "How deep is it?"),
@@ -121,7 +123,7 @@ def test_it_and_this_are_what_is_pointed_at(question: str, selection: Selection,
 
 @pytest.mark.parametrize(
     ("selection", "says"),
-    [(Selection(parts=("hole-9",)), "no hole-9"), (Selection(faces=(59,)), "nothing is known of face 59")],
+    [(Selection(parts=("hole-9",)), "no hole-9"), (Selection(parts=("face-59",)), "known of face 59")],
 )
 def test_what_is_pointed_at_and_is_not_there_is_refused(selection: Selection, says: str) -> None:
     with pytest.raises(NotFollowed, match=says):

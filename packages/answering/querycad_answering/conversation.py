@@ -244,11 +244,16 @@ def _selected(selection: Selection, question: str, parts: Parts) -> tuple[str, .
     if not selection.parts and not selection.faces:
         return ()
     known = {part.id: part for part in parts()}
-    for part in selection.parts:
-        if part not in known:
-            raise NotFollowed(f"the model has no {part}, which is selected")
-    found = list(selection.parts)
-    faces = frozenset(selection.faces)
+    found, numbers = [], list(selection.faces)
+    for name in selection.parts:
+        part = name.strip().lower().replace(" ", "-")  # 'hole 4'
+        if part in known:
+            found.append(part)
+        elif face := re.fullmatch(r"face-(\d{1,9})", part):
+            numbers.append(int(face[1]))
+        else:
+            raise NotFollowed(f"the model has no {name}, which is selected")
+    faces = frozenset(numbers)
     features = [part for part in known.values() if part.kind not in _NO_FEATURE]
     said = {match["noun"].lower() for match in _THIS.finditer(question)}
     of_kind = [part for part in features if {part.kind.value, f"{part.kind.value}s"} & said and set(part.faces) & faces]
@@ -259,7 +264,7 @@ def _selected(selection: Selection, question: str, parts: Parts) -> tuple[str, .
         )
         if whole is not None:
             return (*dict.fromkeys((*found, whole.id)),)
-    found += [_part_of(face, known, [] if _FACES.search(question) else features) for face in selection.faces]
+    found += [_part_of(face, known, [] if _FACES.search(question) else features) for face in numbers]
     return tuple(dict.fromkeys(found))
 
 

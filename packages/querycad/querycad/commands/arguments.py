@@ -101,7 +101,7 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
         action="append",
         default=[],
         metavar="ID",
-        help="what 'it' or 'this' is: the id of a part, or the number of a face; as often as needed",
+        help="what 'it' or 'this' is: a part such as hole-4, or a face such as 36; as often as needed",
     )
     ask.add_argument(
         "--context",
