@@ -21,10 +21,10 @@ def write(table: Table, doubts: Table, fitted: str) -> None:
     lines = [
         "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
         f"# {fitted}.",
+        f"calibration = {_inline(doubts, 0.0)}",
         "", "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
-        "", "[calibration]", *(f"{name} = {value}" for name, value in doubts.items()), "",
+        "", "[measures]",
     ]  # fmt: skip
-    lines.append("[measures]")
     for measure, groups in grouped(table).items():
         told = {group: of for group, of in groups.items() if max(map(abs, of.values())) >= LEAST}
         if told:
@@ -32,9 +32,9 @@ def write(table: Table, doubts: Table, fitted: str) -> None:
     FILE.write_text("\n".join([*lines, ""]), encoding="utf-8")
 
 
-def _inline(table: Table) -> str:
+def _inline(table: Table, least: float = LEAST) -> str:
     """A table on one line, without what weighs next to nothing."""
-    told = (f"{json.dumps(name)} = {weight}" for name, weight in table.items() if abs(weight) >= LEAST)
+    told = (f"{json.dumps(name)} = {weight}" for name, weight in table.items() if abs(weight) >= least)
     return f"{{ {', '.join(told)} }}"
 
 

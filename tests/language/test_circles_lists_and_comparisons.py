@@ -147,8 +147,8 @@ def test_a_part_is_compared_with_itself(question: str, first: Measure, second: M
     ],
 )
 def test_the_one_of_two_that_has_more_is_asked_for(question: str, measure: Measure, relation: Relation) -> None:
-    found = [(form.left.measures, form.relation) for form in forms(question) if isinstance(form, Which)]
-    assert found == [((measure,), relation)]
+    found = [(form.left, form.relation) for form in forms(question) if isinstance(form, Which)]
+    assert [(left.measures, said) for left, said in found if isinstance(left, Get)] == [((measure,), relation)]
 
 
 def test_more_than_a_size_is_not_one_of_two() -> None:
@@ -162,3 +162,30 @@ def test_the_difference_of_two_extremes_is_one_value() -> None:
     differences = forms(f"What is the difference between {asked}?")
     assert any(isinstance(form, Combine) for form in differences)
     assert Reduce.RANGE not in [form.reduce for form in differences if isinstance(form, Get)]
+
+
+@pytest.mark.parametrize(
+    ("question", "relation"),
+    [
+        ("Are there more lugs than ribs?", Relation.MORE),
+        ("Does the lever have fewer lugs than ribs?", Relation.LESS),
+        ("Are there as many lugs as ribs?", Relation.EQUAL),
+    ],
+)
+def test_two_numbers_of_parts_are_compared(question: str, relation: Relation) -> None:
+    found = [form for form in forms(question) if isinstance(form, Check)]
+    assert [(form.relation, isinstance(form.left, Count), isinstance(form.low, Count)) for form in found] == [
+        (relation, True, True)
+    ]
+
+
+@pytest.mark.parametrize("question", ["Are there more lugs or ribs?", "Which are there more of, lugs or ribs?"])
+def test_of_which_there_are_more_is_asked(question: str) -> None:
+    assert [form.relation for form in forms(question) if isinstance(form, Which)] == [Relation.MORE]
+
+
+def test_what_compares_numbers_is_not_passed_over() -> None:
+    skipped = [
+        reading.skipped for reading in read("Are there more lugs than ribs?") if isinstance(reading.form, Exists)
+    ]
+    assert all(("comparison", "more") in words and ("comparison", "than") in words for words in skipped)

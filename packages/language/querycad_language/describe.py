@@ -74,14 +74,13 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
         case forms.Check(left, relation, low, high):
             counted = isinstance(left, forms.Count) and isinstance(low, float)
             measure = left.measures[0] if isinstance(left, Get) else None
-            value = f"{low:g}" if counted else describe(low) if isinstance(low, Get) else _stated(low, measure)
+            value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else _stated(low, measure)
             value = f"{value} to {_stated(high, measure)}" if high is not None else value
             return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
         case forms.Which(left, relation, right):
-            which = "larger" if relation is Relation.MORE else "smaller"
-            return (
-                f"which has the {which} {_measure(left.measures[0])}, {_anchor(left.target)} or {_anchor(right.target)}"
-            )
+            noun = _measure(left.measures[0]) if isinstance(left, Get) else "number"
+            which = f"which has the {'larger' if relation is Relation.MORE else 'smaller'} {noun}"
+            return f"{which}, {_anchor(left.target)} or {_anchor(right.target)}"
         case forms.Exists(target):
             return f"whether there are {_several(target).removeprefix('the ')}"
         case forms.Every(target, among):

@@ -133,17 +133,17 @@ class Check:
 
     left: Get | Count | Distance
     relation: Relation
-    low: float | Get
+    low: float | Get | Count
     high: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Which:
-    """Which of two parts has more of a measure, or less?"""
+    """Which of two parts has more of a measure, or less; or of which are there more?"""
 
-    left: Get
+    left: Get | Count
     relation: Relation
-    right: Get
+    right: Get | Count
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ CLOSED = frozenset([
     "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
     "remaining", "axis", "stuff", "operation", "left_out", "leaving", "overview", "overlap", "contact", "carry",
-    "fasten",
+    "fasten", "comparing",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))
@@ -70,6 +70,12 @@ class Text:
     def is_word(self, at: int, *words: str) -> bool:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
+
+    @cached_property
+    def compares(self) -> bool:
+        """Does a comparative or a number of parts compare two things?"""
+        more = (span.value.degree in ("more", "less") for span in self.all("scale"))
+        return self.has("more", "fewer") or any(more)
 
     @property
     def lengths(self) -> list[int]:

@@ -266,7 +266,7 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
 def _which(draft: Draft, form: forms.Which) -> tuple[str, AnswerType]:
     """The parts with more, or less; both where they are alike."""
     pair = (form.left, form.right)
-    if not all(map(draft.all_of, forms.queries(form))):
+    if isinstance(form.left, Get) and not all(map(draft.of, forms.queries(form))):
         raise Unwritable
     for name, get in zip("ab", pair, strict=True):
         draft.lines.append(f"{name} = {_scalar(draft, get)}")
@@ -293,7 +293,7 @@ def _check(draft: Draft, form: forms.Check) -> str:
     draft.lines.append(f"values = {values}")
     kind = _kind(form.left)
     draft.compared.append(Compared(form.left, "values[0]" if kind is AnswerType.COUNT else "values", kind))
-    if isinstance(form.low, Get):
+    if not isinstance(form.low, float):
         draft.compared.append(Compared(form.low, low, _kind(form.low)))
     share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
     length = isinstance(form.left, Count | Distance) or is_length(form.left.measures[0])

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from querycad_language.forms import Check, Every, Exists, Parallel, Uniform, Within
+from querycad_language.forms import Check, Every, Exists, Parallel, Uniform, Which, Within
 from querycad_language.tokens import Kind
 
 from .drafts import Draft, Reading
@@ -14,7 +14,7 @@ from .question import Question
 _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("courtesy", {"courtesy"}), ("side", {"side", "view"}), ("axis", {"axis"}), ("negation", {"negation", "except"}),
     ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}), ("measure", {"measure", "distance", "gap"}),
-    ("comparison", {"scale", "same", "most", "least", "different", "operation"}),
+    ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing"}),
     ("function", {"function", "be", "side_preposition"}),
     ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each"}),
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
@@ -22,8 +22,8 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-CLOSED = Check | Every | Exists | Parallel | Uniform | Within
-"""Forms whose answer is yes or no."""
+CLOSED = Check | Every | Exists | Parallel | Uniform | Which | Within
+"""Forms whose answer is yes or no, or the one of two."""
 
 
 class Passable(NamedTuple):

@@ -8,12 +8,13 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import bare_of
+from querycad_language.phrases import Mention, bare_of
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
 
+_NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 MATCHED = 2
 """Kinds of parts that are compared by number."""
 
@@ -106,6 +107,19 @@ def _combined(question: Question) -> Iterator[Draft]:
         yield Draft(Combine(span.value, left, right), {"combined": 1.0}, used)
 
 
+def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Draft]:
+    """'Are there more lugs than ribs?', 'Has it as many lugs as ribs?', 'Are there more lugs or ribs?'"""
+    text, left, right = question.text, Count(first.part), Count(second.part)
+    words = [(at, _NUMBERED[text.words[at]]) for at in range(first.end) if text.words[at] in _NUMBERED]
+    joining = text.at_words("than", "as", "or", "and") & {*range(first.end, second.start)}
+    at, relation = words[0] if words else (0, Relation.EQUAL)
+    used = {question.asking[0], at, at - 1, *joining, *first.used, *second.used}
+    if words and joining - text.at_words("or") and question.closed:
+        yield Draft(Check(left, relation, right), {"check": 1.0}, used)
+    elif words and joining and relation is not Relation.EQUAL:
+        yield Draft(Which(left, relation, right), {"combined": 1.0}, used)
+
+
 def _numbers(question: Question) -> Iterator[Draft]:
     """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
     text = question.text
@@ -127,11 +141,13 @@ def _numbers(question: Question) -> Iterator[Draft]:
         return
     if len(targets) < MATCHED:
         return
+    yield from _outnumbering(question, *owners)
     joining = range(owners[0].end, owners[1].start)
     more = text.at_words("more", "fewer", "outnumber", "extra", "than", "exceed", "compared")
     less = {i for i in joining if text.is_word(i, "minus", "less") or text.find(i, "minus")}
     said = more | less | (set(span.tokens) if span is not None else set())
     spoken = {i for at in text.at_phrases("count") for i in (at, at + 1)}
     if said and (spoken or more or less):
+        features = {"combined": 1.0, "count_next": float(bool(spoken))}
         operation: Operation = span.value if span is not None else "apart" if more else "minus"
-        yield Draft(Combine(operation, Count(targets[0]), Count(targets[1])), {"combined": 1.0}, used | said | spoken)
+        yield Draft(Combine(operation, Count(targets[0]), Count(targets[1])), features, used | said | spoken)
