@@ -122,7 +122,7 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Draft]:
     for first, second in pairwise(parts):
         said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
         if said and first.query and second.query:
-            every = Every(first.query, replace_fields(second.query, plural=True))
+            every = Every(first.query, replace_fields(second.query, plural=True, sample=True))
             yield Draft(every, {"predicate": 1.0}, first.used | second.used)
 
 
@@ -151,11 +151,16 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     ):
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Draft(Every(bare, target))
+        yield Draft(Every(bare, _all_such(target)))
     if target.threads:
-        yield Draft(Every(replace_fields(target, threads=()), target))
+        yield Draft(Every(replace_fields(target, threads=()), _all_such(target)))
     if target.sides:
-        yield Draft(Every(replace_fields(target, sides=()), target), {"check_side": 1.0})
+        yield Draft(Every(replace_fields(target, sides=()), _all_such(target)), {"check_side": 1.0})
+
+
+def _all_such(query: PartQuery) -> PartQuery:
+    """All that are as is said, however many: the ones that the parts in question must be among."""
+    return replace_fields(query, plural=True, sample=True, ranks=(), count=None)
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
@@ -180,7 +185,7 @@ def _predicates(text: Text, mention: Mention) -> Iterator[Draft]:
             said = replace_fields(target, lacking=(*target.lacking, span.value.name))
         else:
             said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-        form = Every(target, said) if named is not None and not _any_of(text, mention) else Exists(said)
+        form = Every(target, _all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
         yield Draft(form, {"predicate": 1.0}, set(span.tokens))
         return
 
