@@ -38,6 +38,7 @@ from querycad_language.units import asked_unit
 
 from .addressing import folded
 from .conversation import NotFollowed, not_followed, stands_alone
+from .drawing.asked_units import in_asked_unit, without_asked_unit
 from .drawing.callouts import ids_text
 from .eyes.looking import Place
 from .eyes.seeing import Seeing
@@ -106,7 +107,7 @@ def answer_question(
         asked_for, at_most = _stands_alone(question, options, run, view, unit)
     except NotFollowed as error:
         return _Outcome(failure=not_followed(error)).record(question, clock, least)
-    unit = asked_unit(asked_for) or unit
+    unit, asked_for = asked_unit(asked_for) or unit, without_asked_unit(asked_for)
     understanding = Understanding(asked_for, view, expect, at_most)
     if (told := _told(understanding, run, view, unit, expect)) is not None:
         return told.record(question, clock, least)
@@ -318,6 +319,7 @@ class _Outcome:
         if confidence is not None and any(part.evidence.source == "vision" for part in verdict.parts):
             confidence = min(confidence, BY_SIGHT_AT_MOST)
         notes = understood.notes if understood is not None else ()
+        answer = in_asked_unit(question, answer) if answer is not None else None
         any_asked = bool(self.attempts) or self.looked != TokenUse()
         if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
