@@ -47,6 +47,9 @@ PARTS: tuple[Part, ...] = (
         ("distance between Dowel pin 1 and Dowel pin 2", {"body-9", "body-10"}),
         ("depth of hole-1+hole-2+hole-4", {"hole-1", "hole-2", "hole-4"}),
         ("How deep is hole 4 in inches?", {"hole-4"}),
+        ("depth of Hole4", {"hole-4"}),
+        ("mass of body 9 in aluminium", {"body-9"}),
+        ("radius of face 50", {"sheet-bend-2"}),
     ],
 )
 def test_parts_are_named_by_what_is_printed_of_them(question: str, ids: set[str]) -> None:
@@ -114,3 +117,9 @@ def test_neighbours_in_a_row_are_no_distance_of_three_parts() -> None:
     readings = reader_of(found, frozenset()).readings
     assert any(isinstance(reading.form, Distance) for reading in readings)
     assert not any(names_all(reading, found.ids) for reading in readings if isinstance(reading.form, Distance))
+
+
+def test_a_name_that_is_passed_over_is_told_as_it_is_printed() -> None:
+    readings = reader_of(address("Which pocket is hole 4 in?", PARTS), frozenset()).readings
+    assert not any(word.startswith("90") for reading in readings for _, word in reading.skipped)
+    assert any(("number", "hole-4") in reading.skipped for reading in readings)

@@ -134,3 +134,9 @@ def test_what_is_pointed_at_goes_before_what_was_asked() -> None:
     asked = ("How deep is hole 4?",)
     text = stands_alone("and its area?", asked, Selection(parts=("hole-1",)), lambda: PARTS, lambda _: ("hole-4",))
     assert text == "and hole-1's area?"
+
+
+def test_the_third_of_nothing_is_refused() -> None:
+    with pytest.raises(NotFollowed, match="'the third one' counts what was answered before, and nothing was"):
+        alone("how deep is the third one?")
+    assert alone("Of the lugs, how deep is the third one?") == "Of the lugs, how deep is the third one?"

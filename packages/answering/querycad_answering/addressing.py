@@ -16,6 +16,7 @@ from typing import TypeVar, cast
 from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
 from querycad_language.describe import plural_of
 from querycad_language.forms import Distance, Every, Form, Get, Reduce, mapped, queries
+from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
 from querycad_language.text import Text
@@ -32,8 +33,14 @@ GROUP = "+"
 """Joins the ids of parts that are asked about together: 'hole-1+hole-2'."""
 _ONE_ID = r"[a-z]+(?:[-_][a-z]+)*-[a-z]?\d+(?:\.\d+)*"
 _ID = re.compile(rf"(?<![\w+-]){_ONE_ID}(?:\+{_ONE_ID})*(?![\w-]|\.\d)", re.IGNORECASE)
+_METALS = {*lexicon().words("material")}
+_MATERIALS = "|".join(
+    map(re.escape, _METALS | {one for one, folded in lexicon().spelling.items() if folded in _METALS})
+)
+_NO_INCH = rf"(?:mm|m|cm|inch|met|milli|sq|cu|the|which|what)\w*|kg|{_MATERIALS}"
+"""What stands behind an 'in' that is no inch."""
 _UNIT = (
-    r"mm|cm|m|in(?! (?:mm|m|cm|inch|met|milli|sq|cu|the|which|what)\w*\b)|inch(?:es)?|ft|feet|deg|degrees?|kg|g|percent"
+    rf"mm|cm|m|in(?! (?:{_NO_INCH})\b)|inch(?:es)?|ft|feet|deg|degrees?|kg|g|percent"
     r"|times|or more|or less"
 )
 _NUMBER = re.compile(rf"(?<![\w.,/+-])#?\d{{1,4}}(?![\w\"”″°×%:+-]|[.,/]\d|\s*(?:{_UNIT})\b|\s?[x×*])", re.IGNORECASE)
@@ -49,6 +56,8 @@ _NO_MARKS = str.maketrans("⟦⟧", "[]")
 """What a question has of them is no mark of ours."""
 _APART = re.compile(r"(⟦\d+⟧) in\b")
 """A name before 'in inches' is no number of inches."""
+_GLUED = re.compile(r"\b([A-Za-z]{3,30})(\d{1,4})\b(?![.,]\d)")
+"""A noun and its number in one: 'Hole4'."""
 _CALLOUT = re.compile(
     r"Ø\d|\d x \d|\d (?:thick|across flats|wide)\b|\b(?:depth|height|pitch|length|[CR])\s?\d", re.IGNORECASE
 )
@@ -83,7 +92,19 @@ class AddressedReader(Reader):
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first; the ids are the model's own."""
         found = Reader.readings.func(self)  # type: ignore[attr-defined]
-        return [replace(one, form=_with_ids(one.form, self._addressed.names)) for one in found]
+        names = self._addressed.names
+        return [replace(one, form=_with_ids(one.form, names), skipped=_skipped(one.skipped, names)) for one in found]
+
+
+def _skipped(words: Sequence[tuple[str, str]], names: Mapping[int, tuple[str, ...]]) -> tuple[tuple[str, str], ...]:
+    """The words that are passed over, with ids for names."""
+    found: list[tuple[str, str]] = []
+    for kind, word in words:
+        ids = names.get(int(word)) if word.isdigit() else None
+        if ids is not None and found and found[-1][0] == "noun":
+            found.pop()  # 'hole 9001'
+        found.append((kind, ids_text(ids)) if ids is not None else (kind, word))
+    return tuple(found)
 
 
 def reader_of(addressed: Addressed, names: frozenset[str]) -> Reader:
@@ -140,13 +161,16 @@ def folded(text: str) -> str:
 
 def may_name_parts(question: str) -> bool:
     """Does the question hold anything that could be an id? Only then are all parts of the model asked for."""
-    return bool(_CALLOUT.search(question) or _ID.search(question) or _NUMBER.search(question))
+    return bool(
+        _CALLOUT.search(question) or _ID.search(question) or _NUMBER.search(question) or _GLUED.search(question)
+    )
 
 
 def address(question: str, parts: Sequence[Part]) -> Addressed:
     """Which parts does the question name by their ids?"""
     finder = _Finder(parts)
-    marked = finder.products(finder.callouts(question.translate(_NO_MARKS)))
+    apart = _GLUED.sub(lambda match: f"{match[1]} {match[2]}" if _noun_name(match[1]) else match[0], question)
+    marked = finder.products(finder.callouts(apart.translate(_NO_MARKS)))
     marked = _ID.sub(finder.full, marked)
     marked = finder.numbered(marked)
     if finder.missing:
@@ -276,10 +300,11 @@ class _Finder:
 
     def _face(self, number: int) -> tuple[str, ...] | None:
         """The surface that is the face with this number of the file: the number that is printed behind 'faces'."""
-        surfaces = [part for part in self._parts.values() if part.kind in SURFACES and part.faces == (number,)]
+        having = (part for part in self._parts.values() if number in part.faces)
+        surfaces = [part for part in having if part.kind in SURFACES or len(part.faces) == 1]
         if not surfaces:
             return None
-        part = surfaces[0]
+        part = min(surfaces, key=lambda one: len(one.faces))  # a cylinder may be two halves
         other = self._by_lower.get(f"face-{number}")
         if other not in (None, part.id):
             self.notes.append(f"face {number} is the face of that number in the file, {part.id}; {other} is another")

@@ -159,7 +159,7 @@ def _stands_alone(
     And how sure an answer can be at most: as sure as it is which parts the questions before were about.
     """
     if not options.context and options.selection is None:
-        return question, 1.0
+        return stands_alone(question, (), None, tuple, lambda _: None), 1.0
     if view.contents is None:
         raise NotFollowed("the parts of the model are not known here, to which the question refers")
     alone = options.model_copy(update={"codegen": Codegen.PARSER, "context": (), "selection": None, "expect": None})

@@ -92,6 +92,8 @@ def stands_alone(
             turn = _plain(earlier)
     selected = _selected(selection, question, parts) if selection is not None else ()
     if turn is None and not selected:
+        if (nth := _NTH.search(question)) and not any(one.query for one in Question(question).mentions):
+            raise NotFollowed(f"'{nth[0]}' counts what was answered before, and nothing was")
         return question
     return _turn(question, turn, selected, before).text
 

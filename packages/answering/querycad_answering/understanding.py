@@ -52,7 +52,7 @@ PASSED_OVER = 0.35
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
-gives the smallest extent of a body for the thickness of its material."""
+lists parts and passes over a word, or gives the smallest extent of a body for the thickness of its material."""
 
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
@@ -200,7 +200,8 @@ class Understanding:
         sure = max(best.confidence, best.share / told) if named and not skipped(best.candidate) else best.confidence
         if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
             sure = min(sure, PASSED_OVER)
-        if "guessed" in best.candidate.features:
+        listed = best.candidate.written.expects is AnswerType.PARTS  # nothing that is fitted on is a list
+        if "guessed" in best.candidate.features or (listed and skipped(best.candidate)):
             sure = min(sure, OTHER_CLASS)
         if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
