@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from querycad_language.forms import Form, Get, Parts, Touching
+from querycad_contracts import Measure
+from querycad_language.forms import Check, Form, Get, Parts, Touching, queries
 from querycad_language.readings import read
 
 
@@ -21,6 +22,8 @@ def first(question: str) -> Form:
         ("What is held by the bolts?", "body", "bolt", True),
         ("What is the spacer in contact with?", "body", "spacer", False),
         ("Which plate rests on the columns?", "plate", "column", False),
+        ("Which pins hold the cover?", "pin", "cover", False),
+        ("What fastens the cover?", "screw", "cover", False),
     ],
 )
 def test_bodies_are_asked_for_by_what_they_touch(question: str, noun: str, other: str, held: bool) -> None:
@@ -57,3 +60,20 @@ def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
 def test_one_that_is_asked_for_may_be_several() -> None:
     form = next(r.form for r in read("Which disc touches the spindle?") if isinstance(r.form, Touching))
     assert form.target.plural
+
+
+def test_what_does_not_touch_is_what_is_left() -> None:
+    asked = (r.form for r in read("Which discs do not touch the spindle?") if isinstance(r.form, Touching))
+    assert [(form.target.noun, form.negated) for form in asked][:1] == [("disc", True)]
+
+
+def test_an_order_may_be_said_behind_the_noun() -> None:
+    form = next(r.form for r in read("What is the third largest disc by volume?") if queries(r.form))
+    (query,) = queries(form)
+    assert [(rank.nth, rank.measure) for rank in query.ranks] == [(3, Measure.VOLUME)]
+
+
+def test_degrees_are_compared_with_an_angle() -> None:
+    form = next(r.form for r in read("Is every bend 90 degrees?") if isinstance(r.form, Check))
+    assert isinstance(form.left, Get)
+    assert form.left.measures == (Measure.ANGLE,)

@@ -82,9 +82,9 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             which = f"which has the {'larger' if relation is Relation.MORE else 'smaller'} {noun}"
             return f"{which}, {_anchor(left.target)} or {_anchor(right.target)}"
         case forms.Exists(target):
-            return f"whether there are {_several(target).removeprefix('the ')}"
+            return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')}"
         case forms.Every(target, among):
-            return f"whether {noun_phrase(target)} {_is(target)} among {_several(among)}"
+            return f"whether {noun_phrase(target)} {_is(target)} among {noun_phrase(among, several=True)}"
         case forms.Uniform(get):
             return f"whether the {describe(get)} is the same for all"
         case forms.Parallel(first, second, square):
@@ -92,17 +92,13 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
         case forms.Parts(target):
             return noun_phrase(target)
-        case forms.Touching(target, other, held):
-            return f"{noun_phrase(target)} {'held' if held else 'touched'} by {noun_phrase(other)}"
+        case forms.Touching(target, other, held, negated):
+            return f"{noun_phrase(target)} {'not ' * negated}{'held' if held else 'touched'} by {noun_phrase(other)}"
         case forms.Within(target, box):
             return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
         case forms.Towards(target, sides, seen):
             either = f"{', '.join(sides[:-1])} or {sides[-1]}" if sides else ""
             return _TOWARDS[seen].format(noun_phrase(target), _is(target), either)
-
-
-def _several(query: PartQuery) -> str:
-    return noun_phrase(query.model_copy(update={"plural": True}))
 
 
 def _is(query: PartQuery) -> str:
@@ -129,7 +125,7 @@ def _anchor(anchor: object) -> str:
             return "the middle of the model"
 
 
-def noun_phrase(query: PartQuery | None) -> str:
+def noun_phrase(query: PartQuery | None, several: bool = False) -> str:
     """The parts that a query asks for, in words."""
     if query is None:
         return "the whole model"
@@ -144,7 +140,7 @@ def noun_phrase(query: PartQuery | None) -> str:
         *query.unknown,
         *(name for name in query.adjectives if name not in query.noun.split()),
         *map(str.upper, query.threads),
-        plural_of(query.noun) if query.plural and query.noun else query.noun or "part",
+        plural_of(query.noun) if (several or query.plural) and query.noun else query.noun or "part",
     ]
     tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]

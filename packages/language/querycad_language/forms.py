@@ -194,11 +194,12 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Touching:
-    """Which bodies of `target` touch one of `other`? `held`: those that fasteners hold, so no fasteners."""
+    """Which bodies of `target` touch one of `other`, or none? `held`: those that fasteners hold, so no fasteners."""
 
     target: PartQuery
     other: PartQuery
     held: bool = False
+    negated: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,12 +71,6 @@ class Text:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
 
-    @cached_property
-    def compares(self) -> bool:
-        """Does a comparative or a number of parts compare two things?"""
-        more = (span.value.degree in ("more", "less") for span in self.all("scale"))
-        return self.has("more", "fewer") or any(more)
-
     @property
     def lengths(self) -> list[int]:
         """Where lengths are stated: '5 mm'."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Place, Rank
+from querycad_contracts import Measure, Place, Rank
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -111,7 +111,8 @@ def _joins(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) ->
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
     text = phrases.text
     comma = text.is_word(at, ",")
-    joined = joined and not (text.is_word(at, "or") and text.compares and not text.has("than"))  # 'more lugs or ribs?'
+    more = any(span.value.degree in ("more", "less") for span in text.all("scale")) or text.has("more", "fewer")
+    joined = joined and not (text.is_word(at, "or") and more and not text.has("than"))  # 'more lugs or ribs?'
     other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
     if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
         return 0
@@ -203,6 +204,10 @@ def _fitted(text: Text, at: int, draft: Draft) -> int:
 
 def _ranked(text: Text, at: int, draft: Draft) -> int:
     """'with the smallest diameter', 'is the largest'."""
+    by = text.find(at + 1, "measure") if text.is_word(at, "by", "in") else None
+    if by is not None and draft.ranks and draft.ranks[-1].measure is Measure.MAGNITUDE:  # 'the third largest by volume'
+        draft.ranks[-1] = draft.ranks[-1].model_copy(update={"measure": by.value})
+        return by.end
     alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
     if alone is not None and not noun_follows(text, alone.end):
         draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))

@@ -166,6 +166,8 @@ def touching(draft: Draft, form: forms.Touching) -> str:
     meets = f"any(all({room} for i in range(3)) and p.distance_to(q) <= 1e-06 for q in taken)"
     new = f"p.id not in [q.id for q in taken] and {meets}"
     draft.lines.append(f"taken = [q for q in {others}]")
+    if form.negated:
+        return f"[p for p in {found} if p.id not in [q.id for q in taken] and not {meets}]"
     if not form.held:
         return f"[p for p in {found} if {new}]"
     fastens = f"any(tag in p.tags for tag in {_FASTENERS})"

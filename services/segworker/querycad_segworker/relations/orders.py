@@ -50,6 +50,9 @@ def measured(part: Part, order: str) -> float:
         "width": part.width or part.diameter,
         "depth": part.depth,
         "height": part.height or part.extents[2],
+        "volume": part.volume,
+        "mass": part.volume,  # bodies have no density of their own
+        "area": part.area,
         "thickness": part.thickness or part.diameter or part.width,
     }.get(order)
     return value if value is not None else max(part.extents)

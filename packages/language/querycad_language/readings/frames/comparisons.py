@@ -15,8 +15,6 @@ from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
 
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
-MATCHED = 2
-"""Kinds of parts that are compared by number."""
 
 
 def comparisons(question: Question) -> Iterator[Draft]:
@@ -139,7 +137,7 @@ def _numbers(question: Question) -> Iterator[Draft]:
             whole = used | set(span.tokens)
             yield Draft(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
         return
-    if len(targets) < MATCHED:
+    if len(targets) < 2:
         return
     yield from _outnumbering(question, *owners)
     joining = range(owners[0].end, owners[1].start)

@@ -35,7 +35,11 @@ def contacts(question: Question) -> Iterator[Draft]:
     verb = next((span for at in range(after, after + 2) if (span := text.find(at, *VERBS))), None)
     if verb is None or (other.start > verb.start and other.start > verb.end + 1):
         return
+    held = verb.category == "fasten" and (helped or other.start < verb.start)  # 'what holds the disc' asks for bolts
     target = asked.part if asked is not None and asked.part.noun != "part" else BODIES
-    used = {asks, *verb.tokens, *other.used, *(asked.used if asked is not None else ())}
+    if verb.category == "fasten" and not held and target is BODIES:
+        target = PartQuery(noun="screw", words=("screw",), plural=True)
+    denied = {at for at in range(begin, verb.start) if text.find(at, "negation")}
+    used = {asks, *verb.tokens, *denied, *other.used, *(asked.used if asked is not None else ())}
     several = replace_fields(target, plural=True)  # 'which disc' may be two
-    yield Draft(Touching(several, other.part, held=verb.category == "fasten"), used=used)
+    yield Draft(Touching(several, other.part, held, bool(denied)), used=used)
