@@ -148,6 +148,7 @@ def test_a_list_is_not_too_short_because_its_items_are_wrong(client: httpx.Clien
     [
         ("POST", f"/v1/models/{MODEL}/questions", {"Content-Type": "text/plain"}, 415),
         ("POST", "/v1/models", {"Content-Type": "application/json"}, 415),
+        ("POST", f"/v1/models/{MODEL}/questions", {"Content-Encoding": "gzip"}, 415),
         ("GET", "/v1/models/not-an-id", {}, 404),
         ("GET", "/v1/jobs/not-an-id", {}, 404),
         ("GET", f"/v1/models/{MODEL}/tables/bananas", {}, 404),

@@ -68,7 +68,7 @@ def test_what_does_not_touch_is_what_is_left() -> None:
 
 
 def test_an_order_may_be_said_behind_the_noun() -> None:
-    form = next(r.form for r in read("What is the third largest disc by volume?") if queries(r.form))
+    form = next(r.form for r in read("What is the third largest disc by volume?") if list(queries(r.form)))
     (query,) = queries(form)
     assert [(rank.nth, rank.measure) for rank in query.ranks] == [(3, Measure.VOLUME)]
 

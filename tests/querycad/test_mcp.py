@@ -203,7 +203,10 @@ def test_what_cannot_be_done_says_what_to_do(transport: Transport, home: Path) -
             assert "it has hole-1..11" in await agent.refused("distance", model=model, a="hole-1", b="hole-12")
             lacking = await agent.refused("measure", model=model, measure="across_flats", parts=["hole-1"])
             assert "hole-1 has radius, diameter" in lacking
-            assert "measure" in await agent.refused("measure", model=model, measure="beauty")
+            wrong = await agent.refused("measure", model=model, measure="beauty")
+            assert wrong.startswith("measure was not called: measure: Input should be ")
+            assert "pydantic" not in wrong
+            assert (await agent.refused("open_model")).startswith("open_model was not called: file: ")
             assert "answer-99" in await agent.refused("look", model=model, answer="answer-99")
             none = await agent.call("find_parts", model=model, description="banana")
             assert (none["count"], "hole" in none["next"]) == (0, True)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from datetime import UTC, datetime
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -210,6 +211,14 @@ def test_a_measure_is_that_of_the_part_and_no_stretch_of_it(either: Model) -> No
         either.measure("depth", "hole-99")
     with pytest.raises(ValueError, match="beauty"):
         either.measure("beauty")
+    assert either.measure("face_count").value == 41
+    assert either.measure("edge_count", "model-1").value == 51
+    assert either.measure("mass", "body-1", density=7850).value == pytest.approx(3.76705, rel=1e-5)
+    assert either.measure("mass", density=7850).value == pytest.approx(3.76705, rel=1e-5)
+    with pytest.raises(NoValue, match="density=7850"):
+        either.measure("mass")
+    with pytest.raises(NoValue, match="counted of the whole model"):
+        either.measure("face_count", "hole-4")
 
 
 def test_every_measure_has_a_value_or_a_reason(model: Model) -> None:
@@ -295,8 +304,26 @@ def test_the_asynchronous_model_says_the_same(model: Model, flange: Path) -> Non
     asyncio.run(talk())
 
 
+def test_an_answer_is_drawn_on_the_event_loop_too(model: Model, flange: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    service = Service(model, flange)
+
+    async def talk() -> None:
+        async with AsyncClient("http://service", transport=httpx.MockTransport(service.answer)) as client:
+            reply = await (await client.open(flange)).ask("How many holes are there?")
+            with pytest.raises(RuntimeError, match=r"asyncio\.to_thread"):  # waits for itself, never
+                reply.picture()
+            client._blocking = ("http://service", None)  # as without a transport of the caller's
+            waits = partial(Client, transport=httpx.MockTransport(service.answer))
+            monkeypatch.setattr("querycad.client.Client", waits)
+            assert reply.picture().startswith(PNG)
+            assert "data:image/png" in reply._repr_html_()
+
+    asyncio.run(asyncio.wait_for(talk(), 60))
+
+
 def test_the_asynchronous_model_has_all_methods() -> None:
     def public(kind: type) -> set[str]:
         return {name for name, value in vars(kind).items() if callable(value) and not name.startswith("_")}
 
     assert public(AsyncModel) - {"parts"} == public(Model)
+    assert {"warnings", "summary", "shape", "parts"} <= set(vars(AsyncModel))

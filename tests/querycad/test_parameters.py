@@ -54,6 +54,15 @@ def test_several_values_are_no_one_value(runtime: EmbeddedRuntime) -> None:
     assert "there are several: 9 mm (each of 4)" in found.reason
 
 
+@pytest.mark.parametrize("kind", ["approach", "insertion", "pose"])
+def test_two_ends_that_are_as_likely_are_no_answer_however_low_the_bar(runtime: EmbeddedRuntime, kind: str) -> None:
+    wanted = {"type": kind, "question": "hole 4"}
+    found = fill(runtime, EXAMPLES / "flange.step", wanted, least_confidence=0.3)
+    assert found.status == "unsure"
+    assert "2 ends that are alike" in found.reason
+    assert fill(runtime, EXAMPLES / "flange.step", {**wanted, "side": "top"}, least_confidence=0.3).status == "answered"
+
+
 def test_what_is_not_there_has_a_reason(runtime: EmbeddedRuntime) -> None:
     found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the gear?"})
     assert found.status == "unanswered"

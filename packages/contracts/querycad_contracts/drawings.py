@@ -133,4 +133,5 @@ class Comparison(Frozen):
     size_after: Vector
     volume_before: float = Field(description="Cubic metres.")
     volume_after: float
+    warnings: tuple[str, ...] = Field((), description="What is odd about the files: a mesh is approximate.")
     text: str = Field(description="All of it for a person.")

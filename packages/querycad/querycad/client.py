@@ -259,6 +259,8 @@ class AsyncClient:
             transport=transport or httpx.AsyncHTTPTransport(verify=_tls()),
         )
         self._met = False
+        self._blocking = None if transport is not None else (url, key)
+        """Where a client that waits finds the service."""
 
     async def __aenter__(self) -> Self:
         return self
@@ -303,8 +305,13 @@ class AsyncClient:
         found, loop = await self._run(flows.opened(str(file), timeout_s)), asyncio.get_running_loop()
 
         def do(flow: Flow[T]) -> T:
-            """From another thread."""
-            return asyncio.run_coroutine_threadsafe(self._run(flow), loop).result()
+            """From another thread; on the loop's own, as a notebook draws an answer, by a client that waits."""
+            if asyncio._get_running_loop() is not loop:
+                return asyncio.run_coroutine_threadsafe(self._run(flow), loop).result()
+            if self._blocking is None:
+                raise RuntimeError("this waits for the service: call it in a thread, by asyncio.to_thread")
+            with Client(*self._blocking) as client:
+                return client._run(flow)
 
         return AsyncModel(Model(Served(found, do), unit))
 

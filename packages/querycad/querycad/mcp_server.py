@@ -28,7 +28,7 @@ from mcp_types import (
     RequestId,
     ToolAnnotations,
 )
-from pydantic import Field
+from pydantic import Field, ValidationError
 
 from querycad_answering.drawing.callouts import callouts, ids_text
 from querycad_answering.drawing.writing import written
@@ -156,10 +156,24 @@ class Session:
         return dict(self._models)
 
 
+class _Server(MCPServer):
+    """Says of arguments that are none which they are, what is allowed, and what to do."""
+
+    async def call_tool(self, name: str, arguments: dict[str, Any], context: Any = None) -> Any:
+        """What the tool gives. Raises ToolError."""
+        try:
+            return await super().call_tool(name, arguments, context)
+        except ToolError as error:
+            if not isinstance(error.__cause__, ValidationError):
+                raise
+            wrong = [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.__cause__.errors()]
+            raise ToolError(f"{name} was not called: {'; '.join(wrong)}. Call it again with these put right") from None
+
+
 def server(runtime: EmbeddedRuntime, folder: Path | None = None) -> MCPServer:
     """The server. `folder`: only files below it are opened; None: all that this process may read."""
     session = Session(runtime, folder.resolve() if folder is not None else None)
-    made = MCPServer(
+    made = _Server(
         "querycad", title="QueryCAD", version=version("querycad"), instructions=INSTRUCTIONS, log_level="WARNING"
     )
 
@@ -306,12 +320,14 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
         measure: Annotated[Measure, Field(description="What to measure; 'size' is along x, y, z.")],
         parts: Annotated[list[str], Field(description="Ids of parts; none: the whole model.")] = [],  # noqa: B006
         unit: UnitArg = LengthUnit.MM,
+        density: Annotated[float | None, Field(gt=0, description="kg/m3, of a mass or moments of inertia.")] = None,
     ) -> Measured:
         """Measure the whole model, one part, or each of several."""
         asked = session.model(model)
         chosen = [session.part(asked, each) for each in parts]
+        of = None if not chosen else chosen[0] if len(chosen) == 1 else chosen
         try:
-            found = asked.measure(measure, None if not chosen else chosen[0] if len(chosen) == 1 else chosen, unit=unit)
+            found = asked.measure(measure, of, unit=unit, density=density)
         except NoValue as problem:
             lacking = chosen[0] if chosen else None
             has = f"; {lacking.id} has {', '.join(_measures(lacking))}" if lacking is not None else ""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Literal, Protocol, Self, TypeAlias
@@ -318,18 +319,23 @@ class Model:
         return Parts.of(self._source.find_parts(description, seen_from, GroundedBy(grounding)))
 
     def measure(
-        self, measure: Measure | str, of: OnePart | Sequence[OnePart] | None = None, *, unit: UnitName | None = None
+        self,
+        measure: Measure | str,
+        of: OnePart | Sequence[OnePart] | None = None,
+        *,
+        unit: UnitName | None = None,
+        density: float | None = None,
     ) -> Answer:
         """What is a measure, such as 'diameter', of a part, of each of several, or of the whole model (None)?
 
         The measures are those of docs/measures.md: what is meant of a part of that kind is said there. The value is SI,
-        in a list where several parts are given. Raises NoValue where a part has no such measure, KeyError and
-        ValueError for an id or a measure that does not exist.
+        in a list where several parts are given. Masses and moments of inertia take a `density`, kg/m3. Raises NoValue
+        where a part has no such measure, KeyError and ValueError for an id or a measure that does not exist.
         """
         wanted = Measure(measure)
         one = of is None or isinstance(of, Part | str)
         parts = () if of is None else (self.part(of),) if isinstance(of, Part | str) else tuple(map(self.part, of))
-        code, kind = _measuring(wanted, parts, self._whole, several=not one)
+        code, kind = _measuring(Get((wanted,), None, density=density), parts, self._whole, several=not one)
         value = _value(self.run(code), self.name)
         if value in ([], None) or (isinstance(value, list) and all(each is None for each in value)):
             raise NoValue(f"the file gives no {wanted.value.replace('_', ' ')} of it")
@@ -408,16 +414,23 @@ class Model:
         return f"{_image(self.picture())}<pre>{html.escape(self.describe().text)}</pre>"
 
 
-def _measuring(measure: Measure, parts: Sequence[Part], whole: Part, *, several: bool) -> tuple[str, AnswerType]:
+def _measuring(get: Get, parts: Sequence[Part], whole: Part, *, several: bool) -> tuple[str, AnswerType]:
     """The program that measures, and the type of its value. Raises NoValue where it makes no sense of these parts."""
+    (measure,) = get.measures
+    if measure in (Measure.FACE_COUNT, Measure.EDGE_COUNT):
+        if parts and (several or parts[0].kind is not PartKind.MODEL):
+            raise NoValue("faces and edges are counted of the whole model; a part's `faces` are listed")
+        return f"solution = shape.{measure.value}", AnswerType.COUNT
+    if measure in (Measure.MASS, Measure.INERTIA) and get.density is None:
+        raise NoValue(f"a file holds no density: give one in kg/m3 for the {measure.value}, such as density=7850")
     scalar = answer_type(measure)
     queries = [PartQuery(ids=(part.id,)) for part in parts]
     programs = [
-        _written(Get((measure,), query), {query: ((part,), 0)}, whole)
+        _written(replace(get, target=query), {query: ((part,), 0)}, whole)
         for query, part in zip(queries, parts, strict=True)
     ]
     if not several:
-        (written,) = programs or [_written(Get((measure,), None), {}, whole)]
+        (written,) = programs or [_written(get, {}, whole)]
         return written.code, scalar if written.expects is of_several(written.expects) else written.expects
     lines = ["of_each = []"]
     for written in programs:

@@ -31,7 +31,7 @@ from querycad_contracts import (
 
 from . import flows
 from .flows import Flow
-from .model import Model
+from .model import Model, Parts
 
 T = TypeVar("T")
 P = ParamSpec("P")
@@ -134,7 +134,15 @@ class AsyncModel:
         """The whole: centre (m), extents (m), volume (m3), area (m2), bodies."""
         return self._model.shape
 
-    parts = _awaited(lambda model: model.parts)
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is odd about the file, such as repaired faces."""
+        return self._model.warnings
+
+    async def parts(self) -> Parts:
+        """All parts that were recognised, sorted by id."""
+        return await asyncio.to_thread(lambda: self._model.parts)
+
     part = _awaited(Model.part)
     ask = _awaited(Model.ask)
     find_parts = _awaited(Model.find_parts)

@@ -12,6 +12,7 @@ from tests.segworker.shapes import box, cut, cylinder, fuse, plate, shifted, wri
 
 from querycad import EmbeddedRuntime
 from querycad.cli import main
+from querycad_answering.drawing.comparing import compare
 from querycad_contracts import ChangeKind, Comparison
 
 BORE = cylinder(5, 30, (0, 0, -25))
@@ -25,6 +26,8 @@ SHAPES = {
     "before": cut(plate(), BORE, pin(20, 10), pin(-20, 10), pin(-20, -10, 3)),
     "after": cut(plate(), cylinder(6, 30, (0, 0, -25)), pin(20, 12), pin(-20, 10), box((8, 6, 5), (10, -14, -5))),
     "shifted": shifted(cut(plate(), BORE, pin(20, 10), pin(-20, 10), pin(-20, -10, 3)), (100, 0, 7)),
+    "slotted": cut(plate(), box((12, 5, 30), (-6, -15, -25))),
+    "slotted and bored": cut(plate(), BORE, box((12, 5, 30), (-6, -15, -25))),
     "higher": fuse(cut(plate(), BORE, pin(20, 10), pin(-20, 10), pin(-20, -10, 3)), box((5, 5, 5), (20, -15, 0))),
 }
 
@@ -80,6 +83,28 @@ def test_a_model_is_the_same_as_itself_and_as_itself_elsewhere(
     moved = compared(runtime, files, "before", "shifted")
     assert (moved.changes, moved.same) == ((), 4)
     assert moved.shift == pytest.approx((0.1, 0, 0.007))
+
+
+def test_what_goes_through_does_not_move_as_its_way_in_is_told_from_the_other_side(
+    runtime: EmbeddedRuntime, files: dict[str, Path]
+) -> None:
+    before, after = (runtime.open(files[name]) for name in ("slotted", "slotted and bored"))
+    turned = [
+        part.model_copy(update={"opening": (*part.center[:2], -0.02), "normal": (0.0, 0.0, -1.0)})
+        if part.bottom == "through" and part.opening is not None
+        else part
+        for part in after.parts
+    ]
+    found = compare((before.summary, before.parts), (after.summary, turned))
+    assert [each.kind for each in found.changes] == [ChangeKind.ADDED]
+
+
+def test_a_mesh_is_said_to_be_approximate(runtime: EmbeddedRuntime, files: dict[str, Path]) -> None:
+    model = runtime.open(files["before"])
+    mesh = model.summary.model_copy(update={"warnings": ("read from a mesh: approximate",)})
+    found = compare((model.summary, model.parts), (mesh, model.parts))
+    assert found.warnings == ("after: read from a mesh: approximate",)
+    assert found.text.endswith("note: after: read from a mesh: approximate")
 
 
 def test_a_size_that_differs_is_told(runtime: EmbeddedRuntime, files: dict[str, Path]) -> None:

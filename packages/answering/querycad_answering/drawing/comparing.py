@@ -55,6 +55,11 @@ def compare(before: Side, after: Side, unit: LengthUnit = LengthUnit.MM) -> Comp
         size_after=summary_b.shape.extents,
         volume_before=summary_a.shape.volume,
         volume_after=summary_b.shape.volume,
+        warnings=tuple(
+            f"{which}: {warning}"
+            for which, summary in (("before", summary_a), ("after", summary_b))
+            for warning in summary.warnings
+        ),
         text="",
     )
     return found.model_copy(update={"text": "\n".join(_lines(found))})
@@ -66,7 +71,7 @@ class _Told:
     def __init__(self, part: Part, parts: Sequence[Part], unit: LengthUnit, shift: Vector) -> None:
         self.part = part
         self.text = callout(part, unit, {each.id: each for each in parts})
-        x, y, z = part.opening or part.tip or part.center
+        x, y, z = part.center if part.bottom == "through" else part.opening or part.tip or part.center
         self.place: Vector = (x - shift[0], y - shift[1], z - shift[2])
 
     def is_at(self, other: _Told) -> float:
@@ -169,7 +174,8 @@ def _lines(found: Comparison) -> list[str]:
         lines.append(f"{kind}, in {unit_name(unit)}")
         lines += [f"  {_line(change, unit)}" for change in changes]
     same = "1 part is the same" if found.same == 1 else f"{found.same} parts are the same"
-    return [*lines, same] if lines else [f"no difference: {same}"]
+    notes = [f"note: {warning}" for warning in found.warnings]
+    return [*lines, same, *notes] if lines else [f"no difference: {same}", *notes]
 
 
 def _line(change: Change, unit: LengthUnit) -> str:

@@ -41,6 +41,8 @@ from .wording import question_of
 SHOWN = 5
 """Alternatives that are told."""
 FACES = 1000
+TIED = 0.01
+"""Two values whose confidence differs by less are as likely: neither is known, however low the bar is set."""
 MOST_SURE = 0.99
 """Probabilities of several readings are rounded, and calibrated one by one: their sum proves nothing."""
 
@@ -159,7 +161,8 @@ class _Filling:
         if best is None:
             reason = candidates.reason or "nothing in the model answers this"
             return ParameterValue(**fields, status=ParameterStatus.UNANSWERED, reason=reason)
-        sure = self._is_sure(best.confidence) and not candidates.doubts
+        tied = len(ranked) > 1 and ranked[1].confidence > best.confidence - TIED
+        sure = self._is_sure(best.confidence) and not candidates.doubts and not tied
         shown = ranked[1:] if sure else ranked
         alternatives = tuple(each.alternative() for each in shown[:SHOWN])
         fields |= {

@@ -8,7 +8,7 @@ import time
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from querycad_api.problems import ApiProblem, FileTooLarge, TooLarge, TooSlow, problem_response
+from querycad_api.problems import ApiProblem, FileTooLarge, TooLarge, TooSlow, WrongMediaType, problem_response
 
 FORM_BYTES = 64 * 1024
 """What a multipart form adds to its file, generously."""
@@ -37,15 +37,20 @@ class BodyLimit:
             await self._app(scope, receive, send)
             return
         headers = dict(scope["headers"])
+        coded = headers.get(b"content-encoding", b"identity").decode("latin-1").strip().lower()
+        if coded != "identity":  # it would be read as if it were none
+            problem = WrongMediaType("a body must not be compressed").problem()
+            await problem_response(problem, {"Accept-Encoding": "identity"})(scope, receive, send)
+            return
         form = headers.get(b"content-type", b"").lstrip().lower().startswith(b"multipart/form-data")
         is_upload = scope["path"] == self._upload_path and form
         accepted = self._upload_bytes if is_upload else OTHER_BYTES
         max_bytes = accepted + FORM_BYTES
         kind: type[ApiProblem] = FileTooLarge if is_upload else TooLarge
-        problem = kind(f"at most {accepted // 2**20} MiB are accepted")
+        refused = kind(f"at most {accepted // 2**20} MiB are accepted")
         declared = headers.get(b"content-length", b"0")
         if declared.isdigit() and int(declared) > max_bytes:
-            await problem_response(problem.problem())(scope, receive, send)
+            await problem_response(refused.problem())(scope, receive, send)
             return
         arrived, complete, start = 0, False, 0.0
 
@@ -63,7 +68,7 @@ class BodyLimit:
             arrived += len(message.get("body", b""))
             complete = not message.get("more_body", False)
             if arrived > max_bytes:
-                raise HTTPException(413, str(problem)) from problem  # no other kind gets out of FastAPI's reading
+                raise HTTPException(413, str(refused)) from refused  # no other kind gets out of FastAPI's reading
             return message
 
         await self._app(scope, counted, send)
