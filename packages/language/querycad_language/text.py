@@ -10,10 +10,9 @@ from .tokens import Kind, Token, tokenize
 
 CLOSED = frozenset([
     "function", "chatter", "courtesy", "be", "do", "modal", "have", "ask", "imperative", "count", "exists", "place",
-    "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap",
-    "between", "outside_to_outside", "same", "article", "each", "quantifier", "seeing", "center_to_center",
-    "surface_to_surface", "minus",
-    "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
+    "side_preposition", "relation", "behind", "except", "negation", "pronoun", "where", "distance", "gap", "between",
+    "outside_to_outside", "same", "article", "each", "quantifier", "seeing", "center_to_center", "surface_to_surface",
+    "minus", "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
     "remaining", "axis", "stuff", "operation", "left_out", "leaving", "overview", "overlap", "contact", "carry",
     "fasten", "comparing",

@@ -16,8 +16,8 @@ from .threads import suits, thread_name
 FASTENER_TAGS = ("screw", "nut", "washer")
 _INSTANCE = re.compile(r"[\s_:.#-]{0,8}\d{1,9}$")
 """What counts the instances of one product in their names: 'Dowel pin 2', 'screw_3'."""
-_SIZE_DIGITS, _VOLUME_DIGITS = 6, 4
-"""Bodies are instances of one where their sizes are the same to a micrometre and their volumes to four digits."""
+_VOLUME_DIGITS = 4
+"""Bodies are instances of one where their volumes and their surfaces are the same to four digits."""
 
 _KINDS: dict[TableKind, tuple[PartKind, ...]] = {
     TableKind.HOLES: (PartKind.HOLE, PartKind.DIMPLE),
@@ -144,8 +144,9 @@ def _alike(kind: TableKind, parts: Sequence[Part], known: Known) -> Iterable[tup
 
 
 def _product(part: Part) -> tuple[object, ...]:
-    size = tuple(sorted(round(extent, _SIZE_DIGITS) for extent in part.extents))
-    return _INSTANCE.sub("", part.name or ""), part.color, size, f"{part.volume or 0.0:.{_VOLUME_DIGITS}g}"
+    """What makes two bodies one product: name, colour, volume and surface, whichever way each is turned."""
+    amounts = (f"{amount or 0.0:.{_VOLUME_DIGITS}g}" for amount in (part.volume, part.area))
+    return _INSTANCE.sub("", part.name or ""), part.color, *amounts
 
 
 def _letters(index: int) -> str:

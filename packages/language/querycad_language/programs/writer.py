@@ -24,6 +24,8 @@ _SIZES = ({Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT}, {Measure.WIDTH, Measu
 """Three measures of the whole that are its extents."""
 _DENSE = {Measure.MASS: "{0}.volume", Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]"}
 """Measures that take a density, and what it is multiplied with of the whole."""
+_SURFACES = {"cylindrical face": "cylinder", "conical face": "cone", "spherical face": "sphere"}
+"""Faces that are counted as a viewer does, parts of features or not."""
 _STEPPED = (Measure.RADIUS, Measure.DIAMETER)
 _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
@@ -112,6 +114,10 @@ def _decided(draft: Draft, form: Form) -> str:
 def _count(draft: Draft, target: PartQuery, measure: Measure | None) -> str:
     if measure in (Measure.FACE_COUNT, Measure.EDGE_COUNT):
         return f"shape.{measure}"
+    plain = PartQuery(noun=target.noun, words=target.words, plural=target.plural, definite=target.definite)
+    if (kind := _SURFACES.get(target.noun.replace("surface", "face"))) and measure is None and target == plain:
+        draft.parts(target)
+        return f"len(faces(kind={kind!r}))"
     if measure is None:
         return f"len({draft.parts(target)})"
     if measure is Measure.MIRROR_PLANES:
@@ -265,10 +271,9 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
 
 def _which(draft: Draft, form: forms.Which) -> tuple[str, AnswerType]:
     """The parts with more, or less; both where they are alike."""
-    pair = (form.left, form.right)
     if isinstance(form.left, Get) and not all(map(draft.of, forms.queries(form))):
         raise Unwritable
-    for name, get in zip("ab", pair, strict=True):
+    for name, get in zip("ab", (form.left, form.right), strict=True):
         draft.lines.append(f"{name} = {_scalar(draft, get)}")
         draft.compared.append(Compared(get, name, _kind(get)))
     first, second = (draft.parts(query) for query in forms.queries(form))

@@ -76,8 +76,7 @@ def _which(question: Question) -> Iterator[Draft]:
     if left is None or right is None or scale is None or text.has("than"):
         return
     relation = Relation.MORE if scale.value.degree in ("more", "most") else Relation.LESS
-    asking = text.at_words("which", "what") or {question.asking[0]}
-    used = {*asking, *either, *scale.tokens, *left.used, *right.used}
+    used = {*(text.at_words("which", "what") or {question.asking[0]}), *either, *scale.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, scale.value.measure, used)
     form = Which(Get((measure,), left.part), relation, Get((measure,), right.part))
     yield Draft(form, {"combined": 1.0}, used)

@@ -21,8 +21,7 @@ def contacts(question: Question) -> Iterator[Draft]:
     """
     text = question.text
     asks = next((i for i in range(*question.asking) if text.is_word(i, "which", "what")), None)
-    before = range(question.asking[0], asks or 0)
-    if asks is None or any(text.find(i, "noun", "measure", "count") for i in before):
+    if asks is None or any(text.find(i, "noun", "measure", "count") for i in range(question.asking[0], asks)):
         return  # 'the number of nuts which hold the wheel'
     named = [mention for mention in question.parts if mention.start > asks][:2]
     asked = named[0] if len(named) > 1 and named[0].start == asks + 1 else None

@@ -172,6 +172,10 @@ def _boss(
         near = 3 * tolerances.length
         if abs(a - high) <= near or abs(b - low) <= near:
             at_high = abs(a - high) <= near
+            own_end = radius_at(axis, step[-1] if at_high else step[0], at_high)
+            begins = radius_at(axis, other, not at_high)
+            if other.kind is SurfaceKind.CONE and not begins / WIDER <= own_end <= begins * WIDER:
+                continue  # it breaks the edge of the wider step that this one stands on
             low, high = (low, b) if at_high else (a, high)
             faces.update(other.faces)
             if other.kind is SurfaceKind.CONE:
