@@ -120,6 +120,9 @@ def test_words_that_carry_meaning_are_never_skipped_without_a_word() -> None:
         ("How heavy is it?", "density"),
         ("What does the plate weigh?", "density"),
         ("Which tolerance has the hole?", "tolerance"),
+        ("What coating does it have?", "surface finish"),
+        ("Can it be injection moulded?", "how the part is to be made"),
+        ("Which CAD system was used?", "with what"),
         ("Who designed this part?", "designed"),
     ],
 )

@@ -189,3 +189,8 @@ def test_what_compares_numbers_is_not_passed_over() -> None:
         reading.skipped for reading in read("Are there more lugs than ribs?") if isinstance(reading.form, Exists)
     ]
     assert all(("comparison", "more") in words and ("comparison", "than") in words for words in skipped)
+
+
+def test_what_is_heavier_is_told_by_volume_as_a_file_holds_no_density() -> None:
+    asked = [form.left for form in forms("Which is heavier, the spindle or the lever?") if isinstance(form, Which)]
+    assert [left.measures for left in asked if isinstance(left, Get)] == [(Measure.VOLUME,)]

@@ -12,12 +12,14 @@ from querycad_contracts import (
     Grounding,
     LengthUnit,
     Part,
+    PartKind,
     Program,
     RunOutcome,
     RunStatus,
     Status,
 )
 
+from .drawing.callouts import ids_text
 from .quantities import measures
 from .typed import Unexpected, WrongAnswerType, as_expected, is_like, typed_answer
 
@@ -71,7 +73,22 @@ def judge(
         return Verdict(failure=failure, warnings=warnings)
     except Unexpected as error:
         return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
-    return Verdict(answer=answer, parts=_parts(outcome), warnings=warnings)
+    return Verdict(answer=_named(answer, outcome), parts=_parts(outcome), warnings=warnings)
+
+
+def _named(answer: Answer, outcome: RunOutcome) -> Answer:
+    """Bodies by their names, with ids: 'Base plate (body-1), Screw (body-5..8)'."""
+    if answer.type is not AnswerType.PARTS:
+        return answer
+    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    told = [known.get(each.get("part")) for each in answer.value]
+    ids: dict[str, list[str]] = {}
+    for part in told:
+        if part is None or part.kind is not PartKind.BODY or not part.name:
+            return answer
+        ids.setdefault(part.name, []).append(part.id)
+    text = ", ".join(f"{name} ({ids_text(own)})" for name, own in ids.items())
+    return answer.model_copy(update={"text": text or answer.text})
 
 
 def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:

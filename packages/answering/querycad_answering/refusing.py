@@ -42,7 +42,7 @@ _CANNOT_KNOW = {
     "density": "a STEP file holds no density: state one, such as 7850 kg/m3, or ask for the volume",
     "material": "a STEP file does not say which material the part is made of",
     "strength": "a STEP file holds no load and no strength",
-    "author": "who designed the part is not read from the file",
+    "author": "who designed the part, and with what, is not read from the file",
     "process": "a STEP file does not say how the part is to be made",
 }
 

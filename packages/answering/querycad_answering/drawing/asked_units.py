@@ -15,7 +15,7 @@ _SI: dict[str, tuple[str, int, float]] = {
     "(?:metric )?tons?|tonnes?": ("t", 0, 1e3),
     "feet|foot|ft": ("ft", 1, 0.3048),
     "microns?|micromet(?:er|re)s?|µm|um": ("µm", 1, 1e-6),
-    "thous?|mils?": ("thou", 1, 2.54e-5),
+    "thous?": ("thou", 1, 2.54e-5),
     "lit(?:er|re)s?": ("l", 3, 1e-3),
     "millilit(?:er|re)s?|ml": ("ml", 3, 1e-6),
     "cc|ccm": ("cm³", 3, 1e-6),

@@ -59,6 +59,8 @@ def _compared(question: Question) -> Iterator[Draft]:
 
 def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Measure, set[int]]:
     """'larger in diameter': what is compared, and the words for it."""
+    if measure is Measure.MASS:
+        return Measure.VOLUME, used  # of one material: a file holds no density
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is not Measure.MAGNITUDE or named is None:
         return measure, used
