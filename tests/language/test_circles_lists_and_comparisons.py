@@ -194,3 +194,9 @@ def test_what_compares_numbers_is_not_passed_over() -> None:
 def test_what_is_heavier_is_told_by_volume_as_a_file_holds_no_density() -> None:
     asked = [form.left for form in forms("Which is heavier, the spindle or the lever?") if isinstance(form, Which)]
     assert [left.measures for left in asked if isinstance(left, Get)] == [(Measure.VOLUME,)]
+
+
+@pytest.mark.parametrize("operation", ["ratio of the outer diameter to", "difference between the outer diameter and"])
+def test_a_measure_of_the_whole_is_set_beside_a_part(operation: str) -> None:
+    asked = [form for form in forms(f"What is the {operation} the bore?") if isinstance(form, Combine)]
+    assert any(isinstance(one.left, Get) and one.left.target is None and one.right.target for one in asked)

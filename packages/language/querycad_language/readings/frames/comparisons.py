@@ -14,6 +14,7 @@ from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
 
+_PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 
 
@@ -64,9 +65,8 @@ def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Meas
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is not Measure.MAGNITUDE or named is None:
         return measure, used
-    said = named.measures[0]  # 'the larger diameter' is an outer one where nothing is compared
-    round_one = said in (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER) and not used.isdisjoint(named.used)
-    return Measure.DIAMETER if round_one else said, used | named.used
+    said = _PLAIN.get(named.measures[0], named.measures[0])  # 'the larger diameter' is no outer one here
+    return said, used | named.used
 
 
 def _which(question: Question) -> Iterator[Draft]:
@@ -104,6 +104,9 @@ def _combined(question: Question) -> Iterator[Draft]:
         left = Get((measures[0],), targets[0])
         right = Get((measures[1] if len(measures) > 1 else measures[0],), targets[-1])
         yield Draft(Combine(span.value, left, right), {"combined": 1.0}, used)
+    elif owners and owners[0].start > asked[0].end:  # 'the ratio of the outer diameter to the bore'
+        right = Get((Measure.MAGNITUDE,), owners[0].query)
+        yield Draft(Combine(span.value, Get((measures[0],), None), right), {"combined": 1.0}, used)
 
 
 def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Draft]:
