@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from querycad_contracts import Measure, Relation
+from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language.describe import describe, plural_of
-from querycad_language.forms import Check, Combine, Count, Exists, Form, Get, Reduce, Which, queries
+from querycad_language.forms import Check, Combine, Count, Distance, Exists, Form, Get, Reduce, Which, queries
 from querycad_language.readings.reader import read
 from querycad_language.tokens import tokenize
 
@@ -200,3 +200,10 @@ def test_what_is_heavier_is_told_by_volume_as_a_file_holds_no_density() -> None:
 def test_a_measure_of_the_whole_is_set_beside_a_part(operation: str) -> None:
     asked = [form for form in forms(f"What is the {operation} the bore?") if isinstance(form, Combine)]
     assert any(isinstance(one.left, Get) and one.left.target is None and one.right.target for one in asked)
+
+
+def test_the_least_distance_of_a_part_is_that_of_all_such_parts() -> None:
+    asked = [form for form in forms("smallest distance from a lug to the edge") if isinstance(form, Distance)]
+    assert any(isinstance(one.first, PartQuery) and one.first.plural for one in asked)
+    one_lug = [form for form in forms("distance from the lug to the edge") if isinstance(form, Distance)]
+    assert not any(isinstance(one.first, PartQuery) and one.first.plural for one in one_lug)

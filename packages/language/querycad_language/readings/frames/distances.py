@@ -53,8 +53,9 @@ def distances(question: Question) -> Iterator[Draft]:
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
         for first, second, more, features in _pairs(question, start):
-            if second == "each other" and reduce in EXTREMES.values() and isinstance(first, PartQuery):
-                first = replace_fields(first, count=None, ranks=(), plural=True)  # 'the two holes furthest apart'
+            if reduce in EXTREMES.values() and isinstance(first, PartQuery):
+                if second == "each other" or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
+                    first = replace_fields(first, count=None, ranks=(), plural=True)
             form = Distance(first, second, mode, axis, reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Draft(form, features, used | more | along | extreme | centred)
