@@ -198,6 +198,9 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
             after += 1
         after = text.skip(after, "article")
         more = text.find(after, "measure")
+        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
+            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
+            continue
         if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):

@@ -8,6 +8,7 @@ from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.readings.question import Question
 
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
+_MEASURES = {"width": 0, "depth": 1, "height": 2}
 
 
 def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
@@ -18,6 +19,8 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
             word = text.words[side.start]
             if word in _SIDES:
                 return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
+            if word in _MEASURES and text.is_word(at, "along"):
+                return _MEASURES[word], set(range(at, side.end))
     for span in text.all("axis"):
         if span.start in taken:
             continue
