@@ -207,3 +207,9 @@ def test_the_least_distance_of_a_part_is_that_of_all_such_parts() -> None:
     assert any(isinstance(one.first, PartQuery) and one.first.plural for one in asked)
     one_lug = [form for form in forms("distance from the lug to the edge") if isinstance(form, Distance)]
     assert not any(isinstance(one.first, PartQuery) and one.first.plural for one in one_lug)
+
+
+def test_where_asks_for_the_place_that_is_named() -> None:
+    asked = [form.measures for form in forms("Where is the tip of the spindle?") if isinstance(form, Get)]
+    assert asked[0] == (Measure.TIP,)
+    assert (Measure.POSITION,) not in asked

@@ -142,7 +142,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.Z: "center[2]",
     Measure.POSITION: "center",
     Measure.OPENING: "opening; ~center",
-    Measure.TIP: "tip; ?center",
+    Measure.TIP: "tip",
     Measure.DIRECTION: {"CUT": "normal; axis", "": "axis; normal"},
     Measure.APPROACH: "approach[0]",
     Measure.EDGE_DISTANCE: "edge_distance()",

@@ -77,7 +77,7 @@ def test_instances_of_one_product_are_one_row_of_the_bill_of_material() -> None:
 
 def test_turned_instances_are_alike_and_other_sizes_are_not() -> None:
     turned = screw(2, "Screw M5 2", extents=(0.021, 0.01, 0.01))
-    longer = screw(3, "Screw M5 3", extents=(0.01, 0.01, 0.026))
+    longer = screw(3, "Screw M5 3", extents=(0.01, 0.01, 0.026), volume=1.2e-6)
     assert [row[0] for row in table(TableKind.BODIES, [screw(1, "Screw M5 1"), turned, longer]).rows] == ["A", "B"]
     assert product_name([screw(1, "Screw 1")]) == "Screw 1", "alone it keeps its name"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from querycad_contracts import Measure
+from querycad_contracts import AnswerType, Measure
 from querycad_language.forms import Reduce
 from querycad_language.lexicon import Span
 from querycad_language.measures import answer_type
@@ -122,6 +122,9 @@ def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
+        span = text.find(text.skip(where.end, "be", "article"), "measure")
+        if span and span.start not in taken and answer_type(span.value) is AnswerType.POINT:  # 'where is the tip of …'
+            return Asked(at, span.end, (span.value,), "where", used=frozenset((*where.tokens, *span.tokens)))
         return Asked(at, where.end, (Measure.POSITION,), "where", used=frozenset(where.tokens))
     return None
 
