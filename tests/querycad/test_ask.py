@@ -169,7 +169,13 @@ def test_what_is_counted_is_not_the_whole_unless_that_is_called_so(capsys: pytes
     assert run(capsys, FLANGE, "How many parts are there?")[1].startswith("1\n")
 
 
-@pytest.mark.parametrize("question", ["Which is larger, hole 4 or hole 11?", "hole 1 hole 2 hole 3 depth width"])
+def test_of_two_that_are_named_the_larger_is_told_with_both_sizes(capsys: pytest.CaptureFixture[str]) -> None:
+    record = json.loads(run(capsys, FLANGE, "Which is larger, hole 4 or hole 11?", "--json")[1])
+    assert (record["status"], record["answer"]["text"]) == ("answered", "hole-11")
+    assert [note.rpartition(": ")[2] for note in record["warnings"]] == ["8.5 mm", "54 mm"]
+
+
+@pytest.mark.parametrize("question", ["hole 1 hole 2 hole 3 depth width"])
 def test_an_id_is_never_passed_over_surely(capsys: pytest.CaptureFixture[str], question: str) -> None:
     record = json.loads(run(capsys, FLANGE, question, "--json")[1])
     named = set(re.findall(r"hole-\d+", question.replace("hole ", "hole-")))

@@ -300,8 +300,9 @@ class _Finder:
 
     def _face(self, number: int) -> tuple[str, ...] | None:
         """The surface that is the face with this number of the file: the number that is printed behind 'faces'."""
-        having = (part for part in self._parts.values() if number in part.faces)
-        surfaces = [part for part in having if part.kind in SURFACES or len(part.faces) == 1]
+        having = [part for part in self._parts.values() if number in part.faces]
+        surfaces = [part for part in having if part.kind in SURFACES]
+        surfaces = surfaces or [part for part in having if len(part.faces) == 1]  # a round is no surface of its own
         if not surfaces:
             return None
         part = min(surfaces, key=lambda one: len(one.faces))  # a cylinder may be two halves
