@@ -213,3 +213,12 @@ def test_where_asks_for_the_place_that_is_named() -> None:
     asked = [form.measures for form in forms("Where is the tip of the spindle?") if isinstance(form, Get)]
     assert asked[0] == (Measure.TIP,)
     assert (Measure.POSITION,) not in asked
+
+
+@pytest.mark.parametrize(
+    "question", ["How deep is the deepest lug or rib?", "Are there many lugs and ribs?", "more than 4 lugs or ribs?"]
+)
+def test_what_compares_no_two_things_asks_for_none_of_them(question: str) -> None:
+    found = forms(question)
+    assert not any(isinstance(form, Which) for form in found)
+    assert not any(isinstance(form, Check) and isinstance(form.low, Count) for form in found)

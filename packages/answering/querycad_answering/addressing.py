@@ -33,10 +33,8 @@ GROUP = "+"
 """Joins the ids of parts that are asked about together: 'hole-1+hole-2'."""
 _ONE_ID = r"[a-z]+(?:[-_][a-z]+)*-[a-z]?\d+(?:\.\d+)*"
 _ID = re.compile(rf"(?<![\w+-]){_ONE_ID}(?:\+{_ONE_ID})*(?![\w-]|\.\d)", re.IGNORECASE)
-_METALS = {*lexicon().words("material")}
-_MATERIALS = "|".join(
-    map(re.escape, _METALS | {one for one, folded in lexicon().spelling.items() if folded in _METALS})
-)
+_STOCK = {*lexicon().words("material")}
+_MATERIALS = "|".join(map(re.escape, _STOCK | {one for one, other in lexicon().spelling.items() if other in _STOCK}))
 _NO_INCH = rf"(?:mm|m|cm|inch|met|milli|sq|cu|the|which|what)\w*|kg|{_MATERIALS}"
 """What stands behind an 'in' that is no inch."""
 _UNIT = (

@@ -320,6 +320,9 @@ class _Outcome:
             confidence = min(confidence, BY_SIGHT_AT_MOST)
         notes = understood.notes if understood is not None else ()
         answer = in_asked_unit(question, answer) if answer is not None else None
+        alternatives = tuple(
+            one.model_copy(update={"answer": in_asked_unit(question, one.answer)}) for one in alternatives
+        )
         any_asked = bool(self.attempts) or self.looked != TokenUse()
         if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)

@@ -80,7 +80,7 @@ def _named(answer: Answer, outcome: RunOutcome) -> Answer:
     """Bodies by their names, with ids: 'Base plate (body-1), Screw (body-5..8)'."""
     if answer.type is not AnswerType.PARTS:
         return answer
-    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    known = _known(outcome)
     told = [known.get(each.get("part")) for each in answer.value]
     ids: dict[str, list[str]] = {}
     for part in told:
@@ -98,7 +98,7 @@ def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:
     """
     if program.codegen != "parser":
         return None
-    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    known = _known(outcome)
     if outcome.empty_selection:
         message = f"the model has {len(known)} such part{'' if len(known) == 1 else 's'}: too few for what is asked"
         return Failure(category="not_grounded", message=message)
@@ -161,7 +161,12 @@ def _warnings(program: Program, outcome: RunOutcome) -> tuple[str, ...]:
     return tuple(dict.fromkeys(warnings))
 
 
+def _known(outcome: RunOutcome) -> dict[str, Part]:
+    """The parts that the program found, by id."""
+    return {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+
+
 def _parts(outcome: RunOutcome) -> tuple[Part, ...]:
     """The parts that the result rests on, in the order in which the program used them."""
-    known = {part.id: part for grounding in outcome.groundings for part in grounding.parts}
+    known = _known(outcome)
     return tuple(known[part_id] for part_id in dict.fromkeys(outcome.used_parts) if part_id in known)

@@ -163,7 +163,7 @@ class PartQuery(Frozen):
     count: int | None = Field(None, description="How many there are said to be.")
     plural: bool = False
     definite: bool = Field(False, description="'the …': one, or all of them, is known to the speaker.")
-    sample: bool = Field(False, description="Any one of them stands for all: 'one of the holes'.")
+    sample: bool = Field(False, description="However many there are, any one stands for all: 'one of the holes'.")
     ranks: tuple[Rank, ...] = ()
     places: tuple[Place, ...] = ()
     sides: tuple[Side, ...] = Field((), description="Visible from any of these.")

@@ -243,6 +243,14 @@ class Client:
             return result
 
 
+def _runs_here(loop: asyncio.AbstractEventLoop) -> bool:
+    """Is this the thread of the loop, which nothing may wait in for the loop?"""
+    try:
+        return asyncio.get_running_loop() is loop
+    except RuntimeError:
+        return False
+
+
 def _awaited(method: Callable[Concatenate[Client, P], T]) -> Callable[Concatenate[AsyncClient, P], Awaitable[T]]:
     """The same method, which gives what `_run` does: of an AsyncClient, what is to be awaited."""
     return cast("Callable[Concatenate[AsyncClient, P], Awaitable[T]]", method)
@@ -306,7 +314,7 @@ class AsyncClient:
 
         def do(flow: Flow[T]) -> T:
             """From another thread; on the loop's own, as a notebook draws an answer, by a client that waits."""
-            if asyncio._get_running_loop() is not loop:
+            if not _runs_here(loop):
                 return asyncio.run_coroutine_threadsafe(self._run(flow), loop).result()
             if self._blocking is None:
                 raise RuntimeError("this waits for the service: call it in a thread, by asyncio.to_thread")

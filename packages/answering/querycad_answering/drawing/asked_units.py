@@ -1,79 +1,89 @@
-"""Units that people ask for beside mm, cm, m and inch: 'in pounds', 'how many litres', 'in feet'."""
+"""Units that people ask for beside mm, cm, m and inch: 'in pounds', 'how many litres', 'in square feet'."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from functools import cache
 
-from querycad_contracts import Answer, LengthUnit
+from querycad_contracts import Answer, AnswerType, LengthUnit
+from querycad_language.lexicon import lexicon
+from querycad_language.units import asked_unit
 
 from .numbers import significant
 
-_SI: dict[str, tuple[str, int, float]] = {
-    "pounds?|lbs?": ("lb", 0, 0.45359237),
-    "ounces?|oz": ("oz", 0, 0.028349523125),
-    "grams?|grammes?|g": ("g", 0, 1e-3),
-    "(?:metric )?tons?|tonnes?": ("t", 0, 1e3),
-    "feet|foot|ft": ("ft", 1, 0.3048),
-    "microns?|micromet(?:er|re)s?|µm|um": ("µm", 1, 1e-6),
-    "thous?": ("thou", 1, 2.54e-5),
-    "lit(?:er|re)s?": ("l", 3, 1e-3),
-    "millilit(?:er|re)s?|ml": ("ml", 3, 1e-6),
-    "cc|ccm": ("cm³", 3, 1e-6),
-    "(?:us )?gallons?": ("US gal", 3, 3.785411784e-3),
-    "millimet(?:er|re)s?": ("mm", 1, 1e-3),
-    "centimet(?:er|re)s?": ("cm", 1, 1e-2),
-    "inch(?:es)?": ("in", 1, 0.0254),
+_MASS = 0
+"""The power of lengths in a mass, whose factor is in kg."""
+_MORE: Mapping[str, tuple[float, int]] = {
+    **dict.fromkeys(("pounds", "pound", "lbs", "lb"), (0.45359237, _MASS)),
+    **dict.fromkeys(("ounces", "ounce", "oz"), (0.028349523125, _MASS)),
+    **dict.fromkeys(("grams", "gram", "grammes", "gramme", "g"), (1e-3, _MASS)),
+    **dict.fromkeys(("tonnes", "tonne", "metric tons", "metric ton"), (1e3, _MASS)),
+    **dict.fromkeys(("milliliters", "milliliter", "millilitres", "millilitre", "ml"), (1e-6, 3)),
+    **dict.fromkeys(("US gallons", "US gallon"), (3.785411784e-3, 3)),
 }
-"""Name to sign, power of lengths (0 of a mass in kg), and value in SI (NIST SP 811, appendix B)."""
+"""What the lexicon has no unit for, by name: value in SI and power of lengths (NIST SP 811, appendix B)."""
 _POWERS = {"square": 2, "cubic": 3}
-_WHAT = {0: "what mass", 2: "what area", 3: "what volume"}
-_SIGNS = {1: "", 2: "²", 3: "³"}
-_ASKED = re.compile(
-    rf"\b(?:in|how many|number of) (?:(square|cubic) )?(?:{'|'.join(f'({names})' for names in _SI)})\b(?! \d)",
-    re.IGNORECASE,
-)
+_MARKS = {"": 1, "²": 2, "³": 3}
+_WHAT = {_MASS: "what mass", 2: "what area", 3: "what volume"}
 _SCALES = re.compile(r" (?:long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
-_TOLD = re.compile(r"(?<![\w.])([\d.]+)(?: to ([\d.]+))? (kg|mm|cm|m|in)(²|³)?(?!\w)")
+_ONE = r"-?\d[\d.]*(?:e[+-]?\d+)?"
+_TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE})*)(\)?) (kg|mm|cm|m|in)(²|³)?(?!\w)")
+"""'12 mm', '8.5 to 54 mm', '170 x 170 x 53 mm', '(0, 0, 7.5) mm'."""
+_NAMES = (AnswerType.PARTS, AnswerType.TEXT, AnswerType.TEXTS)
 
 
-def _unit(asked: re.Match[str]) -> tuple[str, int, float]:
-    """Sign, power of lengths and value in SI of the unit that is asked for."""
-    sign, power, factor = list(_SI.values())[(asked.lastindex or 0) - 2]
-    if asked[1] is None or power != 1:
-        return sign, power, factor
-    power = _POWERS[asked[1].lower()]
-    return sign + _SIGNS[power], power, factor**power
+@cache
+def _units() -> Mapping[str, tuple[float, int]]:
+    """The units that are asked for by a word: name to value in SI and power of lengths."""
+    words = {name: unit for name, unit in lexicon().units.items() if name.isalpha() and name not in ("in", "m")}
+    return {name.lower(): unit for name, unit in (words | dict(_MORE)).items() if unit[1] > 0 or name in _MORE}
+
+
+@cache
+def _asking() -> re.Pattern[str]:
+    names = "|".join(map(re.escape, sorted(_units(), key=len, reverse=True)))
+    return re.compile(rf"\b(in|how many) ((?:(square|cubic) )?({names}))\b(?! \d)", re.IGNORECASE)
+
+
+def _asked(question: str) -> tuple[re.Match[str], float, int] | None:
+    """Where a unit is asked for, its value in SI and its power; None where `asked_unit` tells, or none is."""
+    found = list(_asking().finditer(question))
+    if not found or asked_unit(question) is not None:
+        return None
+    factor, power = _units()[found[-1][4].lower()]
+    if found[-1][3] is not None and power == 1:
+        power = _POWERS[found[-1][3].lower()]
+        factor **= power
+    return found[-1], factor, power
 
 
 def without_asked_unit(question: str) -> str:
     """The question as it is without the unit, which says nothing of what is asked: 'how much does it weigh?'"""
-    if not (found := list(_ASKED.finditer(question))):
+    if (asked := _asked(question)) is None:
         return question
-    before, said, after = question[: found[-1].start()], found[-1][0].lower(), question[found[-1].end() :]
-    if said.startswith("in "):
+    match, _, power = asked
+    before, after = question[: match.start()], question[match.end() :]
+    if match[1].lower() == "in":
         return f"{before.rstrip()}{after}"
-    if not said.startswith("how"):
-        return question
-    _, power, _ = _unit(found[-1])
     if power == 1 and not _SCALES.match(after):
         return question  # feet are parts, too
-    asked = "how" if _SCALES.match(after) else "how much" if "weigh" in after else _WHAT[power]
-    return f"{before}{asked}{after}"
+    words = "how" if _SCALES.match(after) else "how much" if "weigh" in after else _WHAT[power]
+    return f"{before}{words}{after}"
 
 
 def in_asked_unit(question: str, answer: Answer) -> Answer:
     """The answer with its text in the unit that the words ask for; as it is where they ask for none of these."""
-    found = list(_ASKED.finditer(question))
-    if not found:
+    if answer.type in _NAMES or (asked := _asked(question)) is None:
         return answer
-    sign, power, factor = _unit(found[-1])
+    match, factor, power = asked
 
-    def told(match: re.Match[str]) -> str:
-        own = 0 if match[3] == "kg" else next(n for n, mark in _SIGNS.items() if mark == (match[4] or ""))
+    def told(text: re.Match[str]) -> str:
+        own = _MASS if text[3] == "kg" else _MARKS[text[4] or ""]
         if own != power:
-            return match[0]
-        scale = (LengthUnit(match[3]).metres ** own if own else 1.0) / factor
-        numbers = [significant(float(each) * scale) for each in match.group(1, 2) if each]
-        return f"{' to '.join(numbers)} {sign}"
+            return text[0]
+        scale = (LengthUnit(text[3]).metres ** own if own else 1.0) / factor
+        numbers = re.sub(_ONE, lambda one: significant(float(one[0]) * scale), text[1])
+        return f"{numbers}{text[2]} {match[2].lower()}"
 
     return answer.model_copy(update={"text": _TOLD.sub(told, answer.text)})

@@ -111,8 +111,9 @@ def _joins(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) ->
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
     text = phrases.text
     comma = text.is_word(at, ",")
-    more = any(span.value.degree in ("more", "less") for span in text.all("scale")) or text.has("more", "fewer")
-    joined = joined and not (text.is_word(at, "or") and more and not text.has("than"))  # 'more lugs or ribs?'
+    if text.is_word(at, "or") and not text.has("than"):  # 'more lugs or ribs?'
+        more = any(span.value.degree in ("more", "less") for span in text.all("scale"))
+        joined = joined and not (more or text.has("more", "fewer"))
     other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
     if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
         return 0

@@ -164,19 +164,18 @@ def touching(draft: Draft, form: forms.Touching) -> str:
     found, others = draft.parts(form.target), draft.parts(form.other)
     room = "abs(p.center[i] - q.center[i]) <= p.half_extents[i] + q.half_extents[i] + 1e-06"
     meets = f"any(all({room} for i in range(3)) and p.distance_to(q) <= 1e-06 for q in taken)"
-    new = f"p.id not in [q.id for q in taken] and {meets}"
+    new = "p.id not in [q.id for q in taken] and "
+    wanted = f"{new}{'not ' * form.negated}{meets}"
     draft.lines.append(f"taken = [q for q in {others}]")
-    if form.negated:
-        return f"[p for p in {found} if p.id not in [q.id for q in taken] and not {meets}]"
     if not form.held:
-        return f"[p for p in {found} if {new}]"
+        return f"[p for p in {found} if {wanted}]"
     fastens = f"any(tag in p.tags for tag in {_FASTENERS})"
     draft.lines += [
         f'fasteners = [p for p in find_parts({{"noun": "body", "plural": True}}) if {fastens}]',
         "for _ in range(2):",
-        f"    taken += [p for p in fasteners if {new}]",
+        f"    taken += [p for p in fasteners if {new}{meets}]",
     ]
-    return f"[p for p in {found} if not {fastens} and {new}]"
+    return f"[p for p in {found} if not {fastens} and {wanted}]"
 
 
 # From planes

@@ -101,9 +101,9 @@ def single(request: Request, way: Way) -> Sequence[Way]:
     if not way.parts:
         return [way.to((), "empty")]
     if query.plural:
-        every = way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         if query.sample:
             return [way]  # all that are so, however many
+        every = way.to(way.parts, "one_for_plural", float(len(way.parts) == 1))
         if not _is_loose(query, way) or query.count or query.ranks or not 1 < len(groups) <= MOST_GROUPS:
             return [every]  # 'the holes' are all of them, 'the grip studs' may be those of one size
         return [every, *_of_groups(query, way, [group for group in groups if len(group) > 1])]

@@ -73,12 +73,12 @@ def _which(question: Question) -> Iterator[Draft]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
-    left, right = next(pairs, (None, None))
+    left, right = next(pairs, (None, None)) if not text.has("than") else (None, None)
     scale = next((span for span in text.all("scale") if span.value.degree != "positive"), None)
-    if left is None or right is None or scale is None or text.has("than"):
-        return
+    if left is None or right is None or scale is None or not (question.closed or text.has("which", "what")):
+        return  # neither is asked for
     relation = Relation.MORE if scale.value.degree in ("more", "most") else Relation.LESS
-    used = {*(text.at_words("which", "what") or {question.asking[0]}), *either, *scale.tokens, *left.used, *right.used}
+    used = {question.asking[0], *text.at_words("which", "what"), *either, *scale.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, scale.value.measure, used)
     form = Which(Get((measure,), left.part), relation, Get((measure,), right.part))
     yield Draft(form, {"combined": 1.0}, used)
@@ -113,12 +113,12 @@ def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterat
     """'Are there more lugs than ribs?', 'Has it as many lugs as ribs?', 'Are there more lugs or ribs?'"""
     text, left, right = question.text, Count(first.part), Count(second.part)
     words = [(at, _NUMBERED[text.words[at]]) for at in range(first.end) if text.words[at] in _NUMBERED]
-    joining = text.at_words("than", "as", "or", "and") & {*range(first.end, second.start)}
+    joining = text.at_words("than", "as", "or") & {*range(first.end, second.start)}
     at, relation = words[0] if words else (0, Relation.EQUAL)
     used = {question.asking[0], at, at - 1, *joining, *first.used, *second.used}
     if words and joining - text.at_words("or") and question.closed:
         yield Draft(Check(left, relation, right), {"check": 1.0}, used)
-    elif words and joining and relation is not Relation.EQUAL:
+    elif words and joining and relation is not Relation.EQUAL and not text.has("than"):
         yield Draft(Which(left, relation, right), {"combined": 1.0}, used)
 
 
