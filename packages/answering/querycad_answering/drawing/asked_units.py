@@ -27,8 +27,8 @@ _POWERS = {"square": 2, "cubic": 3}
 _MARKS = {"": 1, "²": 2, "³": 3}
 _WHAT = {_MASS: "what mass", 2: "what area", 3: "what volume"}
 _SCALES = re.compile(r" (?:long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
-_ONE = r"-?\d[\d.]*(?:e[+-]?\d+)?"
-_TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE})*)(\)?) (kg|mm|cm|m|in)(²|³)?(?!\w)")
+_ONE = r"-?\d[\d.]{0,30}(?:e[+-]?\d{1,3})?"
+_TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE}){{0,30}})(\)?) (kg|mm|cm|m|in)(²|³)?(?!\w)")
 """'12 mm', '8.5 to 54 mm', '170 x 170 x 53 mm', '(0, 0, 7.5) mm'."""
 _NAMES = (AnswerType.PARTS, AnswerType.TEXT, AnswerType.TEXTS)
 
