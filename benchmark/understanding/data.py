@@ -156,7 +156,11 @@ def _close(value: Any, truth: Any, kind: str) -> bool:
     if isinstance(truth, bool) or isinstance(value, bool):
         return value is truth or (isinstance(value, list) and [truth] == value)
     if isinstance(truth, str) or (isinstance(truth, list) and truth and isinstance(truth[0], str)):
-        return sorted(_texts(value)) == sorted(_texts(truth))
+        texts, truths = sorted(_texts(value)), sorted(_texts(truth))
+        named = len(texts) == len(truths) == 1 and "," not in texts[0] and "alike" not in texts[0].split()
+        return texts == truths or (
+            named and set(truths[0].split()) <= set(texts[0].split())
+        )  # 'the upper lug': 'upper'
     got, want = _numbers(value), _numbers(truth)
     if got is None or want is None:
         return False

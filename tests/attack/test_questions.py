@@ -15,12 +15,12 @@ from tests.api.fakes import BOX
 from tests.made import hole, view
 
 from querycad_answering.answering import answer_question
+from querycad_answering.drawing.asked_units import asked_unit
 from querycad_contracts import AnswerOptions, AnswerRecord, ModelSummary, RunOutcome, RunStatus
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import noun_phrase
 from querycad_language.readings import Reader
 from querycad_language.tokens import MAX_CHARS
-from querycad_language.units import asked_unit
 
 WHOLE = os.environ.get("QUERYCAD_ATTACK") == "whole"
 MAX_ANSWER_CALLS = 800_000

@@ -15,7 +15,7 @@ from typing import TypeVar, cast
 
 from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
 from querycad_language.describe import plural_of
-from querycad_language.forms import Distance, Every, Form, Get, Reduce, mapped, queries
+from querycad_language.forms import Distance, Every, Form, Get, Reduce, Which, mapped, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
 from querycad_language.readings.drafts import Reading
@@ -350,6 +350,10 @@ def _with_ids(form: Form, names: Mapping[int, tuple[str, ...]]) -> Form:
     found = mapped(form, lambda query: _named(query, names))
     if isinstance(found, Every):  # 'is hole 4 counterbored': among all that are, not among itself
         return replace(found, among=found.among.model_copy(update={"ids": ()}))
+    if isinstance(found, Which):  # a part that is named by its id is called so
+        ids = [[part for query in queries(one) for part in query.ids] for one in (found.left, found.right)]
+        first, second = (ids_text(own) or word for own, word in zip(ids, found.words, strict=True))
+        return replace(found, words=(first, second))
     return found
 
 

@@ -34,18 +34,18 @@ from querycad_contracts import (
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
 from querycad_language.tokens import MAX_CHARS
-from querycad_language.units import asked_unit
 
 from .addressing import folded
+from .compound import Judged, clauses, together
 from .conversation import NotFollowed, not_followed, stands_alone
-from .drawing.asked_units import in_asked_unit, without_asked_unit
-from .drawing.callouts import ids_text
+from .drawing.asked_units import asked_unit, in_asked_unit, without_asked_unit
+from .drawing.callouts import ids_text, told_parts
 from .eyes.looking import Place
 from .eyes.seeing import Seeing
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
 from .llm.reference import BY_SIGHT
-from .overview import asks_for_overview, asks_what_parts_are, overview, told_parts
+from .overview import asks_for_overview, asks_what_parts_are, overview
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
 from .understanding import ModelView, Run, Understanding, Understood
@@ -128,6 +128,9 @@ def answer_question(
         )
         outcome = _with_llm(task, codegen, writer, parsed, clock)
     else:
+        both = _compound(understanding, run, view, unit, lambda program: judged(program).answer, least)
+        if both is not None and expect.type is None:
+            return both.model_copy(update={"question": question, "timings_ms": clock.timings_ms})
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
@@ -200,6 +203,20 @@ def _told(
     program = Program(code="", codegen="parser", expects=AnswerType.TEXT, confidence=1.0)
     verdict = Verdict(answer=answer, parts=parts)
     return _by_parser(Understood(program, verdict, 1.0, meant, notes=addressed.notes))
+
+
+def _compound(
+    understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, judged: Judged, least: float
+) -> AnswerRecord | None:
+    """What comes of two questions in one; None for any other."""
+    best = next(iter(understanding.ranked), None) if understanding.refused is None else None
+    asked = clauses(understanding.question, best)
+    alone = AnswerOptions(codegen=Codegen.PARSER, least_confidence=least)
+    records = [
+        answer_question(one, run, view, unit, alone.model_copy(update={"context": asked[:index]}))
+        for index, one in enumerate(asked)
+    ]
+    return together(records, judged) if records else None
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
@@ -324,6 +341,8 @@ class _Outcome:
             one.model_copy(update={"answer": in_asked_unit(question, one.answer)}) for one in alternatives
         )
         any_asked = bool(self.attempts) or self.looked != TokenUse()
+        if answer is not None and answer.type is AnswerType.BOOLEAN and least:
+            least = (1 + least) / 2  # a coin is right in half of all cases
         if answer is not None and (self.is_unsure or (confidence is not None and confidence < least)):
             status, answer = Status.UNSURE, _perhaps(answer, understood, alternatives)
         return AnswerRecord(

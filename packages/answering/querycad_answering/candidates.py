@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import Count, Distance, Every, Exists, Form, Get, Parts, Reduce, queries
+from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
 from querycad_language.readings import Reading
@@ -118,7 +118,8 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
         ordered = [found for name in query.adjectives if (found := lexicon().adjectives.get(name)) and found.order]
         if any(found.tags for found in ordered) and way.parts:
             return True  # the hole nearest to the middle is no central one
-    shown = isinstance(reading.form, Every) and query == reading.form.among
+    form = reading.form
+    shown = (isinstance(form, Every) and query == form.among) or (isinstance(form, Either) and query in form.options)
     return shown and any(name.endswith("_dropped") for name in way.features)
 
 

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Failure, LengthUnit, Part, PartKind, Selection
 from querycad_language.readings.question import Question
-from querycad_language.units import asked_unit
 
 from .addressing import GROUP, folded
+from .drawing.asked_units import asked_unit
 from .drawing.describing import SURFACES
 
 Parts = Callable[[], Sequence[Part]]

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
-from querycad_contracts import Description, LengthUnit, Part
+from querycad_contracts import Description, LengthUnit
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .addressing import Addressed
-from .drawing.callouts import callouts, ids_text
 from .drawing.describing import Ask, describe
-from .drawing.numbers import unit_name
 from .understanding import ModelView
 
 _AROUND = (
@@ -56,12 +53,6 @@ def asks_what_parts_are(addressed: Addressed) -> bool:
     words = [at for at, token in enumerate(text.tokens) if token.kind is Kind.WORD]
     asked = text.is_word(words[0], "what", "tell", "show") or bool(text.at_phrases("overview")) if words else False
     return asked and all(text.find(at, "overview", *_AROUND) and not text.find(at, "where", "verbs") for at in words)
-
-
-def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:
-    """What a drawing would say of some of all parts, like ones together; lengths are in `unit`."""
-    found = callouts(told, unit, {part.id: part for part in parts})
-    return "; ".join(f"{one.text} ({ids_text(one.ids)})" for one in found) + f", in {unit_name(unit)}"
 
 
 def overview(view: ModelView, unit: LengthUnit, ask: Ask | None = None) -> Description | None:

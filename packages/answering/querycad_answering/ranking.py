@@ -39,7 +39,8 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "miscounted": ("count_differs", "count_group", "one_for_plural"),
     "whole": ("whole_natural", "whole_round", "whole_hollow", "parts_passed", "owner_passed"),
     "empty": ("empty", "nothing", "counts_none", "get_of_none", "value_zero"),
-    "yes_no": ("form_check", "form_every", "form_uniform", "form_exists"),
+    "yes_no": ("form_check", "form_every", "form_uniform", "form_exists", "form_parallel", "form_within"),
+    "choice": ("form_towards", "form_either", "form_which"),
     "apart": ("form_distance", "form_combine", "form_angle"),
     "long": ("words",),
     "strange": ("strange_words",),
@@ -108,6 +109,8 @@ def softmax(scores: Sequence[float]) -> list[float]:
 def doubts(features: Features, score: float) -> Features:
     """What speaks against an answer, by kind; the score itself is among it."""
     found = {name: math.fsum(abs(features.get(one, 0.0)) for one in members) for name, members in _DOUBTS.items()}
+    passed = found["skipped"] + found["unknown"] + features.get("skip_chatter", 0.0)
+    found["half_decided"] = passed * (found["yes_no"] + found["choice"])
     return {**found, "score": score / 5}
 
 

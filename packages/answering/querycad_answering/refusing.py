@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import Failure, Grounded, Measure, PartQuery
 from querycad_language.describe import describe, none_such, noun_phrase
-from querycad_language.forms import Count, Every, Exists, Get, queries
+from querycad_language.forms import Check, Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
 from querycad_language.tokens import DENSITY, Kind
@@ -116,7 +116,8 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
         return None
     first = next(iter(asked.reader.readings), None)
     form = first.form if first is not None else None
-    if isinstance(form, Get) and form.density is None and _WEIGHED & set(form.measures):
+    weighed = form.left if isinstance(form, Check) else form
+    if isinstance(weighed, Get) and weighed.density is None and _WEIGHED & set(weighed.measures):
         return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]

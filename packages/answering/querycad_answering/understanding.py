@@ -23,15 +23,16 @@ from querycad_contracts import (
     RunStatus,
 )
 from querycad_language.describe import describe
-from querycad_language.forms import Count, Exists, Get, Reduce
+from querycad_language.forms import Count, Exists, Get, Parts, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
+from querycad_language.readings.passed import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
-from .drawing.callouts import ids_text
+from .drawing.callouts import ids_text, told_parts
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
 from .refusing import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
@@ -41,6 +42,8 @@ UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
 SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
+RESTRICTING = frozenset(("noun", "measure", "comparison", "side", "number", "negation", "unknown"))
+"""Classes of words without which a yes or no is as often wrong as right: of 137 so answered 70 were right."""
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
 
@@ -52,7 +55,7 @@ PASSED_OVER = 0.35
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
-lists parts and passes over a word, or gives the smallest extent of a body for the thickness of its material."""
+decides or lists and passes over a word, or gives the smallest extent of a body for the thickness of its material."""
 
 Run = Callable[[Program], RunOutcome]
 """Runs a program against the model that the question is about."""
@@ -205,7 +208,9 @@ class Understanding:
             sure = min(sure, OTHER_CLASS)
         if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
-        if "value_for_yes_no" in best.candidate.features:
+        restricting = {kind for kind, _ in best.candidate.reading.skipped} & RESTRICTING
+        closed = isinstance(best.candidate.reading.form, CLOSED)
+        if "value_for_yes_no" in best.candidate.features or (closed and restricting):
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
 
@@ -243,6 +248,10 @@ class Understanding:
         program = _program(candidate, confidence)
         verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
         form = candidate.reading.form
+        listed = isinstance(form, Parts) and self._asked.reader.text.at_words("list", "listed")
+        if listed and verdict.answer is not None and verdict.parts and self._view.contents is not None:
+            text = told_parts(verdict.parts, self._view.contents()[1], unit)
+            return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
         if verdict.answer is not None and isinstance(form, Get) and form.measures == (Measure.MASS,):
             text = f"{verdict.answer.text} kg"
             return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))

@@ -35,13 +35,16 @@ _COMPARATIVES = {
     Measure.LENGTH: ("longer", "shorter"), Measure.THICKNESS: ("thicker", "thinner"),
     Measure.MAGNITUDE: ("larger", "smaller"),
 }  # fmt: skip
-_OPERATIONS = {"minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with"}
+_OPERATIONS = {
+    "minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with",
+    "per": "for each of the",
+}  # fmt: skip
 _UNITS = {AnswerType.AREA: (1e6, " mm²"), AnswerType.VOLUME: (1e9, " mm³"), AnswerType.ANGLE: (180 / math.pi, "°")}
 _MODES = {"centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides "}
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
     "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",
-    "none": "sides without {0}", "": "side of {0}: {2}",
+    "none": "sides without {0}", "each": "number of {0} seen from each side", "": "side of {0}: {2}",
 }  # fmt: skip
 
 
@@ -76,11 +79,14 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             measure = left.measures[0] if isinstance(left, Get) else None
             value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else _stated(low, measure)
             value = f"{value} to {_stated(high, measure)}" if high is not None else value
-            return f"whether the {describe(left)} is {_RELATIONS.get(relation, '')}{value}"
-        case forms.Which(left, relation, right):
+            same = "as much as the " if relation is Relation.EQUAL and not isinstance(low, float) else ""
+            return f"whether the {describe(left)} is {_RELATIONS.get(relation, '') or same}{value}"
+        case forms.Which(left, relation, _, words):
             noun = _measure(left.measures[0]) if isinstance(left, Get) else "number"
             which = f"which has the {'larger' if relation is Relation.MORE else 'smaller'} {noun}"
-            return f"{which}, {_anchor(left.target)} or {_anchor(right.target)}"
+            return f"{which}, {words[0]} or {words[1]}"
+        case forms.Either(target, words):
+            return f"whether {noun_phrase(target)} {'are' if target.plural else 'is'} {words[0]} or {words[1]}"
         case forms.Exists(target):
             return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')}"
         case forms.Every(target, among):
@@ -189,11 +195,15 @@ def _place(place: Place) -> str:
 
 def _stated(value: float, measure: Measure | None = None) -> str:
     scale, unit = _UNITS.get(answer_type(measure or Measure.LENGTH), (1e3, " mm"))
+    scale, unit = (1.0, " kg") if measure is Measure.MASS else (scale, unit)
     return f"{value * scale:.6g}{unit}"
 
 
 def plural_of(noun: str) -> str:
     """What several of these are called: 'boss' gives 'bosses', 'foot' gives 'feet'."""
-    if noun in lexicon().plurals or noun.endswith(("s", "x", "ch", "sh")):
-        return lexicon().plurals.get(noun, f"{noun}es")
+    *before, last = noun.split(" ")
+    if last in lexicon().plurals:
+        return " ".join((*before, lexicon().plurals[last]))
+    if noun.endswith(("s", "x", "ch", "sh")):
+        return f"{noun}es"
     return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"

@@ -23,7 +23,18 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _pointed_at(_topics(_without_having(_without_echo(tokens)), finds), finds)
+    return _pointed_at(_topics(_without_having(_without_echo(_of_which(tokens, finds))), finds), finds)
+
+
+def _of_which(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """'Which lug is wider, the upper one or the lower one?': 'one' is the noun behind 'which'."""
+    which = next((at for at, token in enumerate(tokens) if token.word in ("which", "what")), len(tokens))
+    verb = next((at for at in range(which + 1, len(tokens)) if finds(at, "be") or finds(at, "have")), which)
+    noun = tokens[which + 1 : verb]
+    if not noun or len(noun) > _ECHO or not finds(which + 1, "noun"):
+        return tokens
+    ones = [at for at in range(verb, len(tokens)) if tokens[at].word == "one" and tokens[at - 1].word != "which"]
+    return tuple(each for at, token in enumerate(tokens) for each in (noun if at in ones else (token,)))
 
 
 def _without_echo(tokens: tuple[Token, ...]) -> tuple[Token, ...]:

@@ -114,8 +114,8 @@ class Angle:
     second: PartQuery | None
 
 
-Operation: TypeAlias = Literal["minus", "ratio", "share", "plus", "apart"]
-"""'share': in percent."""
+Operation: TypeAlias = Literal["minus", "ratio", "share", "plus", "apart", "per"]
+"""'share': in percent; 'per': of each of the others as many."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,11 +139,12 @@ class Check:
 
 @dataclass(frozen=True, slots=True)
 class Which:
-    """Which of two parts has more of a measure, or less; or of which are there more?"""
+    """Which of two parts, named by these words, has more of a measure, or less; or of which are there more?"""
 
     left: Get | Count
     relation: Relation
     right: Get | Count
+    words: tuple[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,6 +160,15 @@ class Every:
 
     target: PartQuery
     among: PartQuery
+
+
+@dataclass(frozen=True, slots=True)
+class Either:
+    """Which of two words is true of the parts: 'blind or through'? `options`: the parts that each is true of."""
+
+    target: PartQuery
+    words: tuple[str, str]
+    options: tuple[PartQuery, PartQuery]
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,17 +216,18 @@ class Touching:
 class Towards:
     """Towards which of the sides do the parts lie, or open?
 
-    From which are 'most', or 'none', of them seen; from which does their 'way' in begin, of a tool or a screw?
+    From which are 'most', or 'none', of them seen, and how many from 'each'; from which does their 'way' in begin, of a
+    tool or a screw?
     """
 
     target: PartQuery
     sides: tuple[Side, ...]
-    seen: Literal["", "most", "none", "way"] = ""
+    seen: Literal["", "most", "none", "each", "way"] = ""
 
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Touching | Which | Within
+    | Touching | Which | Either | Within
 )  # fmt: skip
 
 

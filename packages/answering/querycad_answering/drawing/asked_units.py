@@ -1,4 +1,4 @@
-"""Units that people ask for beside mm, cm, m and inch: 'in pounds', 'how many litres', 'in square feet'."""
+"""Units that people ask for: 'in inches', 'in pounds', 'how many litres', 'in square feet'."""
 
 from __future__ import annotations
 
@@ -8,17 +8,21 @@ from functools import cache
 
 from querycad_contracts import Answer, AnswerType, LengthUnit
 from querycad_language.lexicon import lexicon
-from querycad_language.units import asked_unit
 
 from .numbers import significant
 
-_MASS = 0
-"""The power of lengths in a mass, whose factor is in kg."""
+_LENGTHS = re.compile(
+    r"\bin (?:square |cubic |sq\.? |cu\.? )?(mm|cm|m|in|inch(?:es)?|(?:milli|centi)?met(?:er|re)s?)"
+    r"(?:\^?[23]|[²³])?(?![a-z0-9])(?! (?:dia|hole|bore|thick|wide|long|deep))",
+    re.IGNORECASE,
+)
+_LENGTH_UNITS = {
+    "mm": LengthUnit.MM, "mi": LengthUnit.MM, "cm": LengthUnit.CM, "ce": LengthUnit.CM, "in": LengthUnit.IN,
+    "me": LengthUnit.M, "m": LengthUnit.M,
+}  # fmt: skip
+_MASS = -1
+"""The power of lengths in a mass, as the lexicon has it, whose factor is in kg."""
 _MORE: Mapping[str, tuple[float, int]] = {
-    **dict.fromkeys(("pounds", "pound", "lbs", "lb"), (0.45359237, _MASS)),
-    **dict.fromkeys(("ounces", "ounce", "oz"), (0.028349523125, _MASS)),
-    **dict.fromkeys(("grams", "gram", "grammes", "gramme", "g"), (1e-3, _MASS)),
-    **dict.fromkeys(("tonnes", "tonne", "metric tons", "metric ton"), (1e3, _MASS)),
     **dict.fromkeys(("milliliters", "milliliter", "millilitres", "millilitre", "ml"), (1e-6, 3)),
     **dict.fromkeys(("US gallons", "US gallon"), (3.785411784e-3, 3)),
 }
@@ -33,11 +37,20 @@ _TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE}){{0,30}})(\)?) 
 _NAMES = (AnswerType.PARTS, AnswerType.TEXT, AnswerType.TEXTS)
 
 
+def asked_unit(question: str) -> LengthUnit | None:
+    """The unit of lengths that the words ask for: 'in inches', 'in mm'; None where they name none.
+
+    A unit behind a number belongs to that number: '5 in' asks for nothing.
+    """
+    found = list(_LENGTHS.finditer(" ".join(question[:2000].split())))
+    return _LENGTH_UNITS[found[-1][1].lower()[:2]] if found else None
+
+
 @cache
 def _units() -> Mapping[str, tuple[float, int]]:
     """The units that are asked for by a word: name to value in SI and power of lengths."""
     words = {name: unit for name, unit in lexicon().units.items() if name.isalpha() and name not in ("in", "m")}
-    return {name.lower(): unit for name, unit in (words | dict(_MORE)).items() if unit[1] > 0 or name in _MORE}
+    return {name.lower(): unit for name, unit in (words | dict(_MORE)).items() if unit[1] != 0}
 
 
 @cache
@@ -82,7 +95,7 @@ def in_asked_unit(question: str, answer: Answer) -> Answer:
         own = _MASS if text[3] == "kg" else _MARKS[text[4] or ""]
         if own != power:
             return text[0]
-        scale = (LengthUnit(text[3]).metres ** own if own else 1.0) / factor
+        scale = (LengthUnit(text[3]).metres ** own if own > 0 else 1.0) / factor
         numbers = re.sub(_ONE, lambda one: significant(float(one[0]) * scale), text[1])
         return f"{numbers}{text[2]} {match[2].lower()}"
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from querycad_contracts import Callout, LengthUnit, Part, PartKind
 
-from .numbers import degrees, length
+from .numbers import degrees, length, unit_name
 from .threads import thread_name
 
 AT_45_DEGREES = math.radians(0.5)
@@ -306,3 +306,9 @@ _WRITERS: dict[PartKind, Callable[[Part, LengthUnit, Known], str]] = {
 }
 
 __all__ = ["Known", "callout", "callouts", "carried_sections", "ids_text"]
+
+
+def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:
+    """What a drawing would say of some of all parts, like ones together; lengths are in `unit`."""
+    found = callouts(told, unit, {part.id: part for part in parts})
+    return "; ".join(f"{one.text} ({ids_text(one.ids)})" for one in found) + f", in {unit_name(unit)}"

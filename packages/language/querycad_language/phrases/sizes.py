@@ -10,7 +10,7 @@ from .mention import Draft
 from .words import noun_follows
 
 _COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
-_POWERS = {0: Measure.ANGLE, 1: None, 2: Measure.AREA, 3: Measure.VOLUME}
+_POWERS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: None, 2: Measure.AREA, 3: Measure.VOLUME}
 _LINKS = (
     "with", "of", "a", "an", "the", "is", "are", "between", "from", "in", "whose", "having", "at", "=", "measuring",
     "be", "measure", "about", "size", "sized", "range", "have", "has",

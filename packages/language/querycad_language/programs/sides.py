@@ -78,9 +78,13 @@ def towards(draft: Draft, form: Towards) -> tuple[str, AnswerType]:
     match form.seen:
         case "none":
             return f"[side for side in {sides} if not any(side in p.sides for p in {name})]", AnswerType.TEXTS
+        case "each":
+            draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
+            return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
         case "most":  # all of as many
             draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
-            return "', '.join(side for side in seen if seen[side] == max(seen.values()))", AnswerType.TEXT
+            most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
+            return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
         case "way":
             outward = ", ".join(f'("{side.value}", {side.outward})' for side in Side)
             draft.lines.append(f"ways = [p.approach[0] for p in {name}]")

@@ -72,8 +72,8 @@ def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 
             return _combine(draft, form)
         case forms.Parts(target):
             return draft.parts(target), AnswerType.PARTS
-        case forms.Which():
-            return _which(draft, form)
+        case forms.Which() | forms.Either():
+            return _which(draft, form) if isinstance(form, forms.Which) else _either(draft, form), AnswerType.TEXT
         case forms.Touching():
             return touching(draft, form), AnswerType.PARTS
         case forms.Towards():
@@ -262,6 +262,11 @@ def _kind(form: Get | Count | Distance) -> AnswerType:
 
 def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
     left, kind = form.left, _kind(form.left)
+    if form.operation == "per" and isinstance(left, Count) and isinstance(form.right, Count):
+        parts, others = draft.of(left.target), draft.of(form.right.target)
+        if not others or len(parts) % len(others):
+            raise Unwritable  # some have more
+        return f"len({draft.parts(left.target)}) // len({draft.parts(form.right.target)})", kind
     if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
         value = draft.read(left.measures[0], draft.of(left.target)).format("p")
         return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
@@ -269,16 +274,26 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
     return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
 
 
-def _which(draft: Draft, form: forms.Which) -> tuple[str, AnswerType]:
-    """The parts with more, or less; both where they are alike."""
+def _which(draft: Draft, form: forms.Which) -> str:
+    """What the parts with more, or less, are called; both where they are alike."""
     if isinstance(form.left, Get) and not all(map(draft.of, forms.queries(form))):
         raise Unwritable
     for name, get in zip("ab", (form.left, form.right), strict=True):
         draft.lines.append(f"{name} = {_scalar(draft, get)}")
         draft.compared.append(Compared(get, name, _kind(get)))
-    first, second = (draft.parts(query) for query in forms.queries(form))
     least = "a - b" if form.relation is Relation.MORE else "b - a"
-    return f"{first} + {second} if abs(a - b) < {SLACK:g} else {first} if {least} > 0 else {second}", AnswerType.PARTS
+    first, second = form.words
+    both = f"{first} and {second} alike"
+    return f"{both!r} if abs(a - b) < {SLACK:g} else {first!r} if {least} > 0 else {second!r}"
+
+
+def _either(draft: Draft, form: forms.Either) -> str:
+    """The words that are true of any of the parts."""
+    if not draft.of(form.target) or not any(map(draft.of, form.options)):
+        raise Unwritable
+    parts, named = draft.parts(form.target), zip(form.words, map(draft.parts, form.options), strict=True)
+    draft.lines.append(f"named = [{', '.join(f'({word!r}, {those})' for word, those in named)}]")
+    return f"', '.join(word for word, those in named if any(p.id in [q.id for q in those] for p in {parts}))"
 
 
 def _check(draft: Draft, form: forms.Check) -> str:
@@ -292,6 +307,8 @@ def _check(draft: Draft, form: forms.Check) -> str:
             values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
         case Get(measures, PartQuery() as target):
             values = _values(draft, measures[0], target)
+            if measures[0] is Measure.MASS:
+                values = f"[{_dense(form.left, 'v')} for v in {values}]"
         case _:
             values = f"[{_scalar(draft, form.left)}]"
     low = repr(form.low) if isinstance(form.low, float) else _scalar(draft, form.low)

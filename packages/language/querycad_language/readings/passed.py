@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from querycad_language.forms import Check, Every, Exists, Parallel, Uniform, Which, Within
+from querycad_language.forms import Check, Either, Every, Exists, Parallel, Uniform, Which, Within
 from querycad_language.tokens import Kind
 
 from .drafts import Draft, Reading
@@ -22,7 +22,7 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-CLOSED = Check | Every | Exists | Parallel | Uniform | Which | Within
+CLOSED = Check | Either | Every | Exists | Parallel | Uniform | Which | Within
 """Forms whose answer is yes or no, or the one of two."""
 
 
@@ -59,7 +59,7 @@ def finished(question: Question, draft: Draft, words: Sequence[Passable]) -> Rea
     skipped = [word for word in words if word.at not in draft.used]
     for word in skipped:
         features[word.feature] = features.get(word.feature, 0.0) + 1.0
-    if question.closed and not isinstance(draft.form, CLOSED):
+    if (question.closed or question.chooses) and not isinstance(draft.form, CLOSED):
         features["value_for_yes_no"] = 1.0
     edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in draft.used)
     if edits:
@@ -92,6 +92,8 @@ def _class(question: Question, at: int) -> str:
     if not text.is_word(at, "except", "excluding"):
         own.discard("except")
     name = next((name for name, categories in _CLASSES if own & categories), unclassed)
+    if text.is_word(at, "per") or (text.is_word(at, "each", "every") and text.find(at - 1, "side_preposition")):
+        return "comparison"  # 'on each side'
     if name == "side" and "chatter" in own and text.is_word(at, "back", "right"):
         return "function"
     if name == "adjective":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from functools import cached_property
+from itertools import pairwise
 
 from querycad_contracts import PartQuery
 from querycad_language.phrases import Mention, Phrases, replace_fields
@@ -57,6 +58,13 @@ class Question:
             return False  # 'on the left or on the right?'
         begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
         return any(self._asks_yes_no(begin) for begin in begins)
+
+    @property
+    def chooses(self) -> bool:
+        """Is one of two asked for: 'Which is longer, the spindle or the lever?'"""
+        text = self.text
+        asks = any(text.is_word(i, "which", "what") for i in range(*self.asking)) and not text.has("than")
+        return asks and any(a.end <= at < b.start for at in text.at_words("or") for a, b in pairwise(self.parts))
 
     @property
     def offers_yes_no(self) -> bool:

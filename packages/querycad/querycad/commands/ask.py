@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, TextIO
 from pydantic import ValidationError
 
 from querycad.runtime import EmbeddedRuntime
+from querycad_answering.drawing.asked_units import asked_unit
 from querycad_answering.drawing.callouts import callout, callouts, with_symbols
 from querycad_answering.drawing.describing import listing
 from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Part, Status
-from querycad_language.units import asked_unit
 from querycad_segworker.errors import FileProblem
 
 from .features import listed

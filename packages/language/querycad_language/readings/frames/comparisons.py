@@ -15,6 +15,7 @@ from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
+_RELATIONS = {"more": Relation.MORE, "less": Relation.LESS}
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 
 
@@ -27,21 +28,22 @@ def comparisons(question: Question) -> Iterator[Draft]:
 
 
 def _compared(question: Question) -> Iterator[Draft]:
-    """'How much longer is A than B?', 'Is A longer than B?'"""
+    """'How much longer is A than B?', 'Is A longer than B?', 'Is A as long as B?', 'Is it taller than it is wide?'"""
     text, start = question.text, question.asking[0]
-    than = min(text.at_words("than"), default=None)
-    scales = (text.find(i, "scale") for i in range(start, len(text)))
-    comparative = next((span for span in scales if span and span.value.degree in ("more", "less")), None)
+    scales = [span for i in range(start, len(text)) if (span := text.find(i, "scale"))]
+    alike = next((one for one in scales if text.is_word(one.start - 1, "as") and text.is_word(one.end, "as")), None)
+    comparative = next((span for span in scales if span.value.degree in ("more", "less")), alike)
+    than = alike.end if alike is comparative and alike else min(text.at_words("than"), default=None)
     if than is None or comparative is None:
         return
-    parts = [m for m in question.mentions if not m.pronoun]
+    parts = [m for m in question.mentions if not m.pronoun or m.query is None]
     behind = [m for m in parts if m.start > than]
     before = [m for m in parts if m.start < than][-1:] or behind[1:2]
     other = next(filter(None, (text.find(i, "scale") for i in range(than + 1, len(text)))), None)
-    own = other if other is not None and other.value.degree == "positive" and not behind else None
+    own = other if other and other.value.degree == "positive" and all(m.pronoun for m in behind) else None
     if not before or not (behind or own) or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
-    left, right = before[0], (behind or before)[0]
+    left, right = before[0], (before if own else behind)[0]
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, measure, used)
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
@@ -54,7 +56,7 @@ def _compared(question: Question) -> Iterator[Draft]:
             for form in (tops, Distance(left.query, right.query, "centers", axis=2)):
                 yield Draft(form, {"level": 1.0, "combined": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
-        relation = Relation.MORE if comparative.value.degree == "more" else Relation.LESS
+        relation = _RELATIONS.get(comparative.value.degree, Relation.EQUAL)
         yield Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
 
 
@@ -73,15 +75,26 @@ def _which(question: Question) -> Iterator[Draft]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
-    left, right = next(pairs, (None, None)) if not text.has("than") else (None, None)
+    chosen = question.chooses or (question.closed and not text.has("than"))
+    left, right = next(pairs, (None, None)) if chosen else (None, None)
     scale = next((span for span in text.all("scale") if span.value.degree != "positive"), None)
-    if left is None or right is None or scale is None or not (question.closed or text.has("which", "what")):
+    if left is None or right is None or scale is None:
         return  # neither is asked for
     relation = Relation.MORE if scale.value.degree in ("more", "most") else Relation.LESS
-    used = {question.asking[0], *text.at_words("which", "what"), *either, *scale.tokens, *left.used, *right.used}
+    which = text.at_words("which", "what")
+    used = {question.asking[0], *which, *either, *scale.tokens, *left.used, *right.used}
+    used = used.union(*(m.used for m in question.parts if m.start - 1 in which))  # 'which lug'
     measure, used = _of_noun(question, scale.value.measure, used)
-    form = Which(Get((measure,), left.part), relation, Get((measure,), right.part))
+    words = (_said(question, left), _said(question, right))
+    form = Which(Get((measure,), left.part), relation, Get((measure,), right.part), words)
     yield Draft(form, {"combined": 1.0}, used)
+
+
+def _said(question: Question, mention: Mention) -> str:
+    """The noun phrase without its article."""
+    text = question.text
+    begin = text.skip(mention.start, "article")
+    return " ".join(token.raw for token in text.tokens[begin : mention.end]).strip()
 
 
 def _combined(question: Question) -> Iterator[Draft]:
@@ -95,6 +108,9 @@ def _combined(question: Question) -> Iterator[Draft]:
         asked = before[-1 if asked else -2 :] + asked
     owners = [m for m in question.mentions if not m.pronoun]
     owners = [m for m in owners if m.start > span.start] or owners
+    if not asked and span.value == "ratio" and len(owners) > 1:  # 'the ratio of the bore to the lug'
+        left, right = (Get((Measure.MAGNITUDE,), one.query) for one in owners[:2])
+        yield Draft(Combine("ratio", left, right), {"combined": 1.0}, {*span.tokens, *owners[0].used, *owners[1].used})
     if not asked:
         return
     used = set(span.tokens) | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
@@ -119,7 +135,8 @@ def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterat
     if words and joining - text.at_words("or") and question.closed:
         yield Draft(Check(left, relation, right), {"check": 1.0}, used)
     elif words and joining and relation is not Relation.EQUAL and not text.has("than"):
-        yield Draft(Which(left, relation, right), {"combined": 1.0}, used)
+        called = (_said(question, first), _said(question, second))
+        yield Draft(Which(left, relation, right, called), {"combined": 1.0}, used)
 
 
 def _numbers(question: Question) -> Iterator[Draft]:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery
-from querycad_language.forms import Check, Count, Exists
+from querycad_contracts import Measure, PartQuery, Side
+from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
 from querycad_language.readings.drafts import Draft, Features
@@ -36,6 +36,14 @@ def counts(question: Question) -> Iterator[Draft]:
         behind = text.find(own.end, "measure") if own is not None else None
         if own is not None and behind is not None:  # 'how many different hole diameters'
             yield _values_of(own.part, behind.value, used | own.used | {inner - 1, *behind.tokens})
+        kinds = {i for i in (inner, inner + 1) if text.is_word(i, "kind", "type", "sort", "of")}
+        alike = next((m for m in question.parts if m.start <= inner + len(kinds) < m.end), None)
+        if alike is not None and (different or len(kinds) > 1):  # 'how many different screws', 'how many kinds of lug'
+            noun, several = text.lexicon.nouns.get(alike.part.noun), replace_fields(alike.part, plural=True)
+            body = noun is not None and any(one.kind == ("body",) for one in noun.senses[:2])
+            for by in (Measure.VOLUME, Measure.MAGNITUDE) if body else (Measure.MAGNITUDE,):
+                features = {"count_next": 1.0, "count_kinds": 1.0}
+                yield Draft(Count(several, by), features, used | alike.used | {*range(at, inner + 2)})
         named = question.mentions
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
@@ -51,9 +59,9 @@ def counts(question: Question) -> Iterator[Draft]:
         for index, mention in enumerate(after[:3]):
             next_to = index == 0 and not any(map(text.is_content, range(at, mention.start)))
             link = "count_next" if next_to else "count_far"
-            yield from _count_of(mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
+            yield from _count_of(text, mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
         for mention in before[-2:]:
-            yield from _count_of(mention, used, {"count_before": 1.0, **elsewhere}, [])
+            yield from _count_of(text, mention, used, {"count_before": 1.0, **elsewhere}, [])
 
 
 def _counts(question: Question, span: Span) -> bool:
@@ -90,7 +98,8 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
 
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
-    whole = PartQuery(noun="object") if measure.value is Measure.MIRROR_PLANES else None
+    nouns = {Measure.MIRROR_PLANES: "object", Measure.DIAMETER: "cylindrical face"}
+    whole = PartQuery(noun=noun, plural=True) if (noun := nouns.get(measure.value)) else None
     for mention in question.mentions:
         if (query := mention.query or whole) is not None and mention.start >= measure.end:
             yield _values_of(query, measure.value, used | mention.used)
@@ -100,24 +109,35 @@ def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Draft:
     return Draft(Count(replace_fields(query, plural=True), measure), {"count_next": 1.0, "count_values": 1.0}, used)
 
 
-def _count_of(mention: Mention, used: set[int], features: Features, others: Sequence[Mention]) -> Iterator[Draft]:
-    """How many of them; of another part's where one is named: 'how many ribs does the bracket have?'"""
+def _count_of(
+    text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
+) -> Iterator[Draft]:
+    """How many of them; of another part's where one is named: 'how many ribs does the bracket have?'
+
+    And on each side, or of each of the others.
+    """
     if mention.pronoun:
         return
+    each = text.at_words("each", "every", "per")
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     yield Draft(Count(query), features, used | mention.used)
+    if each and any(text.is_word(i + 1, "side", "face") for i in each):
+        yield Draft(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
         if owner.query is not None:
             link = "owner_after" if owner.start > mention.start else "owner_before"
-            owned = placed_in(query, "of", owner.query)
-            yield Draft(Count(owned), {**features, link: 1.0}, used | mention.used | owner.used)
+            owned = Count(placed_in(query, "of", owner.query))
+            shared = each & {owner.start, owner.start - 1}
+            form = Combine("per", owned, Count(replace_fields(owner.query, plural=True))) if shared else owned
+            yield Draft(form, {**features, link: 1.0}, used | mention.used | owner.used | each)
 
 
 def exists(question: Question) -> Iterator[Draft]:
     """'Is there a keyway in the shaft?', 'Does the lever have a rib?'"""
     text = question.text
-    if text.at_phrases("overlap", "contact"):  # whether there are the bodies that touch is not asked
-        return
+    gap = text.at_phrases("gap").difference(*(m.used for m in question.parts))
+    if gap or text.at_phrases("overlap", "contact") or any(text.is_word(i + 1, "many") for i in text.at_words("as")):
+        return  # whether there are the bodies that touch, or have play, or as many, is not asked
     for span in text.all("exists"):
         counted = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale")
         if question.in_question(span.start) and not counted:
@@ -161,4 +181,6 @@ def _having(question: Question) -> int | None:
             return verb
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)
-    return first if text.find(first, "do", "have") or text.is_word(first, "any") else None
+    has = any(text.find(i, "have") and not text.is_word(i, "with") for i in range(first, end))
+    has = has and (text.find(first, "do") or text.find(first, "have")) is not None  # 'do they touch' asks for nothing
+    return first if has or text.is_word(first, "any") else None

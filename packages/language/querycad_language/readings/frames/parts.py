@@ -24,9 +24,9 @@ def parts(question: Question) -> Iterator[Draft]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_side_of(question), *_way_from(question, side)]
+    compared = [*_side_of(question, offered, named), *_way_from(question, side)]
     yield from compared
-    side = None if compared else side
+    side, offered = (None, ()) if compared else (side, offered)
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
     for index, mention in enumerate([m for m in question.parts if m.start >= begin][:3]):
         query = mention.part
@@ -53,21 +53,23 @@ def parts(question: Question) -> Iterator[Draft]:
                 yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
 
 
-def _side_of(question: Question) -> Iterator[Draft]:
+def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Draft]:
     """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
     most = {i for i in asking if text.is_word(i, "most") or _most_at(text, i)}
-    more = {i for i in asking if text.is_word(i, "more") and any(text.is_word(j, "any", "anywhere") for j in asking)}
+    beyond = offered or text.has("any", "anywhere")
+    more = {i for i in asking if text.is_word(i, "more") and beyond}
     numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
     none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
     part = next((m for m in question.parts if not m.used & faces), None)
-    if not faces or part is None:
+    if not (faces or offered) or part is None:
         return
     if numbers or more or any(text.is_word(i, "most") for i in most):
-        target = replace_fields(part.part, plural=True, ranks=())
-        used = faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
-        yield Draft(Towards(target, tuple(Side), "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
+        target = replace_fields(part.part, plural=True, ranks=(), sides=())
+        used = named | faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
+        sides = offered or tuple(Side)
+        yield Draft(Towards(target, sides, "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
     if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
         target = replace_fields(part.part, plural=True, places=(), count=None)
         used = faces | none | part.used

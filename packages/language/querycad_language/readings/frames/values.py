@@ -98,7 +98,7 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     over_all = asked.measures == (Measure.LENGTH,) and bool(
         overall or with_head or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
     )
-    density, said = _density(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
+    density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
 
 
@@ -119,7 +119,7 @@ def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterato
         yield Draft(form, {**draft.features, "arranged": 1.0}, draft.used | leads | said)
 
 
-def _density(text: Text) -> tuple[float | None, set[int]]:
+def density_of(text: Text) -> tuple[float | None, set[int]]:
     """The density that is stated, or that of the material that is named; and the words for it."""
     stated = {at: token.value for at, token in enumerate(text.tokens) if token.power == DENSITY}
     densities = [*stated.values(), *(span.value for span in text.all("material"))]

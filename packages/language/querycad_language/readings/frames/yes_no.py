@@ -16,12 +16,14 @@ from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
 from .distances import distances
+from .values import density_of
 
 
 def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     start = _verb_start(question)
     yield from _overlapping(question, start)
+    yield from _either(question)
     if start is not None:
         yield from (draft.with_more({"check": 1.0}, {start}) for draft in _claims(question, start))
 
@@ -43,7 +45,7 @@ def _claims(question: Question, start: int) -> Iterator[Draft]:
         behind = next((m for m in parts if m.start > mention.end), None)
         sized = _sized(question, mention, asked)
         said = _restricted(text, start, mention, behind) if mention.query is not None else ()
-        for draft in (*sized, *_predicates(text, mention), *said):
+        for draft in (*sized, *_predicates(text, mention, parts[index + 1 :]), *said):
             yield draft.with_more({"count_far": float(index)}, mention.used)
 
 
@@ -76,6 +78,24 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
             yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
 
 
+def _either(question: Question) -> Iterator[Draft]:
+    """'Are the bores blind or through?', 'Is it solid or hollow?'"""
+    text = question.text
+    for at in text.at_words("or") if question.closed else ():
+        first = next((span for span in text.all("adjective") if span.end == at), None)
+        second = text.find(text.skip(at + 1, "article"), "adjective")
+        mention = next((m for m in question.mentions if m.start < at), None)
+        if first is not None and second is not None and mention is not None:
+            names = (first.value.name, second.value.name)
+            query = mention.query or PartQuery(noun="object", words=("object",))
+            left = {"adjectives": query.adjectives, "lacking": query.lacking}
+            bare = replace_fields(query, **{k: tuple(one for one in v if one not in names) for k, v in left.items()})
+            one, other = (_all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
+            said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
+            used = {at, *mention.used, *range(first.start, second.end)}
+            yield Draft(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
+
+
 def within(question: Question) -> Iterator[Draft]:
     """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
@@ -84,7 +104,13 @@ def within(question: Question) -> Iterator[Draft]:
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
         box = forms.Within(None, (low, middle, high))
-        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *range(sizes[0], sizes[-1] + 1)})
+        wholes = {
+            i
+            for m in question.mentions
+            if m.query is None or m.part.noun in text.lexicon.words("whole")
+            for i in m.used
+        }
+        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *wholes, *range(sizes[0], sizes[-1] + 1)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Draft]:
@@ -99,9 +125,15 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
-    """'Is there at least 10 mm between the slot and the edge?'"""
-    found = _size_after(question, start, len(question.text))
-    if found is None:
+    """'Is there at least 10 mm between the slot and the edge?', 'Is there any gap between the disc and the nut?'"""
+    text = question.text
+    gap = (
+        SizeFilter(relation=Relation.MORE, low=0.0)
+        if text.is_word(start + 1, "there") and text.at_phrases("gap")
+        else None
+    )
+    found = _size_after(question, start, len(text)) or (gap and (gap, {start, start + 1}))
+    if not found:
         return
     size, used = found
     for draft in distances(question):
@@ -156,6 +188,13 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         yield Draft(Every(replace_fields(target, threads=()), _all_such(target)))
     if target.sides:
         yield Draft(Every(replace_fields(target, sides=()), _all_such(target)), {"check_side": 1.0})
+    if target.places:  # 'Do the cross holes run into the bore?'
+        yield Draft(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
+    end = text.skip(mention.end, "passing")
+    if end > mention.end and text.is_word(end, "through"):  # 'Do the lugs go right through the plate?'
+        across = set(more) if other is not None and other.start <= end + 2 else set()
+        said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
+        yield Draft(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
 
 
 def _all_such(query: PartQuery) -> PartQuery:
@@ -169,7 +208,7 @@ def _any_of(text: Text, mention: Mention) -> bool:
     return text.is_word(mention.start, "a", "an") or any(text.is_word(i, "any", "one", "some") for i in before)
 
 
-def _predicates(text: Text, mention: Mention) -> Iterator[Draft]:
+def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iterator[Draft]:
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
     named = mention.query
     target = named or PartQuery(noun="object")
@@ -177,6 +216,8 @@ def _predicates(text: Text, mention: Mention) -> Iterator[Draft]:
         span = text.find(at, "color") or text.find(at, "adjective")
         if at in mention.used or span is None or (span.category == "adjective" and not span.value.tags):
             continue
+        if any(at in one.used for one in others):
+            return  # said of another part
         if span.category == "color":
             said = replace_fields(target, colors=(*target.colors, span.value))
         elif named is None and not span.value.decided:  # the whole has no other tags
@@ -227,7 +268,8 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
 def _checked(text: Text, target: forms.Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
     named = asked[0].measures[0] if asked else None
     measure = (named if size.measure in (None, Measure.AREA, Measure.VOLUME) else None) or size.measure
+    density, said = density_of(text) if measure is Measure.MASS else (None, set())
     least = size.relation is Relation.EQUAL and text.has("least")
     relation = Relation.AT_LEAST if least else size.relation
-    check = Check(Get((measure or Measure.MAGNITUDE,), target), relation, size.low, size.high)
-    return Draft(check, used=frozenset().union(*(one.used for one in asked)))
+    check = Check(Get((measure or Measure.MAGNITUDE,), target, density=density), relation, size.low, size.high)
+    return Draft(check, used=said.union(*(one.used for one in asked)))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from querycad_answering.drawing.asked_units import asked_unit
 from querycad_contracts import LengthUnit
-from querycad_language.units import asked_unit
 
 
 @pytest.mark.parametrize(

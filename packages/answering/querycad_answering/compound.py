@@ -1,0 +1,104 @@
+"""Two questions in one: 'How many fins are there, and how thick are they?'
+
+Each is asked alone, the second after the first, where no reading of the whole answers both.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from querycad_contracts import Answer, AnswerRecord, AnswerType, Program, Status, Unit
+from querycad_language.measures import of_several
+from querycad_language.readings.question import Question
+
+from .candidates import Candidate
+
+Judged = Callable[[Program], Answer | None]
+"""Runs a program and types what it gives."""
+
+_JOINT = re.compile(
+    r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?(?:how|what|where|at what|on which|is|are|does|do)\b)",
+    re.IGNORECASE,
+)
+_VERBS = ("ask", "where", "be", "do", "exists")
+_ASKED = ("measure", "scale", "count", "distance", "gap", "where")
+_LEADING = 4
+"""Words of a clause within which it asks."""
+_SCALARS = (
+    AnswerType.COUNT, AnswerType.NUMBER, AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE,
+)  # fmt: skip
+_NUMERIC = {*_SCALARS, *map(of_several, _SCALARS)}
+
+
+def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
+    """The two questions, where the best reading of both as one passes over what one of them asks; else none."""
+    whole = Question(question).text
+    for joint in _JOINT.finditer(question):
+        first, second = (Question(one) for one in (question[: joint.start()], question[joint.end() :]))
+        starts = (0, len(whole) - len(second.text))
+        asked = [_asked(one, start) for one, start in zip((first, second), starts, strict=True)]
+        used = best.reading.used if best is not None else frozenset[int]()
+        if all(asked) and any(used.isdisjoint(one) for one in asked):
+            return question[: joint.start()].strip(" ,;") + "?", question[joint.end() :].strip()
+    return ()
+
+
+def _asked(clause: Question, start: int) -> set[int]:
+    """Where the clause says what it asks for, in the whole question; nowhere, if it asks nothing or names nothing."""
+    text = clause.text
+    if not clause.mentions or not any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))):
+        return set()
+    return {start + i for i in range(len(text)) if text.find(i, *_ASKED)}
+
+
+def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | None:
+    """One answer of several, as sure as the least sure of them; None where one has no answer.
+
+    Numbers are one list, all else is told in words.
+    """
+    answers = [answer for one in records if (answer := _plain(one, judged)) is not None]
+    codes = [one.code for one in records if one.code]
+    if len(answers) < len(records) or len(codes) < len(records):
+        return None
+    text = "; ".join(dict.fromkeys(one.text for one in answers))
+    answer = Answer(value=[one.text for one in answers], type=AnswerType.TEXTS, unit=Unit.NONE, text=text)
+    code = None
+    if all(one.type in _NUMERIC for one in answers):
+        kinds = {of_several(one.type) for one in answers}
+        code = _joined(codes, [isinstance(one.value, list) for one in answers])
+        kind = kinds.pop() if len(kinds) == 1 and AnswerType.COUNT not in kinds else AnswerType.NUMBERS
+        found = judged(Program(code=code, codegen="parser", expects=kind))
+        if found is None:
+            return None
+        answer = found.model_copy(update={"text": text})
+    first, unsure = records[0], any(one.status is Status.UNSURE for one in records)
+    return first.model_copy(
+        update={
+            "status": Status.UNSURE if unsure else Status.ANSWERED,
+            "answer": answer.model_copy(update={"text": f"perhaps {text}"}) if unsure else answer,
+            "code": code,
+            "codegen": first.codegen if code else None,
+            "parts": tuple({part.id: part for one in records for part in one.parts}.values()),
+            "warnings": tuple(dict.fromkeys(said for one in records for said in one.warnings)),
+            "confidence": min((one.confidence for one in records if one.confidence is not None), default=None),
+            "understood_as": "; ".join(dict.fromkeys(one.understood_as for one in records)),
+            "ignored": tuple(dict.fromkeys(word for one in records for word in one.ignored)),
+            "alternatives": (),
+        }
+    )
+
+
+def _plain(record: AnswerRecord, judged: Judged) -> Answer | None:
+    """The answer without what else it may be."""
+    answer = record.answer
+    if answer is None or record.status is not Status.UNSURE or record.code is None:
+        return answer
+    return judged(Program(code=record.code, codegen="parser", expects=answer.type))
+
+
+def _joined(codes: Sequence[str], lists: Sequence[bool]) -> str:
+    """The programs one after the other, and all their values."""
+    values = [f"{'*' if several else ''}value{index}" for index, several in enumerate(lists)]
+    kept = [re.sub(r"^solution = ", f"value{index} = ", code, flags=re.MULTILINE) for index, code in enumerate(codes)]
+    return "\n".join([*kept, f"solution = [{', '.join(values)}]"])

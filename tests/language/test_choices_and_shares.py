@@ -1,0 +1,131 @@
+"""One of two words, numbers on each side and of each part, kinds that are counted, what a yes or no is about."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, Relation, Side
+from querycad_language.describe import describe
+from querycad_language.forms import (
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Either,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Towards,
+    Which,
+)  # fmt: skip
+from querycad_language.readings.passed import CLOSED
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [
+        ("Are the bores blind or through?", ("blind", "through")),
+        ("Is the bore a blind or a through bore?", ("blind", "through")),
+        ("Is the lug round or square?", ("round", "square")),
+        ("Is it solid or hollow?", ("solid", "hollow")),
+    ],
+)
+def test_one_of_two_words_is_asked_for(question: str, words: tuple[str, str]) -> None:
+    form = next(form for form in forms(question) if isinstance(form, Either))
+    assert form.words == words
+    assert not set(form.target.adjectives) & {name for option in form.options for name in option.adjectives}
+
+
+@pytest.mark.parametrize(
+    ("question", "words"),
+    [
+        ("Which is longer, the spindle or the lever?", ("spindle", "lever")),
+        ("Which lug is wider, the upper one or the lower one?", ("upper lug", "lower lug")),
+        ("Are there more lugs or ribs?", ("lugs", "ribs")),
+    ],
+)
+def test_the_one_of_two_parts_is_called_as_the_question_does(question: str, words: tuple[str, str]) -> None:
+    assert [form.words for form in forms(question) if isinstance(form, Which)] == [words]
+
+
+def test_a_size_does_not_answer_which_of_two() -> None:
+    sizes = [reading for reading in read("Which is wider, the lug or the rib?") if isinstance(reading.form, Get)]
+    assert sizes
+    assert all("value_for_yes_no" in reading.features for reading in sizes)
+
+
+@pytest.mark.parametrize("question", ["How many lugs are on each side?", "How many lugs are there per side?"])
+def test_numbers_on_each_side_are_counted_by_side(question: str) -> None:
+    assert ("lug", "each") in [(form.target.noun, form.seen) for form in forms(question) if isinstance(form, Towards)]
+    plain = [reading for reading in read(question) if isinstance(reading.form, Count)]
+    assert all("skip_comparison" in reading.features for reading in plain)
+
+
+def test_which_side_has_more_is_no_question_of_where_they_lie() -> None:
+    asked = [form for form in forms("Are there more lugs on the left or on the right?") if isinstance(form, Towards)]
+    assert [(form.seen, form.sides, form.target.sides) for form in asked] == [("most", (Side.LEFT, Side.RIGHT), ())]
+
+
+@pytest.mark.parametrize("question", ["How many lugs does each lever have?", "How many lugs are there per lever?"])
+def test_a_number_of_each_is_shared(question: str) -> None:
+    shared = [form for form in forms(question) if isinstance(form, Combine) and form.operation == "per"]
+    assert [(form.right.target.noun, form.right.target.plural) for form in shared[:1] if form.right.target] == [
+        ("lever", True)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("question", "noun", "measure"),
+    [
+        ("How many different screws are there?", "screw", Measure.VOLUME),
+        ("How many kinds of lugs does it have?", "lug", Measure.MAGNITUDE),
+        ("How many different diameters does it have?", "cylindrical face", Measure.DIAMETER),
+    ],
+)
+def test_what_differs_is_counted_once(question: str, noun: str, measure: Measure) -> None:
+    assert (noun, measure) in [(form.target.noun, form.measure) for form in forms(question) if isinstance(form, Count)]
+
+
+@pytest.mark.parametrize(
+    "question", ["Do the lugs line up with the ribs?", "Are there as many lugs on the left as on the right?"]
+)
+def test_that_there_are_such_parts_answers_nothing_else(question: str) -> None:
+    assert not any(isinstance(form, Exists) for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    "question", ["Do the bores go right through the plate?", "Does the bore run all the way through the block?"]
+)
+def test_what_goes_through_is_through(question: str) -> None:
+    form = forms(question)[0]
+    assert isinstance(form, Every)
+    assert form.among.adjectives == ("through",)
+
+
+def test_where_parts_are_can_be_what_is_asked() -> None:
+    asked = [form for form in forms("Do the cross holes run into the bore?") if isinstance(form, Every)]
+    assert [(form.target.places, len(form.among.places)) for form in asked[:1]] == [((), 1)]
+
+
+def test_whether_there_is_play_is_a_distance_and_no_part() -> None:
+    found = forms("Is there any play between the spindle and the bush?")
+    assert any(isinstance(form, Check) and isinstance(form.left, Distance) for form in found)
+    assert not any(isinstance(form, Exists) for form in found)
+
+
+def test_as_wide_as_is_as_much() -> None:
+    form = next(form for form in forms("Is the lug as wide as the rib?") if isinstance(form, Check))
+    assert form.relation is Relation.EQUAL
+    assert "as much as the width of the rib" in describe(form)
+    assert isinstance(form, CLOSED)
+
+
+def test_a_ratio_of_two_parts_is_of_what_they_are_named_by() -> None:
+    form = next(form for form in forms("What is the ratio of the bore to the lug?") if isinstance(form, Combine))
+    assert [get.measures for get in (form.left, form.right) if isinstance(get, Get)] == [(Measure.MAGNITUDE,)] * 2
