@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from querycad_answering.drawing.meaning import describe
 from querycad_contracts import Measure, Relation, Side
-from querycad_language.describe import describe
 from querycad_language.forms import (
     Check,
     Combine,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from querycad_answering.drawing.meaning import describe
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.describe import describe, plural_of
+from querycad_language.describe import plural_of
 from querycad_language.forms import Check, Combine, Count, Distance, Exists, Form, Get, Reduce, Which, queries
 from querycad_language.readings.reader import read
 from querycad_language.tokens import tokenize

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from querycad_answering.drawing.meaning import describe
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.describe import describe
 from querycad_language.forms import (
     LONGEST,
     SHORTER,

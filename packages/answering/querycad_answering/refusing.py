@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Failure, Grounded, Measure, PartQuery
-from querycad_language.describe import describe, none_such, noun_phrase
+from querycad_language.describe import none_such, noun_phrase
 from querycad_language.forms import Check, Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
@@ -16,6 +16,7 @@ from querycad_language.tokens import DENSITY, Kind
 from querycad_language.weights import weights
 
 from .candidates import Candidate
+from .drawing.meaning import describe
 
 MARGIN = 0.5
 """By so much the reading of a part that is not there must be better than one that has a value."""

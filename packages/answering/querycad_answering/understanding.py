@@ -22,7 +22,6 @@ from querycad_contracts import (
     RunOutcome,
     RunStatus,
 )
-from querycad_language.describe import describe
 from querycad_language.forms import Count, Exists, Get, Parts, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
@@ -33,6 +32,7 @@ from .addressing import Addressed, address, folded, is_certain, is_restricted, m
 from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text, told_parts
+from .drawing.meaning import describe
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
 from .refusing import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread

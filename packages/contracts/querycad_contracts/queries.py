@@ -72,7 +72,6 @@ class Measure(StrEnum):
     """What is cut away of a block as large as the bounding box."""
     STANDING_AREA = "standing_area"
     """On which the whole stands on a plane below it."""
-    LONG_AXIS = "long_axis"
     AXIAL_EXTENT = "axial_extent"
     """The axis, 'x', 'y' or 'z', along which the whole is longest."""
     FACE_COUNT = "face_count"

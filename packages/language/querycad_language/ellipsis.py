@@ -23,7 +23,7 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _pointed_at(_topics(_without_having(_without_echo(_of_which(tokens, finds))), finds), finds)
+    return _pointed_at(_topics(_without_echo(_of_which(tokens, finds)), finds), finds)
 
 
 def _of_which(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
@@ -49,17 +49,6 @@ def _without_echo(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
             start -= 1
         joined = {",", "and", "-", "–", "—", ":"} & set(words[start:at])
         return (*tokens[:start], *tokens[end:]) if joined and start > _ECHO else tokens
-    return tokens
-
-
-def _without_having(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """'What slots do we have that are …': what is said of the noun stands right behind it."""
-    words = [token.word for token in tokens]
-    for at in range(1, len(words)):
-        end = at + 2 if words[at : at + 2] == ["are", "there"] else at + 3
-        having = end == at + 2 or (words[at] in ("do", "does") and words[at + 2 : end] in (["have"], ["see"]))
-        if having and words[end : end + 1] in (["that"], ["which"], ["whose"]):
-            return (*tokens[:at], *tokens[end:])
     return tokens
 
 

@@ -161,7 +161,6 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.STANDING_AREA: {
         "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)'
     },
-    Measure.LONG_AXIS: {"model": '"xyz"[list({0}.extents).index(max({0}.extents))]'},
     **{measure: _end(side) for measure, side in _ENDS.items()},
 }
 """The expressions of each measure, the usual one first; '~' is before what is derived, '?' before what is foreign.
@@ -171,7 +170,7 @@ in no line has the attribute of the measure's own name.
 """
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
-    Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER, Measure.LONG_AXIS: AnswerType.TEXT,
+    Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER,
     Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT,
     Measure.FACE_COUNT: AnswerType.COUNT, Measure.EDGE_COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,

@@ -17,6 +17,7 @@ from .words import is_noun, noun_follows, superlative
 if TYPE_CHECKING:
     from .reader import Phrases
 
+_OPENING = ("open", "opens", "break", "breaks", "emerge", "emerges", "exit", "exits")
 _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
 
@@ -38,6 +39,12 @@ def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bo
             after = _joins(phrases, at, draft, depth, joined) or _left_out(phrases, at + 1, draft, depth)
             if after == at + 1 and _opens(text, at):
                 continue
+        elif (
+            text.is_word(at, *_OPENING)
+            and text.find(at + 1, "side_preposition")
+            and not text.is_word(at + 2, "both", "one")
+        ):
+            continue  # 'that open on the top', 'break into the bore'
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         else:

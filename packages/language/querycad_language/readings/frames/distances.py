@@ -173,6 +173,7 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
             if isinstance(anchor, PartQuery):
                 features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
                 features["count_two"] = float(anchor.count == 2)
+                features["each_other_passes"] = float(any(used.isdisjoint(other[0].used) for other in ends))
                 if at < start:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)

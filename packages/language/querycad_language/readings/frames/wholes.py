@@ -1,4 +1,4 @@
-"""What only the whole model has: how full its bounding box is, what is cut away of it, where it is longest."""
+"""What only the whole model has: how full its bounding box is, what is cut away of it."""
 
 from __future__ import annotations
 
@@ -10,11 +10,10 @@ from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
-_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 
 
 def wholes(question: Question) -> Iterator[Draft]:
-    """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
+    """'How much of its bounding box is material, in percent?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
     boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
@@ -28,10 +27,3 @@ def wholes(question: Question) -> Iterator[Draft]:
             yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
             yield Draft(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
-    scales = (span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG)
-    longest = {span.start for span in scales}
-    axes = text.at_phrases("axis") | text.at_words("axis", "direction")
-    asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
-    if longest and axes and asks and not question.parts:
-        used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
-        yield Draft(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)

@@ -104,13 +104,8 @@ def within(question: Question) -> Iterator[Draft]:
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
         box = forms.Within(None, (low, middle, high))
-        wholes = {
-            i
-            for m in question.mentions
-            if m.query is None or m.part.noun in text.lexicon.words("whole")
-            for i in m.used
-        }
-        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *wholes, *range(sizes[0], sizes[-1] + 1)})
+        subject = {i for mention in question.mentions[:1] for i in mention.used}
+        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *subject, *range(sizes[0], sizes[-1] + 1)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Draft]:
