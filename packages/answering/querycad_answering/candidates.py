@@ -120,7 +120,8 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
             return True  # the hole nearest to the middle is no central one
     form = reading.form
     shown = (isinstance(form, Every) and query == form.among) or (isinstance(form, Either) and query in form.options)
-    return shown and any(name.endswith("_dropped") for name in way.features)
+    everywhere = "check_place" in reading.features and "place_whole" in way.features  # 'in the part' says nothing
+    return shown and (everywhere or any(name.endswith("_dropped") for name in way.features))
 
 
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:

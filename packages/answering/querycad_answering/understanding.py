@@ -208,9 +208,9 @@ class Understanding:
             sure = min(sure, OTHER_CLASS)
         if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
-        restricting = {kind for kind, _ in best.candidate.reading.skipped} & RESTRICTING
-        closed = isinstance(best.candidate.reading.form, CLOSED)
-        if "value_for_yes_no" in best.candidate.features or (closed and restricting):
+        restricting = RESTRICTING.intersection(kind for kind, _ in best.candidate.reading.skipped)
+        half = isinstance(best.candidate.reading.form, CLOSED) and (restricting or unchecked(best.candidate))
+        if "value_for_yes_no" in best.candidate.features or half:
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self._at_most))
 
