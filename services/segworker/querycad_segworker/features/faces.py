@@ -2,28 +2,23 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from querycad_contracts import Face, Outline, Side, SurfaceKind, Vector
 from querycad_segworker.tolerances import FACING, Tolerances
-from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, FaceRecord
 from querycad_segworker.vectors import (
-    add,
     box_center,
     box_extents,
     cross,
     dist,
     dot,
     foot,
-    norm,
-    scale,
-    sub,
-    unit,
 )
 
 from .shared.frames import frame_of_edges, outline_of
+from .shared.reach import reach_along
 
 _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _OUTLINES = {"circular": Outline.CIRCLE, "rectangular": Outline.RECTANGLE, "obround": Outline.SLOT}
@@ -101,28 +96,8 @@ def _extent(brep: Brep, record: FaceRecord, edges: Iterable[int], way: Vector) -
     for axis, extent in zip(_AXES, box_extents(record.box), strict=True):
         if abs(dot(axis, way)) > 1 - 1e-12:
             return extent
-    reach: list[float] = []
-    for edge in (brep.edges[e] for e in edges):
-        if edge.kind is EdgeKind.OTHER:
-            return None
-        reach += [dot(point, way) for point in (edge.start, edge.mid, edge.end, *_arc_extremes(edge, way))]
-    return max(reach) - min(reach) if reach else None
-
-
-def _arc_extremes(edge: EdgeRecord, way: Vector) -> Sequence[Vector]:
-    """The points of an arc that lie farthest along a unit vector and against it, where the arc passes them."""
-    if edge.center is None or edge.axis is None or not edge.radius:
-        return ()
-    flat = sub(way, scale(edge.axis, dot(way, edge.axis)))
-    if norm(flat) < 1e-9:
-        return ()
-    found = []
-    for sign in (1.0, -1.0):
-        ray = scale(unit(flat), sign)
-        cosine = dot(ray, unit(sub(edge.mid, edge.center)))
-        if math.acos(max(-1.0, min(1.0, cosine))) <= edge.length / edge.radius / 2 + 1e-9:
-            found.append(add(edge.center, scale(ray, edge.radius)))
-    return found
+    reach = reach_along(brep, edges, way)
+    return None if reach is None else reach[1] - reach[0]
 
 
 def likely_up(brep: Brep) -> Side | None:

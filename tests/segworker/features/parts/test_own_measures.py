@@ -188,7 +188,8 @@ def test_sheet_laid_flat_is_as_long_as_its_middle_and_a_block_is_none() -> None:
     bent = cut(cylinder(5, 30, (5, 0, 5), Y), cylinder(2, 30, (5, 0, 5), Y))
     sheet = fuse(legs, cut(bent, box((20, 30, 20), (5, 0, 0)), box((20, 30, 20), (0, 0, 5))))
     flat = (80 + 3.5 * math.pi / 2) * MM
-    for shape in (sheet, cut(sheet, cylinder(4, 10, (25, 15, -2)))):
+    corner = cut(box((6, 6, 10), (39, -1, -2)), cylinder(5, 10, (40, 5, -2)))
+    for shape in (sheet, cut(sheet, cylinder(4, 10, (25, 15, -2))), cut(sheet, corner)):
         (body,) = find(turned(shape, (1, 2, 3), 30)).of("body")
         assert body.developed_length == pytest.approx(flat, rel=1e-4)
     assert find(plate()).of("body")[0].developed_length is None

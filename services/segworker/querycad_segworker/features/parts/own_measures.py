@@ -8,10 +8,11 @@ from typing import Final
 
 from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area
+from querycad_segworker.features.shared.reach import reach_along
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import dist, dot, line_key, parallel, scale
+from querycad_segworker.vectors import cross, dist, dot, line_key, parallel
 
 Measured = dict[str, object]
 """Fields of `Part` -> values."""
@@ -81,8 +82,8 @@ def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
 def _laid_flat(body: Part, bends: Sequence[Part], brep: Brep) -> Part:
     """The same body; of sheet that is bent about one direction, how long it is across its bends when laid flat.
 
-    Along the middle of the material: the cross-section, that is the ends of all bends and of what runs on from them,
-    by the thickness. What a bend stretches beyond that (the k-factor of DIN 6935) is not known to a shape.
+    Along the middle of the material: its flat panels, each as far as it reaches, and the arcs of its bends. What a bend
+    stretches beyond that (the k-factor of DIN 6935) is not known to a shape.
     """
     own = set(body.faces)
     inside = [bend for bend in bends if own.issuperset(bend.faces)]
@@ -92,16 +93,31 @@ def _laid_flat(body: Part, bends: Sequence[Part], brep: Brep) -> Part:
     thickness = inside[0].thickness or 0.0
     if any(abs((one.thickness or 0.0) - thickness) > SAME * thickness for one in inside):
         return body
-    lengths = []
-    for way in (axis, scale(axis, -1.0)):
-        ends = [{i for f in one.faces for _, i in brep.neighbours(f) if _faces(brep, i, way)} for one in inside]
-        if all(ends):
-            lengths.append(faces_area(brep, set[int]().union(*ends)) / thickness)
-    return body.model_copy(update={"developed_length": max(lengths)}) if lengths else body
+    arcs = [(one.bend_angle or 0.0) * ((one.bend_radius or 0.0) + thickness / 2) for one in inside]
+    reaches = [
+        reach_along(brep, (edge for face in faces for edge in brep.face_edges[face]), cross(axis, normal))
+        for normal, faces in _panels(inside, axis, brep)
+    ]
+    flats = [reach[1] - reach[0] for reach in reaches if reach is not None]
+    if not all(arcs) or len(flats) != len(inside) + 1:  # no strip whose panels follow one another
+        return body
+    return body.model_copy(update={"developed_length": sum(arcs) + sum(flats)})
 
 
-def _faces(brep: Brep, face: int, way: Vector) -> bool:
-    return brep.faces[face].kind is SurfaceKind.PLANE and dot(brep.faces[face].axis, way) > math.cos(SQUARE_RAD)
+def _panels(bends: Sequence[Part], axis: Vector, brep: Brep) -> list[tuple[Vector, list[int]]]:
+    """The planes of one side of the sheet that run on into its bends, each by its normal and faces."""
+    bent = {face for bend in bends for face in bend.faces}
+    side = [bends[0].faces[0]]
+    for face in side:
+        near = {i for _, i in brep.neighbours(face)}
+        planes = {i for i in near if brep.faces[i].kind is SurfaceKind.PLANE} if face in bent else set()
+        along = {i for i in planes if abs(dot(brep.faces[i].axis, axis)) < SQUARE_RAD}
+        side += sorted(((near & bent) | along) - {*side})
+    found: dict[tuple[float, ...], tuple[Vector, list[int]]] = {}
+    for record in (brep.faces[face] for face in side if face not in bent):
+        key = (*(round(x, 6) for x in record.axis), round(dot(record.axis, record.origin), 8))
+        found.setdefault(key, (record.axis, []))[1].append(record.id)
+    return list(found.values())
 
 
 def _mouth(part: Part) -> Measured:
