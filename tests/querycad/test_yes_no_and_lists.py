@@ -82,3 +82,19 @@ def test_numbers_on_each_side_are_told_side_by_side(flange: Model) -> None:
 def test_which_of_two_is_told_by_its_words(flange: Model) -> None:
     assert flange.ask("Which is deeper, hole 1 or the groove?").text == "hole-1"
     assert flange.ask("Which is deeper, the bore or the groove?").text == "bore"
+
+
+def test_a_screw_that_fits_is_told_by_its_name(runtime: EmbeddedRuntime) -> None:
+    sheet = runtime.open(EXAMPLES / "sheet_metal.step")
+    reply = sheet.ask("What screw fits through the four holes in the base plate?")
+    assert reply.answer is not None
+    assert (reply.answer.type, reply.answer.value) == (AnswerType.TEXT, "M4")
+    assert reply.text == "M4 (4.5 mm: clears M4 (medium))"
+    plain = sheet.ask("What is the diameter of the four holes in the base plate?")
+    assert plain.text == "4.5 mm (each of 4)"
+
+
+def test_what_is_light_is_told_in_grams(flange: Model) -> None:
+    assert flange.ask("What does it weigh at 0.1 g/cm3?").text.endswith(" g")
+    assert flange.ask("What does it weigh in steel?").text.endswith(" kg")
+    assert flange.ask("What does it weigh at 0.1 g/cm3 in ounces?").text.endswith(" ounces")

@@ -33,6 +33,8 @@ from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
+from .drawing.numbers import significant
+from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
 from .refusing import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
@@ -44,6 +46,8 @@ SAY_NOTHING = ("chatter", "function", "courtesy")
 """Classes of words that may be skipped without a word about it."""
 RESTRICTING = frozenset(("noun", "measure", "comparison", "side", "number", "negation", "unknown"))
 """Classes of words without which a yes or no is as often wrong as right: of 137 so answered 70 were right."""
+GRAMS_BELOW_KG = 0.1
+"""Lighter parts are told in grams."""
 SHOWN_SHARE = 0.02
 """A reading with less of the probability is no alternative."""
 
@@ -248,12 +252,16 @@ class Understanding:
         program = _program(candidate, confidence)
         verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
         form = candidate.reading.form
+        if verdict.answer is not None and self._expect.type is None and asks_for_screw(self.question):
+            return replace(verdict, answer=with_screw(verdict.answer, verdict.parts))
         listed = isinstance(form, Parts) and self._asked.reader.text.at_words("list", "listed")
         if listed and verdict.answer is not None and verdict.parts and self._view.contents is not None:
             text = told_parts(verdict.parts, self._view.contents()[1], unit)
             return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
         if verdict.answer is not None and isinstance(form, Get) and form.measures == (Measure.MASS,):
-            text = f"{verdict.answer.text} kg"
+            kg = verdict.answer.value
+            small = isinstance(kg, float) and kg < GRAMS_BELOW_KG
+            text = f"{significant(kg * 1e3)} g" if small else f"{verdict.answer.text} kg"
             return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
         if verdict.answer is not None and isinstance(form, Get) and form.reduce is Reduce.RANGE:
             text = verdict.answer.text.replace(f" {unit.value}, ", " to ").replace(", ", " to ")

@@ -27,12 +27,13 @@ _MORE: Mapping[str, tuple[float, int]] = {
     **dict.fromkeys(("US gallons", "US gallon"), (3.785411784e-3, 3)),
 }
 """What the lexicon has no unit for, by name: value in SI and power of lengths (NIST SP 811, appendix B)."""
+_KILOGRAMS = {"kg": 1.0, "g": 1e-3}
 _POWERS = {"square": 2, "cubic": 3}
 _MARKS = {"": 1, "²": 2, "³": 3}
 _WHAT = {_MASS: "what mass", 2: "what area", 3: "what volume"}
 _SCALES = re.compile(r" (?:long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
 _ONE = r"-?\d[\d.]{0,30}(?:e[+-]?\d{1,3})?"
-_TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE}){{0,30}})(\)?) (kg|mm|cm|m|in)(²|³)?(?!\w)")
+_TOLD = re.compile(rf"(?<![\w.-])({_ONE}(?:(?: x | to |, ){_ONE}){{0,30}})(\)?) (kg|g|mm|cm|m|in)(²|³)?(?!\w)")
 """'12 mm', '8.5 to 54 mm', '170 x 170 x 53 mm', '(0, 0, 7.5) mm'."""
 _NAMES = (AnswerType.PARTS, AnswerType.TEXT, AnswerType.TEXTS)
 
@@ -92,10 +93,10 @@ def in_asked_unit(question: str, answer: Answer) -> Answer:
     match, factor, power = asked
 
     def told(text: re.Match[str]) -> str:
-        own = _MASS if text[3] == "kg" else _MARKS[text[4] or ""]
+        own = _MASS if text[3] in _KILOGRAMS else _MARKS[text[4] or ""]
         if own != power:
             return text[0]
-        scale = (LengthUnit(text[3]).metres ** own if own > 0 else 1.0) / factor
+        scale = (LengthUnit(text[3]).metres ** own if own > 0 else _KILOGRAMS[text[3]]) / factor
         numbers = re.sub(_ONE, lambda one: significant(float(one[0]) * scale), text[1])
         return f"{numbers}{text[2]} {match[2].lower()}"
 

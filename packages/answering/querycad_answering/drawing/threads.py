@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Part
+import re
+from collections.abc import Sequence
+
+from querycad_contracts import Answer, AnswerType, Part, PartKind, Unit
 from querycad_language.lexicon import lexicon
 
 NEAR = 0.02
@@ -11,6 +14,14 @@ away or more (ISO 261, from M1.6 to M64)."""
 SAME = 2e-5
 """A hole has a diameter of the tables when it differs by less than this, metres: they have two decimals of a
 millimetre, or four of an inch."""
+
+_LIKELY = ("clears", "medium", "close")
+_SCREW = re.compile(
+    r"\b(?:what|which)\b[^.?!]{0,40}\b(?:screw|bolt|thread|fastener|stud)s?\b[^.?!]{0,80}"
+    r"\b(?:fits?|suits?|takes?|accepts?|needs?|(?:meant|made|intended|sized|drilled) for|used (?:in|for|with)"
+    r"|(?:go(?:es)?|pass(?:es)?) (?:through|in|into))\b",
+    re.IGNORECASE,
+)
 
 
 def thread_name(part: Part) -> str | None:
@@ -46,6 +57,36 @@ def suits(part: Part) -> tuple[str, ...]:
         fits = (fit for fit in ("close", "medium", "loose") if fit in holes)
         found += [f"clears {screw} ({fit})" for fit in fits if abs(part.diameter - holes[fit]) < SAME]
     return tuple(dict.fromkeys(found))
+
+
+def asks_for_screw(question: str) -> bool:
+    """Is asked which screw goes with holes: 'what bolt fits the holes', 'which screw are the holes meant for'?"""
+    return bool(_SCREW.search(question))
+
+
+def with_screw(answer: Answer, parts: Sequence[Part]) -> Answer:
+    """The answer by the threads that holes of this diameter are modelled with, or suit; as it is where there is none.
+
+    A clearance comes before a tap drill, medium before close and loose, metric before inch.
+    """
+    holes = [part for part in parts if part.kind is PartKind.HOLE]
+    if answer.type not in (AnswerType.LENGTH, AnswerType.LENGTHS) or not holes or len(holes) < len(parts):
+        return answer
+    told = [(name, "has that thread") if (name := thread_name(part)) else _best(suits(part)) for part in holes]
+    names = list(dict.fromkeys(name for name, _ in told))
+    if not all(names):
+        return answer
+    text = f"{', '.join(names)} ({answer.text}: {', '.join(dict.fromkeys(why for _, why in told))})"
+    one = len(names) == 1
+    value = names[0] if one else names
+    return Answer(value=value, type=AnswerType.TEXT if one else AnswerType.TEXTS, unit=Unit.NONE, text=text)
+
+
+def _best(suited: Sequence[str]) -> tuple[str, str]:
+    """The likeliest of what a hole suits, as a name and in words; nothing where it suits nothing."""
+    likely = sorted(suited, key=lambda one: (" M" not in one, *(word not in one for word in _LIKELY)))
+    found = re.search(r"(?:clears|tap drill) (.+?)(?: \(|$)", likely[0]) if likely else None
+    return (found[1], likely[0]) if found else ("", "")
 
 
 def _written(name: str) -> str:

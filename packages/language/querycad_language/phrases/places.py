@@ -146,7 +146,7 @@ def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
         return at
     inner = text.skip(start, "each", "article")
     piece = text.skip(inner, "side_noun", "edge")
-    if piece > inner and text.is_word(piece, "of"):  # 'in the side of the foot' is in the foot
+    if piece > inner and text.is_word(piece, "of") and not text.is_word(at, "from"):  # 'in the side of' is in it
         start = piece + 1
     other = phrases.at(start, depth + 1, joined=span.value == "between")
     if other is None:
