@@ -18,7 +18,8 @@ Judged = Callable[[Program], Answer | None]
 """Runs a program and types what it gives."""
 
 _JOINT = re.compile(
-    r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?(?:how|what|where|at what|on which|is|are|does|do)\b)",
+    r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?"
+    r"(?:how|what|where (?:is|are|do|does)|at what|on which|is|are|does|do)\b)",
     re.IGNORECASE,
 )
 _VERBS = ("ask", "where", "be", "do", "exists")

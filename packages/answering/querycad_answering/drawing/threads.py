@@ -17,7 +17,7 @@ millimetre, or four of an inch."""
 
 _LIKELY = ("clears", "medium", "close")
 _SCREW = re.compile(
-    r"\b(?:what|which)\b[^.?!]{0,40}\b(?:screw|bolt|thread|fastener|stud)s?\b[^.?!]{0,80}"
+    r"\b(?:what|which)(?: [a-z]{1,20}){0,3} (?:screw|bolt|thread|fastener|stud)s?\b(?! ?holes?\b)[^.?!]{0,80}"
     r"\b(?:fits?|suits?|takes?|accepts?|needs?|(?:meant|made|intended|sized|drilled) for|used (?:in|for|with)"
     r"|(?:go(?:es)?|pass(?:es)?) (?:through|in|into))\b",
     re.IGNORECASE,

@@ -18,8 +18,7 @@ from .frames.counts import counts, exists
 from .frames.distances import angles, distances
 from .frames.overhangs import overhangs
 from .frames.parts import bare, mating, parts
-from .frames.values import values
-from .frames.wholes import wholes
+from .frames.values import values, wholes
 from .frames.yes_no import within, yes_no
 from .passed import finished, passable
 from .question import Question, seen_from

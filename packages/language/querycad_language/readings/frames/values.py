@@ -31,6 +31,7 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, R
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
+_FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 
 
 def values(question: Question) -> Iterator[Draft]:
@@ -199,3 +200,20 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
     several = named and target.plural and not target.definite and asked.measures[0] is not Measure.SIZE
     return Reduce.EACH if several else Reduce.ONE, used
+
+
+def wholes(question: Question) -> Iterator[Draft]:
+    """'How much of its bounding box is material, in percent?'"""
+    text = question.text
+    boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
+    boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
+    named = {i for m in question.mentions if m.query is None for i in m.used}
+    if boxes:
+        shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
+        filling, cutting = text.at_words(*_FILLING), text.at_phrases("cutting")
+        around = boxes | named | text.at_phrases("stuff") | text.at_words("much", "volume")
+        around |= {i + 1 for i in boxes if text.is_word(i, "bounding")}
+        if shares or filling:
+            yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
+        if cutting:
+            yield Draft(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
