@@ -203,7 +203,7 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
 
 
 def wholes(question: Question) -> Iterator[Draft]:
-    """'How much of its bounding box is material, in percent?'"""
+    """'How much of its bounding box is material, in percent?', 'What volume is cut away from the block?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
     boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
