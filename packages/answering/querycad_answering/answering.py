@@ -48,7 +48,7 @@ from .llm.reference import BY_SIGHT
 from .overview import asks_for_overview, asks_what_parts_are, overview
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
-from .understanding import ModelView, Run, Understanding, Understood
+from .understanding import OTHER_CLASS, ModelView, Run, Understanding, Understood
 
 T = TypeVar("T")
 
@@ -216,7 +216,10 @@ def _compound(
         answer_question(one, run, view, unit, alone.model_copy(update={"context": asked[:index]}))
         for index, one in enumerate(asked)
     ]
-    return together(records, judged) if records else None
+    both = together(records, judged) if records else None
+    if records and both is None:
+        understanding.at_most = min(understanding.at_most, OTHER_CLASS)  # one of them is not answered
+    return both
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:

@@ -19,7 +19,7 @@ Judged = Callable[[Program], Answer | None]
 
 _JOINT = re.compile(
     r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?"
-    r"(?:how|what|where (?:is|are|do|does)|at what|on which|is|are|does|do)\b)",
+    r"(?:how|what|where (?:is|are|do|does)|(?:at|on|in|by|to) (?:what|which)|is|are|does|do)\b)",
     re.IGNORECASE,
 )
 _VERBS = ("ask", "where", "be", "do", "exists")
@@ -46,11 +46,14 @@ def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
 
 
 def _asked(clause: Question, start: int) -> set[int]:
-    """Where the clause says what it asks for, in the whole question; nowhere, if it asks nothing or names nothing."""
+    """Where the clause says what it asks, or of what; nowhere, if it asks nothing or names nothing."""
     text = clause.text
     if not clause.mentions or not any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))):
         return set()
-    return {start + i for i in range(len(text)) if text.find(i, *_ASKED)}
+    how = text.at_words("how")
+    pronouns = {i for mention in clause.mentions if mention.pronoun for i in mention.used}
+    asked = how or pronouns or {i for i in range(len(text)) if text.find(i, *_ASKED)}
+    return {start + i for i in asked}
 
 
 def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | None:

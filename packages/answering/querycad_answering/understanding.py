@@ -22,7 +22,7 @@ from querycad_contracts import (
     RunOutcome,
     RunStatus,
 )
-from querycad_language.forms import Count, Exists, Get, Parts, Reduce
+from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.programs.draft import Read
@@ -101,7 +101,7 @@ class Understanding:
         self.question = folded(question)
         self._view = view
         self._expect = expect
-        self._at_most = at_most
+        self.at_most = at_most
         self._outcomes: dict[str, RunOutcome] = {}
         self.grounded: dict[PartQuery, Sequence[Grounded]] = {}
 
@@ -213,10 +213,10 @@ class Understanding:
         if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
         restricting = RESTRICTING.intersection(kind for kind, _ in best.candidate.reading.skipped)
-        half = isinstance(best.candidate.reading.form, CLOSED) and (restricting or unchecked(best.candidate))
+        half = isinstance(best.candidate.reading.form, CLOSED | Towards) and (restricting or unchecked(best.candidate))
         if "value_for_yes_no" in best.candidate.features or half:
             sure = min(sure, OTHER_CLASS)
-        return replace(best, confidence=min(sure, self._at_most))
+        return replace(best, confidence=min(sure, self.at_most))
 
     def _fits(self, candidate: Candidate) -> bool:
         """Are the parts that are named by their ids what is said beside: is hole 4 blind in 'the blind hole 4'?
