@@ -46,7 +46,7 @@ def is_hand(fold: str) -> bool:
 
 def cross_validated(rows: Sequence[Row], prior: Table) -> list[Told]:
     """Every question, answered by weights that were fitted without its writer and without its model."""
-    whole = fit(rows, prior)
+    whole = fit(balanced(rows), prior)
     return [
         one
         for left_out in by_fold(rows).values()
@@ -68,19 +68,27 @@ def without(rows: Sequence[Row], left_out: Sequence[Row]) -> list[Row]:
     return [row for row in rows if fold_of(row) not in folds and row.question.model not in models]
 
 
+def balanced(rows: Sequence[Row]) -> list[Row]:
+    """The questions as they count in fitting: those that are no hand's twice, or the hands outweigh all others.
+
+    Left out in cross-validation, the others gain a third of a percent by it, and the hands lose a tenth.
+    """
+    return [*rows, *(row for row in rows if not is_hand(fold_of(row)))]
+
+
 def weights_of(rows: Sequence[Row], prior: Table, begin: Table | None = None) -> tuple[Table, Table]:
     """Weights fitted on these questions, and a calibration fitted on those that parts of the weights had not seen.
 
     What the lexicon was written with in view is answered better than what people ask: where there are other questions,
     they alone say how probable an answer is. `begin`: where fitting begins.
     """
-    table = fit(rows, prior, begin)
+    table = fit(balanced(rows), prior, begin)
     folds = by_fold(rows)
     counted = [name for name in folds if is_hand(name)] or list(folds)
     answers: list[Answered] = []
     for part in range(PARTS):
         left_out = [row for name in counted[part::PARTS] for row in folds[name]]
-        seen = fit(without(rows, left_out), prior, table)
+        seen = fit(balanced(without(rows, left_out)), prior, table)
         answers += [answered(row, seen) for row in left_out]
     return table, calibrate(answers)
 

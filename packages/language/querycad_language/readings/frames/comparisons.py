@@ -92,9 +92,8 @@ def _which(question: Question) -> Iterator[Draft]:
 
 def _said(question: Question, mention: Mention) -> str:
     """The noun phrase without its article."""
-    text = question.text
-    begin = text.skip(mention.start, "article")
-    return " ".join(token.raw for token in text.tokens[begin : mention.end]).strip()
+    begin = question.text.skip(mention.start, "article")
+    return " ".join(token.raw for token in question.text.tokens[begin : mention.end]).strip()
 
 
 def _combined(question: Question) -> Iterator[Draft]:
