@@ -92,10 +92,9 @@ def _class(question: Question, at: int) -> str:
     if not text.is_word(at, "except", "excluding"):
         own.discard("except")
     name = next((name for name, categories in _CLASSES if own & categories), unclassed)
-    if text.is_word(at, "far") and text.is_word(at - 1, "how"):
-        return "measure"
-    if text.is_word(at, "per") or (text.is_word(at, "each", "every") and text.find(at - 1, "side_preposition")):
-        return "comparison"  # 'on each side'
+    share = text.is_word(at, "per") or (text.is_word(at, "each", "every") and text.find(at - 1, "side_preposition"))
+    if share or (text.is_word(at, "far") and text.is_word(at - 1, "how")):  # 'on each side', 'how far'
+        return "comparison"
     if name == "side" and "chatter" in own and text.is_word(at, "back", "right"):
         return "function"
     if name == "adjective":

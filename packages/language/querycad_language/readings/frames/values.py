@@ -30,7 +30,7 @@ MOST_TOGETHER = 3
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
-_OVERALL = ("overall", "total", "complete", "entire", "whole", "full", "maximum")
+_OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 
 
@@ -92,8 +92,9 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
-    overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *_OVERALL)}
-    if overall or text.is_word(asked.start, "overall", "total"):
+    words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
+    overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
+    if overall or text.is_word(asked.start, *{"overall", "total"} & words):
         features["overall_whole" if target is None else "overall_part"] = 1.0
     with_head = text.has("head") and text.has("incl", "included", "including") and not text.has("not")
     over_all = asked.measures == (Measure.LENGTH,) and bool(

@@ -88,8 +88,8 @@ def _either(question: Question) -> Iterator[Draft]:
         if first is not None and second is not None and mention is not None:
             names = (first.value.name, second.value.name)
             query = mention.query or PartQuery(noun="object", words=("object",))
-            left = {"adjectives": query.adjectives, "lacking": query.lacking}
-            bare = replace_fields(query, **{k: tuple(one for one in v if one not in names) for k, v in left.items()})
+            kept = {k: tuple(v for v in getattr(query, k) if v not in names) for k in ("adjectives", "lacking")}
+            bare = replace_fields(query, **kept)
             one, other = (_all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
             said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
             used = {at, *mention.used, *range(first.start, second.end)}
