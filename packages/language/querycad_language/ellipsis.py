@@ -12,9 +12,8 @@ Finds = Callable[[int, str], bool]
 _LONGEST = 12
 """Tokens of a topic; longer ones are clauses of their own."""
 _COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
-_ECHO = 3
-_ECHOED = frozenset(("one", "ones", "pair", "two", "are", "they", "is", "it", "those", "them"))
-_BEFORE_ECHO = (",", "and", "-", "–", "—", ":", "if", "so", "yes", "tell", "me", "say", "name", "then", "/", "no")
+MOST_OF_NOUN = 3
+"""Words of a noun behind 'which'."""
 _PRONOUNS = ("it", "they", "them")
 _MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 """What is said of parts without 'are': 'which emerge at the back'."""
@@ -23,7 +22,7 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _pointed_at(_topics(_without_echo(_of_which(tokens, finds)), finds), finds)
+    return _pointed_at(_topics(_of_which(tokens, finds), finds), finds)
 
 
 def _of_which(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
@@ -31,25 +30,10 @@ def _of_which(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     which = next((at for at, token in enumerate(tokens) if token.word in ("which", "what")), len(tokens))
     verb = next((at for at in range(which + 1, len(tokens)) if finds(at, "be") or finds(at, "have")), which)
     noun = tokens[which + 1 : verb]
-    if not noun or len(noun) > _ECHO or not finds(which + 1, "noun"):
+    if not noun or len(noun) > MOST_OF_NOUN or not finds(which + 1, "noun"):
         return tokens
     ones = [at for at in range(verb, len(tokens)) if tokens[at].word == "one" and tokens[at - 1].word != "which"]
     return tuple(each for at, token in enumerate(tokens) for each in (noun if at in ones else (token,)))
-
-
-def _without_echo(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """'Do any lugs cross, and which ones?': the parts that make it so are evidence of the answer."""
-    words = [token.word for token in tokens]
-    end = len(words) - (words[-1:] in (["?"], ["."], ["!"]))
-    for at in range(max(1, end - _ECHO), end):
-        if words[at] != "which" or not set(words[at + 1 : end]) <= _ECHOED:
-            continue
-        start = at
-        while start > 1 and words[start - 1] in _BEFORE_ECHO:
-            start -= 1
-        joined = {",", "and", "-", "–", "—", ":"} & set(words[start:at])
-        return (*tokens[:start], *tokens[end:]) if joined and start > _ECHO else tokens
-    return tokens
 
 
 def _pointed_at(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:

@@ -52,6 +52,10 @@ _SIGNED = tuple(
     ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)], side.value) for side in Side
 )
 """Sign, axis, and the side of the file's frame that lies there."""
+_ECHO = re.compile(
+    r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
+)
+"""'…, and if so, which ones?': those that make it so are evidence of the answer."""
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
@@ -61,6 +65,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
+    (_ECHO, "?"),
     *(
         (re.compile(rf"(?<![\w+-])[{sign}]{axis}(?=[ -](?:side|face|half|end)\b)", re.I), name)
         for sign, axis, name in _SIGNED

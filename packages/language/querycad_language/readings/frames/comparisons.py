@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
@@ -93,7 +93,8 @@ def _which(question: Question) -> Iterator[Draft]:
 def _said(question: Question, mention: Mention) -> str:
     """The noun phrase without its article."""
     begin = question.text.skip(mention.start, "article")
-    return " ".join(token.raw for token in question.text.tokens[begin : mention.end]).strip()
+    tokens = takewhile(lambda token: token.kind is not Kind.POSSESSIVE, question.text.tokens[begin : mention.end])
+    return " ".join(token.raw for token in tokens)
 
 
 def _combined(question: Question) -> Iterator[Draft]:

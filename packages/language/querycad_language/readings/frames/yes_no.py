@@ -113,10 +113,18 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
     text = question.text
     verb = next((span for span in text.all("fits") if span.start >= start), None)
     hole = next((m for m in reversed(question.parts) if verb and m.start >= verb.end), None)
-    if verb is not None and hole is not None and text.lengths:
-        size, wide = text.lengths[0], Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=()))
-        check = Check(wide, Relation.AT_LEAST, text.tokens[size].value)
-        yield Draft(check, {"mating": 1.0}, {size, *verb.tokens, *hole.used})
+    threads = text.lexicon.threads
+    sizes = [(i, token.value) for i, token in enumerate(text.tokens) if token.power == 1]
+    sizes += [(i, threads[word]["nominal"]) for i, word in enumerate(text.words) if "nominal" in threads.get(word, ())]
+    if verb is not None and hole is not None and sizes:
+        pin = {i for m in question.parts if m.end <= verb.start for i in m.used}
+        said = tuple(name for name in hole.part.adjectives if name != "through")  # 'would it go through the lug?'
+        check = Check(
+            Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=(), adjectives=said)),
+            Relation.AT_LEAST,
+            sizes[0][1],
+        )
+        yield Draft(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
@@ -186,7 +194,9 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     if target.places:  # 'Do the cross holes run into the bore?'
         yield Draft(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
-    if end > mention.end and text.is_word(end, "through"):  # 'Do the lugs go right through the plate?'
+    if (
+        end > mention.end and text.is_word(end, "through") and not target.threads
+    ):  # 'Do the lugs go right through the plate?'
         across = set(more) if other is not None and other.start <= end + 2 else set()
         said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
         yield Draft(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
