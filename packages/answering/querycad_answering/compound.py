@@ -24,6 +24,10 @@ _JOINT = re.compile(
 )
 _VERBS = ("ask", "where", "be", "do", "exists")
 _ASKED = ("measure", "scale", "count", "distance", "gap", "where")
+MAX_CHARS = 300
+"""Longer texts are not looked at for a second question; so three or four are answered at most, one after the other."""
+MAX_JOINTS = 4
+"""So many places are looked at where one question may end."""
 _LEADING = 4
 """Words of a clause within which it asks."""
 _SCALARS = (
@@ -34,10 +38,11 @@ _NUMERIC = {*_SCALARS, *map(of_several, _SCALARS)}
 
 def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
     """The two questions, where the best reading of both as one passes over what one of them asks; else none."""
-    whole = Question(question).text
-    for joint in _JOINT.finditer(question):
+    joints = list(_JOINT.finditer(question)) if len(question) <= MAX_CHARS else []
+    size = len(Question(question).text) if joints else 0
+    for joint in joints[:MAX_JOINTS]:
         first, second = (Question(one) for one in (question[: joint.start()], question[joint.end() :]))
-        starts = (0, len(whole) - len(second.text))
+        starts = (0, size - len(second.text))
         asked = [_asked(one, start) for one, start in zip((first, second), starts, strict=True)]
         used = best.reading.used if best is not None else frozenset[int]()
         if all(asked) and any(used.isdisjoint(one) for one in asked):

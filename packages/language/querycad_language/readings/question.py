@@ -59,7 +59,7 @@ class Question:
         begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
         return any(self._asks_yes_no(begin) for begin in begins)
 
-    @property
+    @cached_property
     def chooses(self) -> bool:
         """Is one of two asked for: 'Which is longer, the spindle or the lever?'"""
         text = self.text
