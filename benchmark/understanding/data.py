@@ -142,7 +142,10 @@ def _published() -> Iterator[Question]:
 
 
 def is_right(value: Any, one: Question) -> bool:
-    """Is a value right, within 1 % or 0.1 mm; counts exact; lists in any order; points within 0.1 mm or 1 %?"""
+    """Is a value right, within 1 % or 0.1 mm; counts exact; lists in any order; points within 0.1 mm or 1 %?
+
+    One name holds another: "the upper lug" is "upper".
+    """
     if value is None:
         return False
     if one.pattern is not None:
@@ -158,9 +161,7 @@ def _close(value: Any, truth: Any, kind: str) -> bool:
     if isinstance(truth, str) or (isinstance(truth, list) and truth and isinstance(truth[0], str)):
         texts, truths = sorted(_texts(value)), sorted(_texts(truth))
         named = len(texts) == len(truths) == 1 and "," not in texts[0] and "alike" not in texts[0].split()
-        return texts == truths or (
-            named and set(truths[0].split()) <= set(texts[0].split())
-        )  # 'the upper lug': 'upper'
+        return texts == truths or (named and set(truths[0].split()) <= set(texts[0].split()))
     got, want = _numbers(value), _numbers(truth)
     if got is None or want is None:
         return False

@@ -117,6 +117,7 @@ def test_a_ratio_is_of_the_measures_beside_it() -> None:
     [
         ("What percentage of the bounding box is material here?", Measure.FILL),
         ("What volume is milled away from a block as large as the bounding box?", Measure.REMOVED),
+        ("Which direction is the model largest in, x, y or z?", Measure.LONG_AXIS),
         ("What is the area on which it stands, the footprint?", Measure.STANDING_AREA),
     ],
 )

@@ -41,12 +41,6 @@ PNG = b"\x89PNG"
 
 
 @pytest.fixture(scope="module")
-def runtime(tmp_path_factory: pytest.TempPathFactory) -> Iterator[EmbeddedRuntime]:
-    with EmbeddedRuntime(tmp_path_factory.mktemp("models")) as made:
-        yield made
-
-
-@pytest.fixture(scope="module")
 def model(runtime: EmbeddedRuntime) -> Model:
     return runtime.open(ROOT / "examples/flange.step")
 

@@ -130,7 +130,7 @@ def answer_question(
     else:
         both = _compound(understanding, run, view, unit, lambda program: judged(program).answer, least)
         if both is not None and expect.type is None:
-            return both.model_copy(update={"question": question, "timings_ms": clock.timings_ms})
+            return both.model_copy(update={"question": question})
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")

@@ -6,10 +6,10 @@ Each is asked alone, the second after the first, where no reading of the whole a
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from querycad_contracts import Answer, AnswerRecord, AnswerType, Program, Status, Unit
-from querycad_language.measures import of_several
+from querycad_language.measures import SCALARS, of_several
 from querycad_language.readings.question import Question
 
 from .candidates import Candidate
@@ -30,10 +30,7 @@ MAX_JOINTS = 4
 """So many places are looked at where one question may end."""
 _LEADING = 4
 """Words of a clause within which it asks."""
-_SCALARS = (
-    AnswerType.COUNT, AnswerType.NUMBER, AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE,
-)  # fmt: skip
-_NUMERIC = {*_SCALARS, *map(of_several, _SCALARS)}
+_NUMERIC = {*SCALARS, *map(of_several, SCALARS)}
 
 
 def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
@@ -94,8 +91,17 @@ def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | 
             "understood_as": "; ".join(dict.fromkeys(one.understood_as for one in records)),
             "ignored": tuple(dict.fromkeys(word for one in records for word in one.ignored)),
             "alternatives": (),
+            "timings_ms": _added(one.timings_ms for one in records),
         }
     )
+
+
+def _added(timings: Iterable[dict[str, float]]) -> dict[str, float]:
+    """How long each step took in all, in milliseconds."""
+    found: dict[str, float] = {}
+    for step, took in (item for one in timings for item in one.items()):
+        found[step] = round(found.get(step, 0.0) + took, 3)
+    return found
 
 
 def _plain(record: AnswerRecord, judged: Judged) -> Answer | None:

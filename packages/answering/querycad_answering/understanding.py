@@ -252,7 +252,7 @@ class Understanding:
         program = _program(candidate, confidence)
         verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
         form = candidate.reading.form
-        if verdict.answer is not None and self._expect.type is None and asks_for_screw(self.question):
+        if verdict.answer is not None and self._expect.type is None and asks_for_screw(self._asked.reader):
             return replace(verdict, answer=with_screw(verdict.answer, verdict.parts))
         listed = isinstance(form, Parts) and self._asked.reader.text.at_words("list", "listed")
         if listed and verdict.answer is not None and verdict.parts and self._view.contents is not None:

@@ -157,6 +157,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.AREA: "area; ~opening_area",  # of a window the opening may be meant, of a hole its wall
     Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]",
     Measure.FILL: {"model": f"100 * {{0}}.volume / {_BOX}"},
+    Measure.LONG_AXIS: {"model": '"xyz"[list({0}.extents).index(max({0}.extents))]'},
     Measure.REMOVED: {"model": f"{_BOX} - {{0}}.volume"},
     Measure.STANDING_AREA: {
         "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)'
@@ -170,7 +171,7 @@ in no line has the attribute of the measure's own name.
 """
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
-    Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER,
+    Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER, Measure.LONG_AXIS: AnswerType.TEXT,
     Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT,
     Measure.FACE_COUNT: AnswerType.COUNT, Measure.EDGE_COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
@@ -181,6 +182,7 @@ _TYPES = {
     **dict.fromkeys((Measure.NAME, Measure.KIND, Measure.COLOR, Measure.BOTTOM), AnswerType.TEXT),
 }  # fmt: skip
 """Of what is no single length."""
+SCALARS = frozenset(getattr(AnswerType, name) for name in ["LENGTH", "AREA", "VOLUME", "ANGLE", "NUMBER", "COUNT"])
 _MANY = {
     AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES,
     AnswerType.POINT: AnswerType.POINTS, AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS,

@@ -66,6 +66,10 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (_ECHO, "?"),
+    (
+        re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.I),
+        "",
+    ),  # 'what … do we have'
     *(
         (re.compile(rf"(?<![\w+-])[{sign}]{axis}(?=[ -](?:side|face|half|end)\b)", re.I), name)
         for sign, axis, name in _SIGNED

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import Answer, AnswerType, Part, PartKind, Unit
 from querycad_language.lexicon import lexicon
+from querycad_language.readings.question import Question
 
 NEAR = 0.02
 """A modelled thread's diameter and pitch differ from the nominal ones by less than this share; the next size is 12 %
@@ -16,12 +17,9 @@ SAME = 2e-5
 millimetre, or four of an inch."""
 
 _LIKELY = ("clears", "medium", "close")
-_SCREW = re.compile(
-    r"\b(?:what|which)(?: [a-z]{1,20}){0,3} (?:screw|bolt|thread|fastener|stud)s?\b(?! ?holes?\b)[^.?!]{0,80}"
-    r"\b(?:fits?|suits?|takes?|accepts?|needs?|(?:meant|made|intended|sized|drilled) for|used (?:in|for|with)"
-    r"|(?:go(?:es)?|pass(?:es)?) (?:through|in|into))\b",
-    re.IGNORECASE,
-)
+_FASTENERS = frozenset(("screw", "bolt", "stud", "fastener", "thread"))
+_ASKED_WITHIN = 4
+"""Words between 'what' and the fastener: 'what size of metric screw'."""
 
 
 def thread_name(part: Part) -> str | None:
@@ -59,9 +57,12 @@ def suits(part: Part) -> tuple[str, ...]:
     return tuple(dict.fromkeys(found))
 
 
-def asks_for_screw(question: str) -> bool:
-    """Is asked which screw goes with holes: 'what bolt fits the holes', 'which screw are the holes meant for'?"""
-    return bool(_SCREW.search(question))
+def asks_for_screw(question: Question) -> bool:
+    """Is asked which screw goes with holes: 'what bolt fits the holes', 'which screw are the holes made for'?"""
+    text = question.text
+    asks = {at + i for at in text.at_words("what", "which") for i in range(1, _ASKED_WITHIN + 1)}
+    named = any(mention.part.noun in _FASTENERS and mention.head in asks for mention in question.parts)
+    return named and bool(text.at_phrases("fits"))
 
 
 def with_screw(answer: Answer, parts: Sequence[Part]) -> Answer:

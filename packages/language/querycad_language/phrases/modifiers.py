@@ -35,15 +35,12 @@ def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bo
     text = phrases.text
     relative = False
     for at in range(start, min(len(text), start + 6)):
+        to_side = text.find(at + 1, "side_preposition") and not text.is_word(at + 2, "both", "one")
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
             after = _joins(phrases, at, draft, depth, joined) or _left_out(phrases, at + 1, draft, depth)
             if after == at + 1 and _opens(text, at):
                 continue
-        elif (
-            text.is_word(at, *_OPENING)
-            and text.find(at + 1, "side_preposition")
-            and not text.is_word(at + 2, "both", "one")
-        ):
+        elif to_side and text.is_word(at, *_OPENING):
             continue  # 'that open on the top', 'break into the bore'
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start

@@ -9,7 +9,7 @@ from querycad_language.tokens import Kind
 from .mention import Draft
 from .words import noun_follows
 
-_COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
+COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
 _POWERS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: None, 2: Measure.AREA, 3: Measure.VOLUME}
 _LINKS = (
     "with", "of", "a", "an", "the", "is", "are", "between", "from", "in", "whose", "having", "at", "=", "measuring",
@@ -53,7 +53,7 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
             if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
                 return None
             measure = scale.value.measure if scale.value.measure is not Measure.MAGNITUDE else measure
-            relation, at = _COMPARISONS.get(scale.value.degree, Relation.EQUAL), scale.end + 1
+            relation, at = COMPARISONS.get(scale.value.degree, Relation.EQUAL), scale.end + 1
         elif span := text.find(at, "relation"):
             relation, at = relation if text.is_word(at, "of") else span.value, span.end
         elif (span := text.find(at, "measure")) and measure is None:

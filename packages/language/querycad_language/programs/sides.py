@@ -78,11 +78,10 @@ def towards(draft: Draft, form: Towards) -> tuple[str, AnswerType]:
     match form.seen:
         case "none":
             return f"[side for side in {sides} if not any(side in p.sides for p in {name})]", AnswerType.TEXTS
-        case "each":
+        case "each" | "most":  # all of as many
             draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
-            return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
-        case "most":  # all of as many
-            draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
+            if form.seen == "each":
+                return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
             most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
             return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
         case "way":

@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
-from querycad_language.measures import answer_type, is_length, of_several
+from querycad_language.measures import SCALARS, answer_type, is_length, of_several
 
 from .distances import SLACK, distance, overlapping, touching
 from .draft import Compared, Draft, Grounds, Unwritable, Written
@@ -40,9 +40,6 @@ _COMPARED = {
     Relation.EQUAL: "abs(v - {low}) <= {slack}", Relation.UNEQUAL: "abs(v - {low}) > {slack}",
     Relation.ABOUT: "abs(v - {low}) <= 0.1 * {low}",
 }  # fmt: skip
-_SCALARS = frozenset((
-    AnswerType.LENGTH, AnswerType.AREA, AnswerType.VOLUME, AnswerType.ANGLE, AnswerType.NUMBER, AnswerType.COUNT,
-))  # fmt: skip
 
 
 def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written:
@@ -188,7 +185,7 @@ def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name
     if any(value.startswith("[*") for value in listed):
         raise Unwritable
     kinds = {answer_type(measure) for measure in measures}
-    if kinds <= _SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
+    if kinds <= SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
         listed = [f"round({value}, 9)" for value in listed]
     draft.lines.append(f"values = [({', '.join(listed)}) for p in {name}]")
     kind = answer_type(measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
@@ -196,7 +193,7 @@ def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name
 
 
 def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
-    scalar, many = kind in _SCALARS, of_several(kind)
+    scalar, many = kind in SCALARS, of_several(kind)
     if reduce is Reduce.EACH:
         return values, many
     if reduce is Reduce.DIFFERENT:

@@ -9,13 +9,13 @@ from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, bare_of
+from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
-_RELATIONS = {"more": Relation.MORE, "less": Relation.LESS}
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 
 
@@ -56,7 +56,7 @@ def _compared(question: Question) -> Iterator[Draft]:
             for form in (tops, Distance(left.query, right.query, "centers", axis=2)):
                 yield Draft(form, {"level": 1.0, "combined": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
-        relation = _RELATIONS.get(comparative.value.degree, Relation.EQUAL)
+        relation = COMPARISONS.get(comparative.value.degree, Relation.EQUAL)
         yield Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
 
 

@@ -126,12 +126,12 @@ def mating(question: Question) -> Iterator[Draft]:
         lead = range(max(question.asking[0], male.start - 4), male.start + 1)
         asked = next((i for i in lead if text.is_word(i, "what", "which")), None)
         verb = next((span for span in text.all("fits") if 0 <= span.start - male.end < MATES_WITHIN), None)
-        if asked is None or verb is None:
+        if asked is None or verb is None or any(text.find(i, "be", "do") for i in range(asked, male.start)):
             continue
         own = (f"{male.part.noun} {hole}" for hole in _HOLES)
         noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
-        fitted = [(PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())]
-        fitted += [(one.part, one.used) for one in nouns[index + 1 : index + 3]]
+        unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
+        fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]
         used = {*range(asked, male.end), *verb.tokens}
         for query, more in fitted:
             yield Draft(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)

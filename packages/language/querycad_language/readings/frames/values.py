@@ -31,6 +31,7 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, R
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
+_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 
 
@@ -204,7 +205,7 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
 
 
 def wholes(question: Question) -> Iterator[Draft]:
-    """'How much of its bounding box is material, in percent?', 'What volume is cut away from the block?'"""
+    """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
     boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
@@ -218,3 +219,10 @@ def wholes(question: Question) -> Iterator[Draft]:
             yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
             yield Draft(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
+    scales = (span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG)
+    longest = {span.start for span in scales}
+    axes = text.at_phrases("axis") | text.at_words("axis", "direction")
+    asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
+    if longest and axes and asks and not question.parts:
+        used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
+        yield Draft(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)

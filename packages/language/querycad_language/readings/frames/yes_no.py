@@ -119,24 +119,17 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
     if verb is not None and hole is not None and sizes:
         pin = {i for m in question.parts if m.end <= verb.start for i in m.used}
         said = tuple(name for name in hole.part.adjectives if name != "through")  # 'would it go through the lug?'
-        check = Check(
-            Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=(), adjectives=said)),
-            Relation.AT_LEAST,
-            sizes[0][1],
-        )
+        wide = Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=(), adjectives=said))
+        check = Check(wide, Relation.AT_LEAST, sizes[0][1])
         yield Draft(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
     """'Is there at least 10 mm between the slot and the edge?', 'Is there any gap between the disc and the nut?'"""
     text = question.text
-    gap = (
-        SizeFilter(relation=Relation.MORE, low=0.0)
-        if text.is_word(start + 1, "there") and text.at_phrases("gap")
-        else None
-    )
-    found = _size_after(question, start, len(text)) or (gap and (gap, {start, start + 1}))
-    if not found:
+    asks_gap = text.is_word(start + 1, "there") and bool(text.at_phrases("gap"))
+    any_gap = (SizeFilter(relation=Relation.MORE, low=0.0), {start, start + 1}) if asks_gap else None
+    if (found := _size_after(question, start, len(text)) or any_gap) is None:
         return
     size, used = found
     for draft in distances(question):
@@ -194,9 +187,7 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     if target.places:  # 'Do the cross holes run into the bore?'
         yield Draft(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
-    if (
-        end > mention.end and text.is_word(end, "through") and not target.threads
-    ):  # 'Do the lugs go right through the plate?'
+    if end > mention.end and text.is_word(end, "through") and not target.threads:  # 'Do they go right through?'
         across = set(more) if other is not None and other.start <= end + 2 else set()
         said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
         yield Draft(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
