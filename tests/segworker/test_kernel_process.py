@@ -68,6 +68,16 @@ def test_the_end_of_one_is_told_and_does_not_touch_another(kernel_faces: str) ->
         assert measured(second) == pytest.approx(5e-3)
 
 
+def test_those_that_end_while_they_are_let_go_do_not_touch_another(kernel_faces: str) -> None:
+    before = host().pid
+    with KernelProcess("measure", kernel_faces) as stays:
+        for _ in range(300):
+            with KernelProcess("measure", "/missing.bin") as ends:
+                assert ends.stdout.readline() == ""  # its pipe closes just before it ends
+        assert measured(stays) == pytest.approx(5e-3)
+    assert host().pid == before
+
+
 @pytest.mark.parametrize(("name", "why"), [("damaged.bin", "could not be read again"), ("missing.bin", "No such file")])
 def test_work_that_fails_ends_with_1_and_says_why(name: str, why: str, tmp_path: Path) -> None:
     (tmp_path / "damaged.bin").write_text("these are no faces")

@@ -72,7 +72,7 @@ class _Host:
                         return
                 elif key.fileobj is self._ended:
                     self._tell_ended()
-                else:
+                elif self._lines.get(key.data) is key.fileobj:  # not one that has ended and was let go in this moment
                     self._selector.unregister(key.fileobj)
                     os.kill(key.data, signal.SIGKILL)  # not reaped yet, so it is still this process
 
