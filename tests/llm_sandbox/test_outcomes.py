@@ -14,7 +14,16 @@ import psutil
 import pytest
 from tests.llm_sandbox.conftest import FakeSegCad
 
-from querycad_contracts import AnswerType, Grounding, MissingAttribute, PartQuery, RunLimits, RunStatus, Side
+from querycad_contracts import (
+    AnswerType,
+    Grounding,
+    MissingAttribute,
+    NoSuchMeasure,
+    PartQuery,
+    RunLimits,
+    RunStatus,
+    Side,
+)
 from querycad_sandbox import Sandbox
 from querycad_sandbox.guest import DESCRIPTIONS
 
@@ -103,6 +112,18 @@ def test_the_time_that_segcad_takes_is_not_the_programs(sandbox: Sandbox) -> Non
             return super().find_parts(description, sides)
 
     assert sandbox.run('solution = len(find_parts("hole"))', Slow(), RunLimits(duration_s=0.1)).value == 3
+
+
+def test_a_measure_that_parts_have_not_is_the_programs_error_which_it_may_catch(sandbox: Sandbox) -> None:
+    class Unmeasured(FakeSegCad):
+        def edge_distance(self, part: str) -> float:
+            raise NoSuchMeasure(f"{part} lies in no plane face")
+
+    ask = 'find_parts("hole")[0].edge_distance()'
+    outcome = sandbox.run(f"solution = {ask}", Unmeasured())
+    assert (outcome.status, "hole-1 lies in no plane face" in outcome.message) == (RAISED, True)
+    caught = f"try:\n    solution = {ask}\nexcept ValueError:\n    solution = 0.5"
+    assert sandbox.run(caught, Unmeasured()).value == 0.5
 
 
 def test_printed_text_is_kept_and_cut_at_the_limit(sandbox: Sandbox, segcad: FakeSegCad) -> None:

@@ -13,6 +13,7 @@ from querycad_contracts import (
     FindPartsTask,
     GroundedBy,
     ModelTask,
+    NoSuchMeasure,
     PartsTask,
     Side,
     TaskFailure,
@@ -81,6 +82,11 @@ def test_a_distance_of_zero_is_a_value() -> None:
 def test_an_unknown_id_is_the_key_error_of_the_port() -> None:
     with pytest.raises(KeyError, match="because"):
         RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.UNKNOWN_ID)), SETTINGS).faces([1])
+
+
+def test_a_measure_that_parts_have_not_is_the_error_of_the_port() -> None:
+    with pytest.raises(NoSuchMeasure, match="because"):
+        RemoteSegCad(MODEL, Recorder(failing(TaskFailureKind.NO_MEASURE)), SETTINGS).edge_distance("a")
 
 
 def test_any_other_failure_tells_why() -> None:

@@ -216,6 +216,12 @@ def test_an_id_that_the_model_lacks_is_a_failure_not_an_error(
     assert outcome["failure"]["kind"] == "unknown_id"
 
 
+def test_a_measure_that_a_part_has_not_is_told_apart_from_a_fault_of_the_file(table: Table, model: str) -> None:
+    failure = table[TaskName.EDGE_DISTANCE]({"model": model, "part": "model-1"})["failure"]
+    assert failure["kind"] == "no_measure"
+    assert "no plane face" in failure["message"]
+
+
 def test_faces_are_found_with_the_part_that_they_make(table: Table, model: str) -> None:
     query = {"kind": "cylinder", "convexity": "concave", "radius": 0.027}
     found = table[TaskName.FIND_FACES]({"model": model, "query": query})["value"]

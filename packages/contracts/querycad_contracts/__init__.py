@@ -100,6 +100,7 @@ from .resources import (
 from .runs import (
     FoundFaces,
     Grounding,
+    NoSuchMeasure,
     PictureRequest,
     RunId,
     RunLimits,
@@ -238,6 +239,7 @@ __all__ = [
     "ModelSummary",
     "ModelTask",
     "ModelsPage",
+    "NoSuchMeasure",
     "Outline",
     "ParameterRequest",
     "ParameterSet",

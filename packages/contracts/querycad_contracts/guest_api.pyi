@@ -229,7 +229,7 @@ class Part:
         ...
 
     def edge_distance(self) -> float:
-        """To the outer edge of its face. From its surface."""
+        """To the outer edge of its face. From its surface; ValueError where it lies in no plane face."""
         ...
 
     def size_in(self, frame: Frame) -> Vector:

@@ -51,8 +51,15 @@ class FoundFaces(Frozen):
     part: Part | None = None
 
 
+class NoSuchMeasure(ValueError):
+    """The parts are known, but have no such measure; `str()` says why, to whoever asked for it."""
+
+
 class SegCad(Protocol):
-    """Finds and measures the parts of one known model: in this process when embedded, else over Celery."""
+    """Finds and measures the parts of one known model: in this process when embedded, else over Celery.
+
+    What measures raises NoSuchMeasure where the parts have none.
+    """
 
     def shape(self) -> Shape:
         """What is the whole model?"""

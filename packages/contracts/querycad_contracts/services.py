@@ -270,6 +270,8 @@ class TaskFailureKind(StrEnum):
     NOT_READ = "not_read"
     """Nobody's: nothing is kept of the file that this version can use, and an ingest has to read it first."""
     UNKNOWN_ID = "unknown_id"
+    NO_MEASURE = "no_measure"
+    """The program's: it measures what has no such measure."""
     INTERNAL = "internal"
 
 

@@ -21,6 +21,7 @@ from querycad_contracts import (
     Face,
     Grounding,
     MissingAttribute,
+    NoSuchMeasure,
     Part,
     PartKind,
     PartQuery,
@@ -357,10 +358,7 @@ class Guest:
         return self._ask(lambda: self._segcad.edge_distance(part.id))
 
     def center_distance(self, part: Part, other: Part) -> float:
-        """How far apart are the centres of two parts, in metres?
-
-        Of holes, and of gears, on parallel axes, how far apart the axes are: what drawings say, whatever the depths.
-        """
+        """How far apart are the centres of two parts, in metres; of holes or gears on parallel axes, those axes?"""
         if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
             apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
             along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
@@ -467,6 +465,8 @@ class Guest:
             with self._control.in_segcad():
                 found = call()
             self._control.check()
+        except NoSuchMeasure as error:  # the program may do without it
+            raise ValueError(str(error)) from None
         except BaseException as error:  # SegCAD's own failure is no exception of the program's
             self._end(error)
         return found

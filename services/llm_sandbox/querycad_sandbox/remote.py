@@ -31,6 +31,7 @@ from querycad_contracts import (
     Grounding,
     GroundTask,
     ModelTask,
+    NoSuchMeasure,
     Part,
     PartQuery,
     PartsPage,
@@ -225,6 +226,8 @@ class RemoteSegCad:
         done = outcome.validate_json(answer)
         if done.failure is not None and done.failure.kind is TaskFailureKind.UNKNOWN_ID:
             raise KeyError(done.failure.message)
+        if done.failure is not None and done.failure.kind is TaskFailureKind.NO_MEASURE:
+            raise NoSuchMeasure(done.failure.message)
         if done.failure is not None or done.value is None:
             unknown = TaskFailure(kind=TaskFailureKind.INTERNAL, message="the segworker gave neither value nor reason")
             raise SegCadFailed(done.failure or unknown)

@@ -8,7 +8,7 @@ import threading
 import weakref
 from collections.abc import Sequence
 
-from querycad_contracts import Vector
+from querycad_contracts import NoSuchMeasure, Vector
 
 from .errors import KernelDied
 from .kernel_process import KernelProcess
@@ -30,7 +30,10 @@ class Kernel:
     def measure(
         self, what: str, first: Sequence[int], second: Sequence[int] = (), direction: Vector | None = None
     ) -> float:
-        """What is this distance, or extent along `direction`, in metres, or overlap in m3? Raises KernelDied."""
+        """What is this distance, or extent along `direction`, in metres, or overlap in m3?
+
+        Raises KernelDied, and NoSuchMeasure where these faces have none.
+        """
         request = json.dumps({"what": what, "first": list(first), "second": list(second), "direction": direction})
         with self._lock:
             if request not in self._known:
@@ -52,10 +55,10 @@ class Kernel:
             raise KernelDied("the CAD kernel could not measure this: it crashed or took too long")
         answer = json.loads(line)
         if "problem" in answer:
-            raise KernelDied(answer["problem"])
+            raise NoSuchMeasure(answer["problem"])
         value = float(answer["value"])
         if not math.isfinite(value):
-            raise KernelDied("the CAD kernel found no such measure")
+            raise NoSuchMeasure("the CAD kernel found no such measure")
         return value
 
     def _running(self) -> KernelProcess:

@@ -37,6 +37,7 @@ from querycad_contracts import (
     MarkTask,
     ModelSummary,
     ModelTask,
+    NoSuchMeasure,
     Part,
     PartsPage,
     PartsTask,
@@ -378,5 +379,7 @@ def _outcome(work: Callable[[], Any]) -> TaskOutcome[Any]:
         failure = TaskFailure(
             kind=TaskFailureKind.UNKNOWN_ID, message=f"no such id: {error.args[0] if error.args else error}"
         )
+    except NoSuchMeasure as error:
+        failure = TaskFailure(kind=TaskFailureKind.NO_MEASURE, message=str(error))
     log.info("no value: %s", failure.message)
     return TaskOutcome[Any](failure=failure)
