@@ -97,6 +97,24 @@ def test_a_v_groove_is_a_slot_and_no_step(start: float) -> None:
     assert not found.of("step")
 
 
+@pytest.mark.parametrize("degrees", [60.0, 90.0, 120.0])
+def test_a_v_groove_with_a_relief_slot_is_both(degrees: float) -> None:
+    """As in V blocks: the flanks do not meet, but end at the walls of a slot."""
+    half = 12 * math.tan(math.radians(degrees / 2))
+    vee = prism([(-50, -half, 0), (-50, half, 0), (-50, 0, -12)], (100, 0, 0))
+    found = find(cut(plate(80, 90, 40), vee, box((100, 3, 16), (-50, -1.5, -16))))
+    vees = [slot for slot in found.of("slot") if "v_shaped" in slot.tags]
+    assert [slot.angle for slot in vees] == [pytest.approx(math.radians(degrees))]
+    assert vees[0].width == pytest.approx(2 * half * MM)
+    assert [slot.width for slot in found.of("slot") if slot not in vees] == near(3)
+
+
+def test_a_slot_with_bevelled_edges_is_no_v_groove() -> None:
+    bevel = prism([(-50, -6, 0), (-50, 6, 0), (-50, 0, -6)], (100, 0, 0))
+    found = find(cut(plate(80, 60, 30), bevel, box((100, 8, 10), (-50, -4, -10))))
+    assert not [slot for slot in found.of("slot") if "v_shaped" in slot.tags]
+
+
 def test_a_rectangular_step_along_a_v_groove_stays_a_step() -> None:
     found = find(
         cut(plate(), prism([(-50, -5, 0), (-50, 5, 0), (-50, 0, -5)], (100, 0, 0)), box((99, 9, 9), (-50, 12, -5)))

@@ -25,6 +25,7 @@ from .interrupted_slots import united_slots
 from .keyways import with_hosts
 from .round_notches import recognise_round_notches
 from .slits import recognise_slits
+from .slot_sections import relieved_vees
 from .windows import recognise_windows
 
 UPRIGHT = math.sin(math.radians(45.0))
@@ -73,6 +74,7 @@ def recognise_depressions(
     found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
         found = united_slots(brep, found, tolerances, is_clear, found_walls)
+    found.extend(relieved_vees(brep, found))
     return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
@@ -190,6 +190,39 @@ def _v_between(
     frame = frame_of(brep, group, normal, None, along)
     slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)
     return replace(slot, tags=("v_shaped",), angle=opening_angle)
+
+
+def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depression]:
+    """V grooves with a relief slot along the bottom, as in V blocks: the walls of the slot end at their flanks.
+
+    The slot is narrower than the flanks: else those are what breaks its edges.
+    """
+    for slot in found:
+        walls = [brep.faces[i] for i in slot.faces if brep.faces[i].kind is SurfaceKind.PLANE and i not in slot.floor]
+        pair = facing_pair(walls, None) if slot.kind is DepressionKind.SLOT and slot.is_open else None
+        flanks = [_flank(brep, wall, slot) for wall in pair or ()]
+        a, b = (*flanks, None, None)[:2]
+        if a is None or b is None or dot(sub(b.point, a.point), _level(a.axis, slot.normal)) <= 0:
+            continue
+        vee = _v_between(brep, {a.id, b.id}, [a], [b], [])
+        if vee is not None and vee.depth > slot.width / 2 and vee.width > 2 * slot.width:
+            yield vee
+
+
+def _flank(brep: Brep, wall: FaceRecord, slot: Depression) -> FaceRecord | None:
+    """The largest plane that leans away from the mouth of a slot above its wall."""
+    beside = [
+        brep.faces[other]
+        for edge, other in brep.neighbours(wall.id)
+        if edge.convexity is EdgeConvexity.CONVEX
+        and abs(dot(sub(edge.end, edge.start), slot.direction)) > 0.98 * edge.length
+    ]
+    leaning = [
+        face
+        for face in beside
+        if face.kind is SurfaceKind.PLANE and math.sin(DRAFT_RAD) < dot(face.axis, slot.normal) < math.cos(DRAFT_RAD)
+    ]
+    return max(leaning, key=lambda face: face.area, default=None)
 
 
 def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[FaceRecord]:
