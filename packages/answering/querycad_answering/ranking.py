@@ -109,8 +109,6 @@ def softmax(scores: Sequence[float]) -> list[float]:
 def doubts(features: Features, score: float) -> Features:
     """What speaks against an answer, by kind; the score itself is among it."""
     found = {name: math.fsum(abs(features.get(one, 0.0)) for one in members) for name, members in _DOUBTS.items()}
-    passed = found["skipped"] + found["unknown"] + features.get("skip_chatter", 0.0)
-    found["half_decided"] = passed * (found["yes_no"] + found["choice"])
     return {**found, "score": score / 5}
 
 

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
-from .tokens import Kind, Token
+from .tokens import Token
 
 Finds = Callable[[int, str], bool]
 """Does a phrase of the category begin at the token?"""
 
 _LONGEST = 12
 """Tokens of a topic; longer ones are clauses of their own."""
-_COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
 MOST_OF_NOUN = 3
 """Words of a noun behind 'which'."""
+_TELLING = ("side", "adjective", "most", "least", "ordinal")
+"""What tells parts of one name apart."""
 _PRONOUNS = ("it", "they", "them")
 _MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 """What is said of parts without 'are': 'which emerge at the back'."""
@@ -22,33 +24,24 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _pointed_at(_topics(_of_which(tokens, finds), finds), finds)
+    return _topics(_ones(tokens, finds), finds)
 
 
-def _of_which(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
-    """'Which lug is wider, the upper one or the lower one?': 'one' is the noun behind 'which'."""
-    which = next((at for at, token in enumerate(tokens) if token.word in ("which", "what")), len(tokens))
-    verb = next((at for at in range(which + 1, len(tokens)) if finds(at, "be") or finds(at, "have")), which)
-    noun = tokens[which + 1 : verb]
-    if not noun or len(noun) > MOST_OF_NOUN or not finds(which + 1, "noun"):
-        return tokens
-    ones = [at for at in range(verb, len(tokens)) if tokens[at].word == "one" and tokens[at - 1].word != "which"]
-    return tuple(each for at, token in enumerate(tokens) for each in (noun if at in ones else (token,)))
-
-
-def _pointed_at(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
-    """'The top is next. How many slots are on that side?', 'My cutter is 5 mm. How many slots are wider than that?'"""
-    found = list(tokens)
-    for at in range(1, len(tokens)):
-        after = tokens[at + 1] if at + 1 < len(tokens) else None
-        meant: list[int] = []
-        if tokens[at].word in ("that", "this") and after is not None and after.word in ("side", "face"):
-            meant = [one for one in range(at - 1) if finds(one, "side")]
-        elif tokens[at].word in ("that", "this") and (after is None or after.kind is Kind.SYMBOL):
-            lengths = (one for one in range(at) if tokens[one].kind is Kind.QUANTITY and tokens[one].power == 1)
-            meant = [one for one in lengths if tokens[at - 1].word in _COMPARING]
-        if meant:
-            found[at] = tokens[meant[-1]]
+def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
+    """'From the left lug to the right one', 'which lug is wider, the upper one or …': 'one' for the noun before."""
+    found: list[Token] = []
+    which: tuple[Token, ...] = ()
+    told: dict[str, tuple[Token, ...]] = {}
+    for at, token in enumerate(tokens):
+        way = next((category for category in _TELLING if finds(at - 1, category)), None) if at else None
+        end = next((end for end in range(at + 1, at + 1 + MOST_OF_NOUN) if not finds(end, "noun")), at)
+        if finds(at, "noun") and token.word != "one":
+            if way is not None and not finds(at - 1, "noun"):
+                told[way] = tokens[at:end]
+            if at and tokens[at - 1].word in ("which", "what") and not which:
+                which = tokens[at:end]
+        meant = told.get(way or "", which) if token.word == "one" and found and found[-1].word != "which" else ()
+        found += (*meant[:-1], replace(meant[-1], plural=token.plural)) if meant else (token,)
     return tuple(found)
 
 

@@ -42,5 +42,6 @@ def _numbers() -> re.Pattern[str]:
 
 @cache
 def _unit() -> re.Pattern[str]:
-    names = sorted(name for name in lexicon().units if name.isalpha() and len(name) > 1 and name != "in")
+    parts = {"in", "foot", "feet"}  # 'the two feet' are parts
+    names = sorted(name for name in lexicon().units if name.isalpha() and len(name) > 1 and name not in parts)
     return re.compile(rf"[ -](?:square |cubic )?(?:{'|'.join(names)})\b", re.IGNORECASE)

@@ -72,7 +72,7 @@ def _number(text: Text, at: int, draft: Draft) -> int:
 def _word(text: Text, at: int, draft: Draft) -> int:
     """An adjective, a rank, a side, a colour, a noun, or a word that is not known."""
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
-    if noun and text.find(at, "reach") and not (draft.article and text.find(at - 1, "article", "adjective")):
+    if noun and text.find(at, "reach", "passing") and not (draft.article and text.find(at - 1, "article", "adjective")):
         noun = None  # 'ring sticks up': a verb, but behind an article
     if _is_over(text, at, draft, noun) or _is_measure(text, draft, noun, adjective, measure):
         return at
@@ -81,8 +81,8 @@ def _word(text: Text, at: int, draft: Draft) -> int:
     if noun and _is_head(text, at, draft, noun, adjective):
         draft.nouns.append(noun)
         return noun.end
-    if adjective and text.is_word(at - 1, "how"):
-        return at  # 'how deep the holes are'
+    if adjective and (text.is_word(at - 1, "how") or text.find(adjective.end, "article")):
+        return at  # 'how deep the holes are', 'they go through the web'
     if adjective and (draft.nouns or noun_follows(text, adjective.end)):
         if draft.nouns and not is_noun(text, adjective.end):
             return at
@@ -166,7 +166,11 @@ def _unknown(text: Text, at: int, draft: Draft, measure: Span | None) -> int:
     """A word that no class has may be the name of something."""
     if draft.nouns or not text.is_content(at) or measure or text.find(at, "whole", "side", "scale", "adjective"):
         return at
-    if text.find(at, "ground", "verbs", "reach", "aside", "side_noun") or text.is_word(at, "s") or is_verb(text, at):
+    if (
+        text.find(at, "ground", "verbs", "reach", "passing", "fits", "aside", "side_noun")
+        or text.is_word(at, "s")
+        or is_verb(text, at)
+    ):
         return at
     draft.unknown.append(at)
     return at + 1

@@ -189,7 +189,7 @@ def side_axis(side: Side) -> tuple[int, str]:
 
 def _from_plane(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> str:
     """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""
-    side, other_side = _sides(draft, plane, other)
+    side, other_side = _sides(draft, plane, other, mode)
     axis, sign = side_axis(side)
     at = _outermost(draft, plane.of, axis, sign)
     match other:
@@ -234,7 +234,7 @@ def _outermost(draft: Draft, query: PartQuery, axis: int, sign: str) -> str:
     return f"{pick}(q.center[{axis}] {sign} q.half_extents[{axis}] for q in {draft.parts(query)})"
 
 
-def _sides(draft: Draft, plane: Plane, other: Anchor | str) -> tuple[Side, Side | None]:
+def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:
     """The sides of a plane and of the other one: one that reaches beyond it, or 'from the top of the head to the end'.
 
     Of a single plane without one: the end of the part that is free, as that of a shank is, which is no head's or
@@ -245,13 +245,17 @@ def _sides(draft: Draft, plane: Plane, other: Anchor | str) -> tuple[Side, Side 
             return plane.side, other.side or plane.side.opposite
         if other.side is not None:
             return other.side.opposite, other.side
-        others = draft.of(other.of)
-        if draft.of(plane.of) == others:
+        parts, others = draft.of(plane.of), draft.of(other.of)
+        if parts == others or not parts or not others:
             raise Unwritable
-        side = max(
-            _ends(draft.of(plane.of), others),
-            key=lambda side: _reach(draft.of(plane.of)[0], side) - max(_reach(one, side) for one in others),
-        )
+        sides = list(Side) if mode == "outsides" else _ends(parts, others)
+        beyond = {side: _reach(parts[0], side) - max(_reach(one, side) for one in others) for side in sides}
+        if mode == "outsides":  # by as much on the opposite side
+            beyond = {side: out for side, out in beyond.items() if out > 0 and abs(out - beyond[side.opposite]) < SLACK}
+        if not beyond:
+            raise Unwritable
+        out = [side for side in beyond if beyond[side] > SLACK]
+        side = min(out, key=beyond.__getitem__) if out else max(beyond, key=beyond.__getitem__)
         return side, side
     if plane.side is not None:
         return plane.side, None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal, NamedTuple, TypeAlias
 
-from querycad_contracts import PartQuery, Place
+from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import Anchor, Boundary, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
@@ -50,7 +50,7 @@ def anchors_of(question: Question) -> list[Spot]:
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
-        others = (floored(query) or _rimmed(query), plane_of(query))
+        others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     return sorted([*found, *planes_of(question)], key=lambda one: one.at)
@@ -62,7 +62,7 @@ def floored(query: PartQuery) -> PartQuery | None:
     return next((cut for _, cut in places_of(query, "of", "below", "") if named), None)
 
 
-def _rimmed(query: PartQuery) -> PartQuery | None:
+def rimmed(query: PartQuery) -> PartQuery | None:
     """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
     named = query.noun in ("rim", "edge", "border", "wall", "outline")
     return next((cut for _, cut in places_of(query, "of") if named), None)
@@ -110,6 +110,11 @@ def planes_of(question: Question) -> list[Spot]:
     found: list[Spot] = []
     for at in range(len(text)):
         side = text.find(at, "side")
+        end = text.find(at, "measure")
+        if end is not None and (end.value == Measure.TIP or end.value.endswith("_end")) and text.is_word(end.end, "of"):
+            if (ended := question.phrases.at(end.end + 1, 1)) and ended.query is not None:  # 'the tip of the shank'
+                towards = None if end.value == Measure.TIP else Side(end.value.removesuffix("_end"))
+                found.append(Spot(at, Plane(towards, ended.query), set(range(at, ended.end))))
         if side is None:
             continue
         after = text.skip(side.end, "side_noun")

@@ -120,16 +120,21 @@ def _count_of(
         return
     each = text.at_words("each", "every", "per")
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
-    yield Draft(Count(query), features, used | mention.used)
+    noun = text.lexicon.nouns.get(query.noun)
+    of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
+    yield Draft(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
     if each and any(text.is_word(i + 1, "side", "face") for i in each):
         yield Draft(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
         if owner.query is not None:
+            stands = text.find(owner.start - 1, "place")
             link = "owner_after" if owner.start > mention.start else "owner_before"
-            owned = Count(placed_in(query, "of", owner.query))
+            link = "owner_placed" if stands is not None else link
+            owned = Count(placed_in(query, stands.value if stands is not None else "of", owner.query))
             shared = each & {owner.start, owner.start - 1}
             form = Combine("per", owned, Count(replace_fields(owner.query, plural=True))) if shared else owned
-            yield Draft(form, {**features, link: 1.0}, used | mention.used | owner.used | each)
+            tokens = used | mention.used | owner.used | each | {*(stands.tokens if stands is not None else ())}
+            yield Draft(form, {**features, **of_whole, link: 1.0}, tokens)
 
 
 def exists(question: Question) -> Iterator[Draft]:

@@ -8,7 +8,7 @@ from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Distance, Plane, Reduce, Several
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.asked import EXTREMES, asked_in
 from querycad_language.readings.drafts import Draft, Features
@@ -167,13 +167,14 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
+    joined = _joined(question, ends)
     neighbors = question.text.at_phrases("neighbor")
     for spots in [*after[:3], *before[-2:]]:
         for at, anchor, used, plural in spots:
             if isinstance(anchor, PartQuery):
                 features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
                 features["count_two"] = float(anchor.count == 2)
-                features["each_other_passes"] = float(any(used.isdisjoint(other[0].used) for other in ends))
+                features["each_other_passes"] = float(joined)
                 if at < start:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
@@ -192,6 +193,17 @@ def _ends(question: Question) -> list[list[Spot]]:
         else:
             found.append([spot])
     return found
+
+
+def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
+    """Are two ends named: 'between the slot and the edge'? Then it is not asked of every two slots."""
+    text = question.text
+    for at in text.at_words("between"):
+        for also in sorted(i for i in text.at_words("and", "to") if i > at):
+            first = any(all(at < i < also for spot in spots for i in spot.used) for spots in ends)
+            if first and any(also < min(min(spot.used) for spot in spots) <= also + 3 for spots in ends):
+                return True
+    return False
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
@@ -215,16 +227,12 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
         for other in [spots for spots in ends if spots is not behind][:3]:
             for spot, base in product(other, behind or ()):
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
-                    yield from _over(spot.anchor, base.anchor, spot.used | base.used | set(span.tokens))
+                    used = spot.used | base.used | set(span.tokens)
+                    yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
     for spot in chain.from_iterable(ends):
         if isinstance(spot.anchor, PartQuery):
             for place, under in places_of(spot.anchor, "above", "below"):
-                yield from _over(without(spot.anchor, place), under, spot.used)
-
-
-def _over(part: PartQuery, base: PartQuery, used: set[int]) -> Iterator[_Pair]:
-    yield _Pair(Plane(Side.BOTTOM, base), part, used, {"level": 1.0, "level_bottom": 1.0})
-    yield _Pair(part, Boundary(Side.BOTTOM), used, {"level": 1.0, "level_ground": 1.0})
+                yield _Pair(Plane(Side.BOTTOM, under), without(spot.anchor, place), spot.used, {"level": 1.0})
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:

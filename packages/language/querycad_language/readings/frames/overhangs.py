@@ -1,4 +1,4 @@
-"""Overhangs: how far a part stands out beyond another one."""
+"""Overhangs: how far a part stands out beyond another one, between their outer planes on one side."""
 
 from __future__ import annotations
 
@@ -10,34 +10,38 @@ from querycad_language.phrases import places_of
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
-from .anchors import planes_of, without
+from .anchors import planes_of, rimmed, without
 
-_BEYOND = ("above", "over", "beyond", "past", "below", "proud", "higher", "out")
+_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "overtop")
 
 
 def overhangs(question: Question) -> Iterator[Draft]:
-    """Between the outer planes of two parts on one side.
-
-    'By how much does the spindle project above the nut?', 'How far does the pin stick out beyond the lever?'
-    """
+    """'By how much does the spindle project above the nut?', 'How far below the rim do the bosses end?'"""
     text = question.text
     reach = next(iter(text.all("reach")), None)
     nouns = question.parts
     word = min(text.at_words(*_BEYOND, *(("from",) if reach else ())), default=None)
     if word is None or not nouns or not (reach or text.has("projection", "overhang", "protrusion", "much", "far")):
         return
-    plane = next((one for one in planes_of(question) if one.at >= word), None)
-    first = nouns[0].part
-    used = {word, *nouns[0].used, *(reach.tokens if reach else ())}
+    first, other = nouns[0], next((mention for mention in nouns[1:] if mention.head > word), None)
+    side = Side.BOTTOM if text.has("below") else Side.TOP
+    if first.start > word and other is not None:  # 'how far below the rim do they end'
+        first, other, side = other, first, side.opposite
+    plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
+    used = {word, *first.used, *(reach.tokens if reach else ())}
     used |= text.at_words("how", "much", "far", "projection", "overhang")
     if plane is not None and isinstance(plane.anchor, Plane):
-        yield Draft(Distance(Plane(plane.anchor.side, first), plane.anchor), {"overhang": 1.0}, used | plane.used)
-    elif len(nouns) > 1 and nouns[1].head > word:
-        side = Side.BOTTOM if text.is_word(word, "below") else Side.TOP
-        yield from _beyond(first, nouns[1].part, side, used | nouns[1].used)
-    for place, other in places_of(first, "above", "below", "of", "on"):
-        side = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
-        yield from _beyond(without(first, place), other, side, used)
+        yield Draft(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
+    elif other is not None:
+        base, used = rimmed(other.part) or other.part, used | other.used
+        yield from _beyond(first.part, base, side, used)
+        around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
+        if around := around | text.at_words("sideways", "radially", "radial"):
+            form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
+            yield Draft(form, {"overhang": 1.0}, used | around)
+    for place, holder in places_of(first.part, "above", "below", "of", "on"):
+        towards = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
+        yield from _beyond(without(first.part, place), holder, towards, used)
 
 
 def _beyond(part: PartQuery, other: PartQuery, side: Side, used: set[int]) -> Iterator[Draft]:

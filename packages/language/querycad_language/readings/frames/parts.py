@@ -40,7 +40,8 @@ def parts(question: Question) -> Iterator[Draft]:
         lead = range(start, mention.start + 1)
         way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
-        led = any(text.is_word(i, "which", "name") or text.find(i, "showing") for i in lead)
+        value = any(text.find(i, "distance", "gap", "measure") for i in lead)  # 'find the distance from the lug'
+        led = any(text.is_word(i, "which", "name") or (text.find(i, "showing") and not value) for i in lead)
         if (listed or led) and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))

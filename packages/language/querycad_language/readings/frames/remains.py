@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from querycad_contracts import Measure
+from querycad_contracts import Measure, PartKind
 from querycad_language.forms import Behind, Combine, Distance, Get
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.drafts import Draft, Features
@@ -26,14 +26,22 @@ def material(question: Question, get: Get, features: Features, used: AbstractSet
         yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
     for _, other in places_of(get.target, "around", "near"):  # 'the wall around the bore'
         yield Draft(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
-    under: Features = {**features, "material_under": 1.0}
-    for _, other in places_of(get.target, "below", "behind"):  # 'the web underneath the pocket'
-        yield Draft(Distance(floored(other) or other, Behind(), "surfaces"), under, used)
+    under: Features = {**features, "material_under": 1.0, "under_between": float(text.has("between"))}
     said = text.at_phrases("remaining") | text.at_words("under", "below", "beneath", "underneath", "behind")
-    for mention in question.parts if said else ():
-        cut, owned = floored(mention.part) or mention.part, used | said | mention.used
-        yield Draft(Distance(cut, Behind(), "surfaces"), under, owned)
-        yield Draft(Get((Measure.BOTTOM_THICKNESS,), cut), under, owned)
+    cuts = [(other, used) for _, other in places_of(get.target, "below", "behind")]  # 'the web underneath the pocket'
+    cuts += [(mention.part, used | said | mention.used) for mention in question.parts if said]
+    for cut, owned in cuts:
+        yield Draft(Distance(floored(cut) or cut, Behind(), "surfaces"), under, owned)
+        yield Draft(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
+
+
+def under_cut(question: Question, get: Get) -> bool:
+    """Is it asked how thick the lever is below the pocket? Then what is left there is meant, and not all of it."""
+    known = question.text.lexicon.nouns
+    below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
+    cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
+    floor = get.target is None or get.target.noun == "floor"
+    return cut_in and not floor and get.measures[0] in _THICKNESSES
 
 
 def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Place
+from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
 from querycad_language.phrases import bare_of, replace_fields
@@ -18,7 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .remains import less, material
+from .remains import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
@@ -29,7 +29,6 @@ MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
-_ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
@@ -46,14 +45,14 @@ def values(question: Question) -> Iterator[Draft]:
             get = draft.form
             assert isinstance(get, Get)
             yield from _box(get, draft)
-            yield from _circle(question, asked, get, draft)
             yield from _surface(get, draft)
             yield from _extremes(question, get, draft)
             if asked not in asked_for:
                 draft.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
                 draft.features["later_measure"] = 1.0
-            yield from _with_axis(question, get, draft)
+            if not under_cut(question, get):
+                yield from _with_axis(question, get, draft)
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
                 yield Draft(floor, draft.features, draft.used)  # 'the floor thickness of the tray'
@@ -93,6 +92,9 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
+        how = [at + 1 for at in text.at_words("how")]
+        lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
+        features["vector_for_length"] = float(any(lengths))
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
     if overall or text.is_word(asked.start, *{"overall", "total"} & words):
@@ -109,17 +111,6 @@ def _box(get: Get, draft: Draft) -> Iterator[Draft]:
     """'Width, depth and height of the plate' are its size."""
     if len(set(get.measures)) == MOST_TOGETHER and all(measure in _ALONG for measure in get.measures):
         yield Draft(replace(get, measures=(Measure.SIZE,)), {**draft.features, "asked_box": 1.0}, draft.used)
-
-
-def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterator[Draft]:
-    """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
-    text = question.text
-    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
-    is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
-    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED)):
-        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
-        form = replace(get, target=circle, reduce=Reduce.ONE)
-        yield Draft(form, {**draft.features, "arranged": 1.0}, draft.used | leads | said)
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
@@ -167,6 +158,10 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
         found.append(((Measure.ACROSS_FLATS,), text.at_words("across", "over", "flat", "between")))
     if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
         found.append(((Measure.AXIAL_EXTENT,), own))
+    against = {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
+    against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
+    if get.measures[0] in (Measure.ANGLE, Measure.INCLINATION) and against:
+        found.append(((Measure.DRAFT,), against))  # 'the angle of the cone to the centreline', 'per side'
     for measures, said in found:
         yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
     yield draft

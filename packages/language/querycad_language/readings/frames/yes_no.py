@@ -23,8 +23,8 @@ def yes_no(question: Question) -> Iterator[Draft]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     start = _verb_start(question)
     yield from _overlapping(question, start)
-    yield from _either(question)
-    if start is not None:
+    yield from (either := list(_either(question)))
+    if start is not None and not either:
         yield from (draft.with_more({"check": 1.0}, {start}) for draft in _claims(question, start))
 
 
@@ -171,7 +171,8 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
             yield Draft(forms.Parallel(target, second, square=word == "perpendicular"), used=at | more)
-    restricted, last = bool(target.adjectives or target.lacking), mention.end - 1
+    said = [text.lexicon.adjectives.get(name) for name in (*target.adjectives, *target.lacking)[-1:]]
+    restricted, last = any(one and (one.tags or one.order or one.lacks) for one in said), mention.end - 1
     if restricted and _any_of(text, mention):
         yield Draft(Exists(target), {"predicate": 1.0})
     elif restricted and (

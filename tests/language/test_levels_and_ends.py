@@ -1,0 +1,128 @@
+"""How far something stands out or is set back, from its free end, over a plane face; and 'one' for a noun."""
+
+from __future__ import annotations
+
+import pytest
+from tests.made import body, whole
+
+from querycad_contracts import Measure, Part, PartQuery, Side
+from querycad_language.forms import Distance, Form, Get, Plane
+from querycad_language.programs import write
+from querycad_language.readings.frames.overhangs import overhangs
+from querycad_language.readings.question import Question
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def planes(question: str) -> list[tuple[Side | None, str, Side | None, str]]:
+    """Sides and nouns of the distances between two outer planes."""
+    found = [draft.form for draft in overhangs(Question(question)) if isinstance(draft.form, Distance)]
+    return [
+        (one.first.side, one.first.of.noun, one.second.side, one.second.of.noun)
+        for one in found
+        if isinstance(one.first, Plane) and isinstance(one.second, Plane)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("question", "expected"),
+    [
+        ("How far does the spindle stick out below the lever?", (Side.BOTTOM, "spindle", Side.BOTTOM, "lever")),
+        ("How far below the rim of the hub do the lugs end?", (Side.TOP, "lug", Side.TOP, "hub")),
+        ("How far below the top face of the hub do the lugs end?", (Side.TOP, "lug", Side.TOP, "hub")),
+        ("How far behind the front face of the hub does the lug end?", (Side.FRONT, "lug", Side.FRONT, "hub")),
+    ],
+)
+def test_what_is_set_back_is_measured_from_the_side_that_it_is_set_back_from(
+    question: str, expected: tuple[Side, str, Side, str]
+) -> None:
+    assert expected in planes(question)
+
+
+@pytest.mark.parametrize("end", ["tip", "free end"])
+def test_a_distance_may_begin_at_an_end(end: str) -> None:
+    found = [form for form in forms(f"How far is the lug from the {end} of the spindle?") if isinstance(form, Distance)]
+    assert any(isinstance(end, Plane) and end.of.noun == "spindle" for f in found for end in (f.first, f.second))
+
+
+def test_a_left_end_is_on_the_left() -> None:
+    found = [
+        form for form in forms("How far is the lug from the left end of the spindle?") if isinstance(form, Distance)
+    ]
+    assert any(isinstance(end, Plane) and end.side is Side.LEFT for form in found for end in (form.first, form.second))
+
+
+@pytest.mark.parametrize(
+    ("question", "nouns"),
+    [
+        ("What is the distance from the left lug to the right one?", {"left lug", "right lug"}),
+        ("How far is it from the largest lug to the smallest one?", {"lug"}),
+    ],
+)
+def test_one_is_the_noun_that_was_told_apart_before(question: str, nouns: set[str]) -> None:
+    found = [form for form in forms(question) if isinstance(form, Distance)]
+    named = [
+        {" ".join((*end.ends, end.noun)) for end in (form.first, form.second) if isinstance(end, PartQuery)}
+        for form in found
+    ]
+    assert nouns in named
+
+
+def test_feet_in_words_are_parts_and_in_digits_a_length() -> None:
+    counted = [form.first for form in forms("How far apart are the two feet?") if isinstance(form, Distance)]
+    assert any(isinstance(one, PartQuery) and (one.noun, one.count, one.sizes) == ("foot", 2, ()) for one in counted)
+    told = [form.target for form in forms("How deep is the 2 feet slot?") if isinstance(form, Get)]
+    assert any(target and target.sizes and target.sizes[0].low == pytest.approx(0.6096) for target in told)
+
+
+@pytest.mark.parametrize(
+    ("question", "draft"),
+    [
+        ("What is the angle of the cone?", False),
+        ("What is the angle of the cone to the axis?", True),
+        ("What angle does the cone make with the centre line?", True),
+        ("What is the angle of the slot per side?", True),
+    ],
+)
+def test_an_angle_to_the_axis_is_a_draft(question: str, draft: bool) -> None:
+    asked = [form.measures for form in forms(question) if isinstance(form, Get)]
+    assert ((Measure.DRAFT,) in asked) is draft
+
+
+@pytest.mark.parametrize(("place", "whole"), [("pockets", False), ("ribs", True)])
+def test_what_is_left_below_a_cut_is_not_the_whole_thickness(place: str, whole: bool) -> None:
+    found = [form for form in forms(f"How thick is the lever below the {place}?") if isinstance(form, Get)]
+    thick = [form.target for form in found if form.measures == (Measure.THICKNESS,)]
+    assert any(target is not None and target.noun == "lever" and target.places for target in thick) is whole
+    assert any(form.measures == (Measure.BOTTOM_THICKNESS,) for form in found)
+
+
+def test_two_ends_that_are_named_are_not_passed_over() -> None:
+    def passed(question: str) -> set[float]:
+        return {
+            reading.features["each_other_passes"]
+            for reading in read(question)
+            if reading.features.get("each_other_passes") is not None
+        }
+
+    assert passed("What is the distance between the lug and the spindle?") == {1.0}
+    assert passed("What is the distance between the lugs of the spindle?") <= {0.0}
+
+
+def written(form: Form, *grounds: tuple[PartQuery, Part]) -> str:
+    return write(form, {query: ((one,), 0) for query, one in grounds}, whole(extents=(0.1, 0.1, 0.1))).code
+
+
+SCREW, NUT = PartQuery(noun="screw"), PartQuery(noun="nut")
+
+
+@pytest.mark.parametrize(("nut_z", "up"), [(0.009, True), (-0.009, False)])
+def test_of_two_ways_out_a_part_stands_out_by_the_shorter(nut_z: float, up: bool) -> None:
+    """A screw beyond its nut by its end, and not by its head."""
+    screw = body(1, "screw", extents=(0.01, 0.01, 0.04))
+    nut = body(2, "nut", (0.0, 0.0, nut_z), extents=(0.016, 0.016, 0.008))
+    code = written(Distance(Plane(None, SCREW), Plane(None, NUT)), (SCREW, screw), (NUT, nut))
+    assert ("max(" in code, "min(" in code) == (up, not up)
