@@ -6,7 +6,7 @@ import pytest
 from tests.made import body, whole
 
 from querycad_contracts import Measure, Part, PartQuery, Side
-from querycad_language.forms import Distance, Form, Get, Plane
+from querycad_language.forms import Distance, Form, Get, Plane, Towards
 from querycad_language.programs import write
 from querycad_language.readings.frames.overhangs import overhangs
 from querycad_language.readings.question import Question
@@ -126,3 +126,20 @@ def test_of_two_ways_out_a_part_stands_out_by_the_shorter(nut_z: float, up: bool
     nut = body(2, "nut", (0.0, 0.0, nut_z), extents=(0.016, 0.016, 0.008))
     code = written(Distance(Plane(None, SCREW), Plane(None, NUT)), (SCREW, screw), (NUT, nut))
     assert ("max(" in code, "min(" in code) == (up, not up)
+
+
+@pytest.mark.parametrize(
+    ("question", "side"),
+    [("the lug farthest to the right", Side.RIGHT), ("the lug farthest from the right side", Side.LEFT)],
+)
+def test_what_is_farthest_to_a_side_is_not_what_is_farthest_from_it(question: str, side: Side) -> None:
+    found = [form.target for form in forms(f"How deep is {question}?") if isinstance(form, Get)]
+    assert [rank.side for rank in (found[0].ranks if found[0] else ())] == [side]
+
+
+@pytest.mark.parametrize(
+    ("question", "told"),
+    [("Is the lug on the left or on the right?", True), ("Is the lug thicker at the left or at the right?", False)],
+)
+def test_a_side_is_not_told_where_a_comparison_is_asked_for(question: str, told: bool) -> None:
+    assert any(isinstance(form, Towards) for form in forms(question)) is told

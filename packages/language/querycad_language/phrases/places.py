@@ -106,13 +106,12 @@ def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
         draft.ranks.append(Rank(edge=True, most=most))
         return edge.end
     if side := text.find(inner, "side"):
-        draft.ranks.append(Rank(side=side.value if not most else side.value.opposite))
+        away = most and "from" in text.words[span.start : start]
+        draft.ranks.append(Rank(side=side.value.opposite if away else side.value))
         return text.skip(side.end, "side_noun")
-    other = phrases.inner(start, depth)
-    if other is None:
-        return at
-    draft.ranks.append(Rank(near=other.query, most=most))
-    return other.end
+    if (other := phrases.inner(start, depth)) is not None:
+        draft.ranks.append(Rank(near=other.query, most=most))
+    return other.end if other is not None else at
 
 
 def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:

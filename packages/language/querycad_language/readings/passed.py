@@ -14,7 +14,7 @@ from .question import Question
 _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("courtesy", {"courtesy"}), ("side", {"side", "view"}), ("axis", {"axis"}), ("negation", {"negation", "except"}),
     ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}), ("measure", {"measure", "distance", "gap"}),
-    ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing"}),
+    ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing", "emerging"}),
     ("function", {"function", "be", "side_preposition"}),
     ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each"}),
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),

@@ -205,6 +205,7 @@ def test_a_groove_around_an_island_is_a_groove_and_no_pocket() -> None:
     assert "annular" in groove.tags
     assert groove.depth == pytest.approx(3 * MM)
     assert groove.local_size == near(50, 3, 3)
+    assert groove.width == pytest.approx(3 * MM)
     assert groove.volume == pytest.approx((50 * 30 - 44 * 24) * 3 * MM**3)
     assert not found.of("pocket")
 

@@ -34,7 +34,8 @@ def parts(question: Question) -> Iterator[Draft]:
         features = {"which_side": 1.0, "count_far": float(index)}
         if side is not None:
             yield Draft(Get((Measure.SIDES,), query), features, used)
-        if offered or side is not None:
+        measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
+        if (offered or side is not None) and not measured:  # 'which is thicker, the upper or the lower one'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
             yield Draft(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
         lead = range(start, mention.start + 1)
@@ -47,7 +48,11 @@ def parts(question: Question) -> Iterator[Draft]:
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
             yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
-        elif any(text.is_word(i, "what") for i in lead) and index == 0:
+        elif (
+            any(text.is_word(i, "what") for i in lead)
+            and index == 0
+            and not any(text.find(i, "operation") for i in lead)
+        ):
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:

@@ -40,8 +40,7 @@ def under_cut(question: Question, get: Get) -> bool:
     known = question.text.lexicon.nouns
     below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
     cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
-    floor = get.target is None or get.target.noun == "floor"
-    return cut_in and not floor and get.measures[0] in _THICKNESSES
+    return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
 
 
 def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:

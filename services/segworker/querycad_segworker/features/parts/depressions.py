@@ -79,8 +79,11 @@ def _bottom(found: Depression, through: bool) -> str | None:
 def _width(found: Depression) -> float:
     """The width of something rectangular: along x, or along y where it opens left or right.
 
-    What stands oblique in the file has its own: the smaller of its two dimensions.
+    What stands oblique in the file has its own: the smaller of its two dimensions. A groove that closes on itself has
+    its own, too: from wall to wall.
     """
+    if found.kind is DepressionKind.GROOVE:
+        return found.width
     opens_sideways = abs(found.normal[0]) > ALIGNED
     along = abs(found.direction[1 if opens_sideways else 0])
     aligned = max(abs(c) for c in found.normal) > ALIGNED
