@@ -235,7 +235,7 @@ def _outermost(draft: Draft, query: PartQuery, axis: int, sign: str) -> str:
 
 
 def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:
-    """The sides of a plane and of the other one: one that reaches beyond it, or 'from the top of the head to the end'.
+    """The sides of two planes: where one reaches beyond the other, by the shorter way, or 'from the head to the end'.
 
     Of a single plane without one: the end of the part that is free, as that of a shank is, which is no head's or
     fork's; of two free ends, or none, the one that is nearest to the middle of the other part.
