@@ -47,6 +47,14 @@ def test_along_its_axis_is_the_axial_extent(words: str) -> None:
     ]
 
 
+def test_on_what_diameter_parts_are_arranged_asks_for_their_circle() -> None:
+    def nouns(question: str) -> set[str]:
+        return {query.noun for form in forms(question) for query in queries(form)}
+
+    assert "bolt circle" in nouns("On what diameter are the studs arranged?")
+    assert "bolt circle" not in nouns("What diameter do the studs have?")
+
+
 def test_three_sizes_of_one_part_are_its_box() -> None:
     asked = [form.measures for form in forms("Give width, depth and height of the lug") if isinstance(form, Get)]
     assert (Measure.SIZE,) in asked

@@ -96,6 +96,7 @@ def test_all_are_as_the_second_phrase_says() -> None:
     [
         ("How many more lugs than ribs are there?", "apart"),
         ("number of lugs minus number of ribs", "minus"),
+        ("What percentage of the lugs are round lugs?", "share"),
     ],
 )
 def test_numbers_of_parts_are_combined(question: str, operation: str) -> None:

@@ -144,6 +144,8 @@ def _through(text: Text, at: int, draft: Draft) -> int:
     end = text.skip(at, "passing", "do", "negation")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     tags = draft.lacking if negated else draft.adjectives
+    if text.find(end, "emerging", "stopping"):
+        return _ending(text, at, end, tags)
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -153,6 +155,20 @@ def _through(text: Text, at: int, draft: Draft) -> int:
         return at  # 'through the lid': a place
     tags.append("through")
     return inner + 1 if all_of_it else end + 1
+
+
+def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
+    """'that come out on the other side', 'that stop inside the material'."""
+    place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
+    if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
+        tags.append("blind")
+        return place + 1
+    if text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back"):
+        for across in range(place, place + 5):
+            if text.find(across, "side_noun"):
+                tags.append("through")
+                return across + 1
+    return at
 
 
 def _colored(text: Text, at: int, draft: Draft) -> int:

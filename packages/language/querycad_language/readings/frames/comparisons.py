@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
-from querycad_contracts import Measure, Relation, Side
+from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention
+from querycad_language.phrases import Mention, bare_of
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
@@ -140,14 +140,26 @@ def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterat
 
 
 def _numbers(question: Question) -> Iterator[Draft]:
-    """'How many more lugs than ribs are there?', 'lugs minus ribs'."""
+    """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
     text = question.text
     owners = [m for m in question.parts if m.part.plural][:2]
-    if len(owners) < 2 or (asked_in(question) and not text.at_phrases("count")):
+    if not owners or (asked_in(question) and not text.at_phrases("count")):
         return
     targets = [m.part for m in owners]
     used = {i for m in owners for i in m.used}
     span = next(iter(text.all("operation")), None)
+    if span is not None and span.value == "share":
+        among = next((one for one in targets if bare_of(one, one.noun) and " " not in one.noun), None)
+        part = next((one for one in targets if one != among), None)
+        if part is not None:
+            last = part.noun.split()[-1]  # 'through hole'
+            noun = last if last in text.lexicon.nouns else part.noun
+            among = among or PartQuery(noun=noun, known=part.known, words=(noun,), plural=True)
+            whole = used | set(span.tokens)
+            yield Draft(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
+        return
+    if len(targets) < 2:
+        return
     yield from _outnumbering(question, *owners)
     joining = range(owners[0].end, owners[1].start)
     more = text.at_words("more", "fewer", "outnumber", "extra", "than", "exceed", "compared")

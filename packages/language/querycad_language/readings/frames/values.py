@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery
+from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import is_length
 from querycad_language.phrases import bare_of, replace_fields
@@ -29,6 +29,7 @@ MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
+_ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
@@ -45,6 +46,7 @@ def values(question: Question) -> Iterator[Draft]:
             get = draft.form
             assert isinstance(get, Get)
             yield from _box(get, draft)
+            yield from _circle(question, asked, get, draft)
             yield from _surface(get, draft)
             yield from _extremes(question, get, draft)
             if asked not in asked_for:
@@ -111,6 +113,17 @@ def _box(get: Get, draft: Draft) -> Iterator[Draft]:
     """'Width, depth and height of the plate' are its size."""
     if len(set(get.measures)) == MOST_TOGETHER and all(measure in _ALONG for measure in get.measures):
         yield Draft(replace(get, measures=(Measure.SIZE,)), {**draft.features, "asked_box": 1.0}, draft.used)
+
+
+def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterator[Draft]:
+    """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
+    text = question.text
+    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
+    is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
+    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED)):
+        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
+        form = replace(get, target=circle, reduce=Reduce.ONE)
+        yield Draft(form, {**draft.features, "arranged": 1.0}, draft.used | leads | said)
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
