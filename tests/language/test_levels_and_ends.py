@@ -1,4 +1,4 @@
-"""How far something stands out or is set back, from its free end, over a plane face; and 'one' for a noun."""
+"""How far something stands out or is set back, and from which end; what is left; and 'one' for a noun."""
 
 from __future__ import annotations
 

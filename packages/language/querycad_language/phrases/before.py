@@ -82,7 +82,7 @@ def _word(text: Text, at: int, draft: Draft) -> int:
         draft.nouns.append(noun)
         return noun.end
     if adjective and (text.is_word(at - 1, "how") or text.find(adjective.end, "article")):
-        return at  # 'how deep the holes are', 'they go through the web'
+        return at  # 'how deep the holes are', 'they go through the lever'
     if adjective and (draft.nouns or noun_follows(text, adjective.end)):
         if draft.nouns and not is_noun(text, adjective.end):
             return at

@@ -12,11 +12,11 @@ from querycad_language.readings.question import Question
 
 from .anchors import planes_of, rimmed, without
 
-_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "overtop")
+_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
 def overhangs(question: Question) -> Iterator[Draft]:
-    """'By how much does the spindle project above the nut?', 'How far below the rim do the bosses end?'"""
+    """'By how much does the spindle project above the nut?', 'How far below the hub does the lug end?'"""
     text = question.text
     reach = next(iter(text.all("reach")), None)
     nouns = question.parts
@@ -36,7 +36,7 @@ def overhangs(question: Question) -> Iterator[Draft]:
         base, used = rimmed(other.part) or other.part, used | other.used
         yield from _beyond(first.part, base, side, used)
         around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
-        if around := around | text.at_words("sideways", "radially", "radial"):
+        if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Draft(form, {"overhang": 1.0}, used | around)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):

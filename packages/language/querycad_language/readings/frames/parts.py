@@ -48,11 +48,7 @@ def parts(question: Question) -> Iterator[Draft]:
             shown = float(any(text.find(i, "showing") for i in lead))
             yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
             yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
-        elif (
-            any(text.is_word(i, "what") for i in lead)
-            and index == 0
-            and not any(text.find(i, "operation") for i in lead)
-        ):
+        elif index == 0 and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead):
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:
