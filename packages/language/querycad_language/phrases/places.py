@@ -42,8 +42,9 @@ def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
 
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     """Sides behind a preposition: 'from the top or the bottom side'."""
-    if (prep := text.find(at, "side_preposition")) is None or (text.is_word(at, "to") and text.has("from")):
-        return [], at  # 'from the pin to the back end of the fork' leads to an end
+    points = any(span.value in (Measure.AXIS, Measure.POSITION) for span in text.all("measure"))
+    if (prep := text.find(at, "side_preposition")) is None or (text.is_word(at, "to") and (points or text.has("from"))):
+        return [], at  # 'from the pin to the back end of the fork', 'pin axis to top of the fork' lead to an end
     sides: list[Side] = []
     end = prep.end
     while True:
@@ -97,7 +98,7 @@ def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
     span = text.find(at, "near", "far")
-    if span is None or depth >= MAX_DEPTH:
+    if span is None or depth >= MAX_DEPTH or text.is_word(at - 1, "to"):  # 'from the pin to the nearest edge': an end
         return at
     most = span.category == "far"
     start = span.end + text.is_word(span.end, "to", "from")

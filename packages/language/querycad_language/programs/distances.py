@@ -111,7 +111,7 @@ def _between(draft: Draft, form: Distance, two: bool) -> str:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
         modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
-    elif two and not alike and (along := turned(parts[-1])) is not None:  # how far from the axis of the second part
+    elif two and (not alike or form.mode == "centers") and (along := turned(parts[-1])) is not None:  # from its axis
         planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i != along)
         modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return draft.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))

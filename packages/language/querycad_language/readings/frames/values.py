@@ -96,7 +96,8 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
         features["asked_vector"] = 1.0
         how = [at + 1 for at in text.at_words("how")]
         lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
-        features["vector_for_length"] = float(any(lengths))
+        end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
+        features["vector_for_length"] = float(end or any(lengths))
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
     if overall or text.is_word(asked.start, *{"overall", "total"} & words):
