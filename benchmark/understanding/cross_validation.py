@@ -14,6 +14,12 @@ SURE = 0.8
 """An answer with this confidence passes as known: people do not check it."""
 PARTS = 5
 """Calibration looks at questions that were left out, so many parts one after the other."""
+LOOKED_AT = 0.3
+"""What a question that the lexicon was written with in view counts in calibration, beside one by a hand.
+
+Left out in cross-validation, the calibration error over all is then .046 and over the hands .024; with none of them
+.059 and .025; with one each .028 and .039, and the hands' wrong and sure answers pass three in a hundred.
+"""
 OWN_FOLDS = 5
 """The project's first questions have few writers: they are parted by model alone."""
 
@@ -79,17 +85,16 @@ def balanced(rows: Sequence[Row]) -> list[Row]:
 def weights_of(rows: Sequence[Row], prior: Table, begin: Table | None = None) -> tuple[Table, Table]:
     """Weights fitted on these questions, and a calibration fitted on those that parts of the weights had not seen.
 
-    What the lexicon was written with in view is answered better than what people ask: where there are other questions,
-    they alone say how probable an answer is. `begin`: where fitting begins.
+    What the lexicon was written with in view is answered better than what people ask: for how probable an answer is it
+    counts `LOOKED_AT`. `begin`: where fitting begins.
     """
     table = fit(balanced(rows), prior, begin)
     folds = by_fold(rows)
-    counted = [name for name in folds if is_hand(name)] or list(folds)
-    answers: list[Answered] = []
+    answers: list[tuple[Answered, float]] = []
     for part in range(PARTS):
-        left_out = [row for name in counted[part::PARTS] for row in folds[name]]
-        seen = fit(balanced(without(rows, left_out)), prior, table)
-        answers += [answered(row, seen) for row in left_out]
+        names = list(folds)[part::PARTS]
+        seen = fit(balanced(without(rows, [row for name in names for row in folds[name]])), prior, table)
+        answers += [(answered(row, seen), 1.0 if is_hand(name) else LOOKED_AT) for name in names for row in folds[name]]
     return table, calibrate(answers)
 
 

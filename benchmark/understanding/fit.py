@@ -117,12 +117,13 @@ def answered(row: Row, table: Table) -> Answered:
     return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)
 
 
-def calibrate(answers: Sequence[Answered], l2: float = 5.0) -> Table:
+def calibrate(answers: Sequence[tuple[Answered, float]], l2: float = 5.0) -> Table:
     """How probable is it that an answer is right? Logistic weights of its share and of its doubts.
 
-    `answers`: by weights that had not seen their questions, or confidence is too high.
+    `answers`: by weights that had not seen their questions, or confidence is too high; and what each counts.
     """
-    told = [one for one in answers if not one.refused]
+    counted = np.array([count for one, count in answers if not one.refused])
+    told = [one for one, _ in answers if not one.refused]
     against = [doubts(one.features, one.score) for one in told]
     names = sorted({name for found in against for name in found})
     matrix = np.array(
@@ -133,7 +134,7 @@ def calibrate(answers: Sequence[Answered], l2: float = 5.0) -> Table:
     )
     right = np.array([one.right for one in told], dtype=np.float64)
 
-    weight = np.where(right > 0, 1.0, CAUTION)
+    weight = counted * np.where(right > 0, 1.0, CAUTION)
 
     def loss(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
         z = matrix @ w

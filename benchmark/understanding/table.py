@@ -10,7 +10,7 @@ from querycad_language.weights import ALONE
 from .fit import Table
 
 FILE = Path("packages/language/querycad_language/data/weights.toml")
-LEAST = 0.06
+LEAST = 0.1
 """Smaller weights are not written."""
 GROUPS = ("of", "as")
 """Of each measure: how natural it is of a kind of part, and what it means there: 'depth of hole'."""

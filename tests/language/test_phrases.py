@@ -34,6 +34,10 @@ def test_a_plain_noun_is_its_entry_of_the_lexicon() -> None:
         ("gronk slot", {"unknown": ("gronk",), "noun": "slot"}),
         ("one of the slots", {"sample": True}),
         ("slots on the left side", {"sides": (Side.LEFT,)}),
+        ("the slots underneath", {"sides": (Side.BOTTOM,)}),
+        ("this lever", {"deictic": True, "definite": True}),
+        ("my lever", {"deictic": True}),
+        ("the lever", {"deictic": False}),
     ],
 )
 def test_each_restriction_has_its_field(phrase: str, fields: dict[str, Any]) -> None:
@@ -66,3 +70,9 @@ def test_places_are_queries_themselves() -> None:
 def test_exceptions_and_further_kinds_are_queries_too() -> None:
     assert noun_phrase("slots except the blind ones", NONE).excluded
     assert [other.noun for other in noun_phrase("slots and pockets", NONE).also] == ["pocket"]
+
+
+def test_underneath_something_is_no_side() -> None:
+    query = noun_phrase("the slot underneath the boss", NONE)
+    assert not query.sides
+    assert [place.relation for place in query.places] == ["below"]

@@ -163,3 +163,36 @@ def test_what_is_left_below_is_a_thickness() -> None:
 def test_from_where_to_where() -> None:
     found = [form for form in forms("smallest and largest lug diameter") if isinstance(form, Get)]
     assert any(form.reduce is Reduce.RANGE for form in found)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How many lugs are there, the big one included?",
+        "How many lugs are there (the middle ones counted too)?",
+        "lug count, counting the tapped ones",
+    ],
+)
+def test_what_counts_as_well_restricts_nothing_and_is_not_passed_over(question: str) -> None:
+    reading = next(reading for reading in read(question) if isinstance(reading.form, Count))
+    assert isinstance(reading.form, Count)
+    assert not reading.form.target.adjectives
+    assert not reading.form.target.ranks
+    assert {kind for kind, _ in reading.skipped} <= {"chatter"}
+
+
+def test_what_is_not_counted_is_left_out_and_what_is_named_alone_is_asked_for() -> None:
+    assert counted("How many lugs are there, not counting the tapped ones?").excluded
+    assert any(query.noun == "lug" for form in forms("Is a lug included?") for query in queries(form))
+
+
+def test_this_points_to_the_model_in_the_first_sentence_alone() -> None:
+    first, later = "How many lugs has this lever?", "The lever has a rib. How thick is this rib?"
+    assert any(query.deictic for query in _all(first))
+    assert not any(query.deictic for query in _all(later))
+
+
+def _all(question: str) -> list[PartQuery]:
+    """The queries of all readings, with those inside."""
+    found = [query for form in forms(question) for query in queries(form)]
+    return [*found, *(place.what for query in found for place in query.places if place.what is not None)]

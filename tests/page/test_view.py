@@ -291,7 +291,7 @@ def test_a_measurement_takes_corners_and_middles_of_edges(seen: Opener, assembly
     page = seen().model(assembly_model)
     found: list[tuple[str, list[float]]] = page.page.evaluate(
         """() => { const box = querycad.canvas.getBoundingClientRect(); const found = new Map();
-           for (let x = box.left; x < box.right; x += 8) for (let y = box.top; y < box.bottom; y += 8) {
+           for (let x = box.left; x < box.right; x += 16) for (let y = box.top; y < box.bottom; y += 16) {
              const snap = querycad.snap(x, y, querycad.pick(x, y));
              const place = snap && querycad.model.toMetres(snap.point).toArray();
              if (snap) found.set(`${snap.kind} ${place}`, [snap.kind, place]);

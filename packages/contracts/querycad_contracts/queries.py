@@ -165,6 +165,7 @@ class PartQuery(Frozen):
     plural: bool = False
     definite: bool = Field(False, description="'the …': one, or all of them, is known to the speaker.")
     sample: bool = Field(False, description="However many there are, any one stands for all: 'one of the holes'.")
+    deictic: bool = Field(False, description="'this bracket', 'my bracket': what the speaker has before them.")
     ranks: tuple[Rank, ...] = ()
     places: tuple[Place, ...] = ()
     sides: tuple[Side, ...] = Field((), description="Visible from any of these.")

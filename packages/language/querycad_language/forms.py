@@ -233,18 +233,9 @@ Form: TypeAlias = (
 
 def queries(form: object) -> Iterator[PartQuery]:
     """The part queries of a form, each once, in the order in which they are written."""
-    return iter(dict.fromkeys(_queries(form)))
-
-
-def _queries(form: object) -> Iterator[PartQuery]:
-    if isinstance(form, PartQuery):
-        yield form
-    elif isinstance(form, tuple):
-        for one in form:
-            yield from _queries(one)
-    elif is_dataclass(form):
-        for field in fields(form):
-            yield from _queries(getattr(form, field.name))
+    found: dict[PartQuery, PartQuery] = {}
+    mapped(form, lambda query: found.setdefault(query, query))
+    return iter(found)
 
 
 F = TypeVar("F")

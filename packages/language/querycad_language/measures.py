@@ -23,6 +23,8 @@ CUT = frozenset([
 FLAT = 0.5
 """What is lower than this share of its diameter is a disc, a flange or a plate, as in docs/measures.md."""
 WHOLE = frozenset(("model", "body"))
+EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
+COORDINATES = (Measure.X, Measure.Y, Measure.Z)
 
 _ENDS = {
     Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
@@ -134,12 +136,8 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "groove": "width",
         "": "height; ~extents[along]; ~length",
     },
-    Measure.X_EXTENT: "extents[0]",
-    Measure.Y_EXTENT: "extents[1]",
-    Measure.Z_EXTENT: "extents[2]",
-    Measure.X: "center[0]",
-    Measure.Y: "center[1]",
-    Measure.Z: "center[2]",
+    **{measure: f"extents[{i}]" for i, measure in enumerate(EXTENTS)},
+    **{measure: f"center[{i}]" for i, measure in enumerate(COORDINATES)},
     Measure.POSITION: "center",
     Measure.OPENING: "opening; ~center",
     Measure.TIP: "tip",

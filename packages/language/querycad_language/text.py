@@ -70,11 +70,6 @@ class Text:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
 
-    @property
-    def lengths(self) -> list[int]:
-        """Where lengths are stated: '5 mm'."""
-        return [at for at, token in enumerate(self.tokens) if token.kind is Kind.QUANTITY and token.power == 1]
-
     def has(self, *words: str) -> bool:
         """Does one of these words occur at all?"""
         return not self._said.isdisjoint(words)

@@ -48,10 +48,12 @@ _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
 _OPENING = re.compile(r"\W{0,3}(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
 """Words before which 'in' is no unit."""
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
-_SIGNED = tuple(
-    ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)], side.value) for side in Side
-)
-"""Sign, axis, and the side of the file's frame that lies there."""
+_OUTWARD = {
+    side.value: ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)]) for side in Side
+}
+"""The sign and the axis of the file's frame towards each side."""
+_SHOWN = re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.IGNORECASE)
+"""'what … do we have that'"""
 _ECHO = re.compile(
     r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
 )
@@ -66,14 +68,8 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (_ECHO, "?"),
-    (
-        re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.I),
-        "",
-    ),  # 'what … do we have'
-    *(
-        (re.compile(rf"(?<![\w+-])[{sign}]{axis}(?=[ -](?:side|face|half|end)\b)", re.I), name)
-        for sign, axis, name in _SIGNED
-    ),
+    (_SHOWN, ""),
+    *((re.compile(rf"(?<![\w+-])[{s}]{x}(?=[ -](side|face|half|end)\b)", re.I), to) for to, (s, x) in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"\|\|"), " parallel to "),
     (re.compile(r"\bl\s?/\s?d\b", re.I), "length to diameter ratio"),

@@ -312,3 +312,15 @@ def test_a_query_is_grounded_once_a_model(monkeypatch: pytest.MonkeyPatch) -> No
     for count in range(2 * KEPT):
         ground(plate, asked.model_copy(update={"count": count, "places": ()}))
     assert len(plate.grounded) == KEPT
+
+
+def test_what_the_speaker_points_to_may_be_the_model() -> None:
+    model = inventory(whole(), body(1, "base"), body(2, "lid"), LARGE)
+    pointed = PartQuery(noun="boss", words=("boss",), definite=True, deictic=True)
+    whole_of = [way.features for way in ground(model, pointed) if way.parts and way.parts[0].kind == "model"]
+    assert whole_of
+    assert all("whole_deictic" in features for features in whole_of)
+    plain = ground(model, pointed.model_copy(update={"deictic": False}))
+    assert not any(way.parts and way.parts[0].kind == "model" for way in plain)
+    placed = asked(places=(Place(relation="in", what=pointed),))
+    assert any({"place_whole", "whole_deictic"} <= way.features.keys() for way in ground(model, placed))

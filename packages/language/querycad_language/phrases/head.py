@@ -56,8 +56,8 @@ def _without_noun(text: Text, draft: Draft, start: int, at: int) -> int | None:
         round_size = any(size.measure in (Measure.DIAMETER, Measure.RADIUS) for size in draft.sizes)
         if round_size or draft.threads or draft.article:
             return at
-    if text.find(at, "measure", "distance", "gap"):
-        return None  # 'the straight distance'
+    if text.find(at, "measure", "distance", "gap") or text.find(at - 1, "outside_to_outside"):
+        return None  # 'the straight distance', 'the opposite side'
     return at if (draft.adjectives or draft.ranks) and draft.article and at > start + 1 else None
 
 
@@ -86,6 +86,7 @@ def mention_of(text: Text, start: int, end: int, draft: Draft) -> Mention:
         plural=plural or draft.each or (draft.count or 1) > 1,
         definite=draft.definite,
         sample=draft.sample,
+        deictic=draft.deictic,
         places=places,
         unknown=unknown if known else (),
         **gathered,

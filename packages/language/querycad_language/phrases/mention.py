@@ -56,6 +56,7 @@ class Draft:
     definite: bool = False
     each: bool = False
     sample: bool = False
+    deictic: bool = False
     article: bool = False
     used: set[int] = field(default_factory=set)
 

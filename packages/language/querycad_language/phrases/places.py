@@ -9,7 +9,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import MAX_DEPTH, Draft, replace_fields
-from .words import is_noun
+from .words import is_noun, noun_follows
 
 if TYPE_CHECKING:
     from .reader import Phrases
@@ -23,6 +23,8 @@ def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     seeing = text.find(start, "seeing")
     start = text.skip(start, "seeing")
     view = text.find(start, "view")
+    if view and text.find(start, "place") and (noun_follows(text, view.end) or text.find(view.end, "pronoun")):
+        view = None  # 'underneath the flange' is no side
     sides, end = ([view.value], view.end) if view is not None else _sides(text, start)
     if view is None and seeing is None and text.is_word(start, "from") and "far" in text.words[:at]:
         return at  # 'how far is the hole from the left side': a plane

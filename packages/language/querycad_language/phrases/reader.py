@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import cached_property
 
 from querycad_contracts import PartQuery
 from querycad_language.text import Text
@@ -55,6 +56,7 @@ class Phrases:
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""
         left = [m for m in found if m.query is not None and self._leaving(m)]
+        found = [m for m in found if m.head not in self.included] or found
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
         if not left or named is None:
@@ -71,6 +73,19 @@ class Phrases:
                 return range(at, span.end)
         out = self.text.find(mention.end, "left_out") if mention.query and mention.query.ranks else None
         return range(mention.end, out.end) if out is not None else range(0)
+
+    @cached_property
+    def included(self) -> frozenset[int]:
+        """The words that say that parts count as well, which they do anyway: ', the big one included'."""
+        text, found = self.text, set[int]()
+        for end in text.at_words("included", "counted"):
+            start = next((i + 1 for i in range(end - 1, 0, -1) if text.tokens[i].kind is Kind.SYMBOL), end)
+            if not any(text.find(i, "negation", "minus", "ask", "count", "be") for i in range(start, end)):
+                found.update(range(start, end + 1 + text.is_word(end + 1, "too")) if start < end else ())
+        for start in text.at_words("including", "incl", "counting"):
+            other = self.at(start + 1) if not text.find(start - 1, "negation", "minus") else None
+            found.update(range(start, other.end) if other and not text.find(start + 1, "each") else ())
+        return frozenset(found)
 
     def _shared(self, mention: Mention, after: list[Mention]) -> Mention:
         """'the largest and the smallest hole': of the noun that both share."""

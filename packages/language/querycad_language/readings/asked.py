@@ -8,7 +8,7 @@ from typing import Literal
 from querycad_contracts import AnswerType, Measure
 from querycad_language.forms import Reduce
 from querycad_language.lexicon import Span
-from querycad_language.measures import answer_type
+from querycad_language.measures import EXTENTS, answer_type
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY
 
@@ -16,7 +16,6 @@ from .question import Question
 
 UNITS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
 """What a unit is of, by its power of lengths."""
-EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
 _WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
 """Measures that narrower ones are of: the position of the tip, the size of the diameter."""

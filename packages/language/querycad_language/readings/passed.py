@@ -40,7 +40,7 @@ def passable(question: Question) -> list[Passable]:
     text = question.text
     found: list[Passable] = []
     depth = 0
-    aside = {at for stretch, _ in question.units_asked for at in stretch}
+    aside = question.phrases.included.union(*(stretch for stretch, _ in question.units_asked))
     aside |= _axis_asides(question) | {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
     for at, token in enumerate(text.tokens):
         depth += text.is_word(at, "(") - text.is_word(at, ")")

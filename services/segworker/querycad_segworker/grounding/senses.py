@@ -32,6 +32,12 @@ NAMELESS = frozenset(("depression", "elevation"))
 
 def bases(request: Request) -> Iterator[Way]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
+    pointing = request.query.deictic
+    for way in _meant(request):
+        yield way.to(way.parts, "whole_deictic") if pointing and "whole_sense" in way.features else way
+
+
+def _meant(request: Request) -> Iterator[Way]:
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
     said_nothing = {"the", *lexicon().wholes}
@@ -49,7 +55,8 @@ def bases(request: Request) -> Iterator[Way]:
             yield from _guessed(inventory, query)  # 'the latch' of a lid
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
-        if query.definite and not others and solid and inventory.alone and inventory.model is not None:
+        generic = query.deictic or (query.definite and not others and solid and inventory.alone)
+        if generic and not noun.product and not query.plural and inventory.model is not None:
             yield Way((inventory.model,), _GENERIC)  # 'the pin' is all there is
     elif not query.noun:
         yield Way(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})

@@ -45,7 +45,8 @@ def _at_place(request: Request, way: Way, asked: tuple[Place, Sequence[Grounded]
 def _held_by(request: Request, way: Way, place: Place, grounded: Grounded, name: str) -> Sequence[Way]:
     """The parts that stand so to one way of grounding the place."""
     if grounded.parts[0].kind == "model":
-        return [way.to(way.parts, f"{name}_whole")]
+        whole = way.to(way.parts, f"{name}_whole")
+        return [whole.to(way.parts, "whole_deictic") if place.what is not None and place.what.deictic else whole]
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     if place.side is not None:

@@ -59,7 +59,9 @@ def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> 
     """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
-    most = {i for i in asking if text.is_word(i, "most") or _most_at(text, i)}
+    spans = ((i, text.find(i, "most", "scale")) for i in asking)
+    most = {i for i, span in spans if span and "most" in (span.category, getattr(span.value, "degree", ""))}
+    most |= {i for i in asking if text.is_word(i, "most")}
     beyond = offered or text.has("any", "anywhere")
     more = {i for i in asking if text.is_word(i, "more") and beyond}
     numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
@@ -86,11 +88,6 @@ def _way_from(question: Question, side: int | None) -> Iterator[Draft]:
         part = question.parts[0]
         used = {side, side + 1, *text.at_words("from"), *verbs, *part.used}
         yield Draft(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
-
-
-def _most_at(text: Text, at: int) -> bool:
-    span = text.find(at, "most", "scale")
-    return span is not None and "most" in (span.category, getattr(span.value, "degree", ""))
 
 
 def _named_by(query: PartQuery) -> Measure:

@@ -8,9 +8,9 @@ from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Place
 from querycad_language.forms import LONGEST, Get, Reduce, Target
-from querycad_language.measures import is_length
+from querycad_language.measures import COORDINATES, EXTENTS, is_length
 from querycad_language.phrases import bare_of, replace_fields
-from querycad_language.readings.asked import EXTENTS, EXTREMES, Asked, asked_in
+from querycad_language.readings.asked import EXTREMES, Asked, asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.question import Question
@@ -167,7 +167,7 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
         if get.measures[0] in _ALONG:
             found.append(((EXTENTS[axis],), used))
         elif get.measures[0] is Measure.POSITION:
-            found.append((((Measure.X, Measure.Y, Measure.Z)[axis],), used))
+            found.append(((COORDINATES[axis],), used))
     if get.measures == (Measure.WIDTH,) and text.has("flat"):
         found.append(((Measure.ACROSS_FLATS,), text.at_words("across", "over", "flat", "between")))
     if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):

@@ -99,7 +99,7 @@ def _either(question: Question) -> Iterator[Draft]:
 def within(question: Question) -> Iterator[Draft]:
     """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
-    verbs, sizes = text.covered("fits", "boxes"), text.lengths
+    verbs, sizes = text.covered("fits", "boxes"), [at for at, token in enumerate(text.tokens) if token.power == 1]
     joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
     if verbs and len(sizes) == len(Side) / 2 and joined:
         low, middle, high = (text.tokens[i].value for i in sizes)
