@@ -128,6 +128,24 @@ def test_the_end_of_a_part_is_where_its_tip_is() -> None:
         assert f"[{expression} for p in parts]" in written.code
 
 
+def test_all_of_several_distances_are_compared() -> None:
+    levels = Check(Distance(Plane(Side.TOP, OTHERS), HOLES), Relation.AT_LEAST, 0.01)
+    written = write(
+        levels, {HOLES: ((hole(1, 0), hole(2, 20, diameter=0.02)), 0), OTHERS: ((hole(3, 40),), 0)}, whole()
+    )
+    assert "\nvalues = found\n" in written.code
+
+
+def test_between_two_axes_is_square_to_them() -> None:
+    pin, journal = (
+        part(f"cylinder-{i}", (0.0, 0.01 * i, 0.05 * i), axis=(0.0, 0.0, 1.0), diameter=0.02) for i in range(2)
+    )
+    grounds = {HOLES: ((pin,), 0), OTHERS: ((journal,), 0)}
+    codes = [write(Distance(HOLES, OTHERS, "centers"), grounds, whole(), option).code for option in range(2)]
+    assert "a.center_distance(b)" in codes[0]
+    assert "(a.center[0] - b.center[0]) ** 2 + (a.center[1] - b.center[1]) ** 2" in codes[1]
+
+
 def test_none_is_a_number_that_is_compared() -> None:
     written = write(Check(Count(PINS), Relation.MORE, 8.0), {PINS: ((), 0)}, whole())
     assert [(one.expression, one.expects) for one in written.compared] == [("values[0]", AnswerType.COUNT)]

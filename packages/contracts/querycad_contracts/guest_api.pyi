@@ -300,6 +300,8 @@ class PartQuery(TypedDict, total=False):
     definite: bool
     sample: bool
     """Any one of them stands for all."""
+    deictic: bool
+    """'this bracket', 'my bracket': what the speaker has before them, so perhaps the whole model."""
     ranks: list[Rank]
     places: list[Place]
     sides: list[Side]

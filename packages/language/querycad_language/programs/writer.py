@@ -301,7 +301,7 @@ def _check(draft: Draft, form: forms.Check) -> str:
             return f"len({overlapping(draft, form.left)}) > 0"
         case Distance():
             apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
-            values = apart if apart == "found" or apart.startswith("[") else f"[{apart}]"
+            values = "found" if apart.startswith("found") else apart if apart.startswith("[") else f"[{apart}]"
         case Get(measures, PartQuery() as target):
             values = _values(draft, measures[0], target)
             if measures[0] is Measure.MASS:
