@@ -52,8 +52,6 @@ _OUTWARD = {
     side.value: ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)]) for side in Side
 }
 """The sign and the axis of the file's frame towards each side."""
-_SHOWN = re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.IGNORECASE)
-"""'what … do we have that'"""
 _ECHO = re.compile(
     r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
 )
@@ -68,7 +66,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (_ECHO, "?"),
-    (_SHOWN, ""),
+    (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.I), ""),
     *((re.compile(rf"(?<![\w+-])[{s}]{x}(?=[ -](side|face|half|end)\b)", re.I), to) for to, (s, x) in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"\|\|"), " parallel to "),

@@ -42,6 +42,7 @@ def test_a_bore_with_a_flat_is_one_hole_that_owns_it(depth: float) -> None:
 def test_a_keyway_does_not_make_a_bore_d_shaped() -> None:
     found = find(cut(plate(), cylinder(8, 20, (0, 0, -20)), box((6, 5, 20), (5, -2.5, -20))))
     assert "d_shaped" not in found.hole.tags
+    assert found.hole.extents == pytest.approx((16 * MM, 16 * MM, 20 * MM)), "also where the keyway took the wall"
 
 
 @pytest.mark.parametrize("degrees", [0, 40])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from querycad_contracts import Part
+from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.dimples import Dimple
 from querycad_segworker.features.holes.hole import Bottom, Hole, Section, SectionKind
 from querycad_segworker.features.shared.margins import edge_distance
@@ -16,6 +16,8 @@ from querycad_segworker.vectors import box_extents, dist, mid
 from .patterns import Pattern, PatternKind
 
 _HOLE_ADJECTIVES = ("oblique", "threaded", "countersunk", "counterbored", "spotfaced", "conical")
+_SQUARE = math.radians(0.1)
+"""Axes this far off a right angle are square: the angle of `Tolerances`."""
 _CUT_AT_A_HOLE = (SectionKind.COUNTERBORE, SectionKind.SPOTFACE, SectionKind.COUNTERSINK, SectionKind.CHAMFER)
 
 
@@ -29,7 +31,6 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
     form = {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(hole.bottom, "blind")
     words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)
     widest = max((hole.opening_radius, hole.radius, *hole.steps))
-    box = faces_box(brep, hole.faces)
     width = widest - hole.core_radius if hole.core_radius is not None else 2 * widest
     sunk = [section for section in hole.sections if section.kind is SectionKind.COUNTERSINK]
     ends = {Bottom.THROUGH: "open at both ends", Bottom.BORE: "ending in another bore"}
@@ -42,7 +43,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
         label=f"{words}, diameter {millimetres(2 * hole.radius)}, depth {millimetres(hole.depth)}",
         faces=hole.faces,
         center=hole.center,
-        extents=box_extents(box),
+        extents=_whole_extents(brep, hole, 2 * widest),
         axis=hole.normal,
         normal=hole.normal,
         radius=hole.radius,
@@ -67,6 +68,15 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
             + ends.get(hole.bottom, "open at one end")
         ),
     )
+
+
+def _whole_extents(brep: Brep, hole: Hole, diameter: float) -> Vector:
+    """Along x, y, z: square to its axis a bore is as wide as its diameter, also where a keyway took some wall."""
+    x, y, z = (
+        max(size, diameter) if abs(along) < _SQUARE else size
+        for size, along in zip(box_extents(faces_box(brep, hole.faces)), hole.normal, strict=True)
+    )
+    return x, y, z
 
 
 def _volume(hole: Hole) -> float | None:
