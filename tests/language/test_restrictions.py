@@ -181,6 +181,14 @@ def test_what_counts_as_well_restricts_nothing_and_is_not_passed_over(question: 
     assert {kind for kind, _ in reading.skipped} <= {"chatter"}
 
 
+def test_an_axis_leads_to_an_end_and_a_part_to_the_left_is_seen_there() -> None:
+    ends = [form for form in forms("spindle axis to the top face of the lever") if isinstance(form, Distance)]
+    assert ends
+    assert not any(query.sides for form in ends for query in queries(form))
+    places = [form for form in forms("Where is the centre of the lug to the left?") if isinstance(form, Get)]
+    assert any(query.sides == (Side.LEFT,) for form in places for query in queries(form))
+
+
 def test_what_is_not_counted_is_left_out_and_what_is_named_alone_is_asked_for() -> None:
     assert counted("How many lugs are there, not counting the tapped ones?").excluded
     assert any(query.noun == "lug" for form in forms("Is a lug included?") for query in queries(form))
