@@ -166,14 +166,15 @@ class Understanding:
             return with_value(candidate, None, self._view.whole.extents)
         return with_value(candidate, outcome.value, self._view.whole.extents)
 
-    def answered(self, run: Run, unit: LengthUnit, least: float = 0.0) -> Understood:
+    def answered(self, run: Run, unit: LengthUnit, least: float = 0.0, every: bool = False) -> Understood:
         """What is the most probable answer, and what else may be meant?
 
         A noun that the model has no part for is taken for the whole model only with a confidence of at least `least`.
+        Where none that ran first is of the type that is wanted, `every` one runs.
         """
         if self.refused is not None:
             return Understood(verdict=Verdict(failure=self.refused))
-        tried = self.tried(run)
+        tried = self.tried(run, every)
         untried = [one.score for one in self.ranked[len(tried) :]]
         found = values(tried, untried)
         told = math.fsum(one.share for one in found)
@@ -190,6 +191,8 @@ class Understanding:
                 return self._understood(best, verdict, others, notes)
             if best.candidate.value == [] and best.candidate.written.expects is AnswerType.PARTS:
                 break  # that none is so is likelier than the other readings
+        if untried and self._expect.type is not None:
+            return self.answered(run, unit, least, every=True)
         if not tried:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]

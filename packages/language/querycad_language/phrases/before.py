@@ -46,8 +46,8 @@ def _determiner(text: Text, at: int, draft: Draft) -> int:
     if (span := text.find(at, "article")) and not (text.find(at, "pronoun") and not noun_follows(text, span.end)):
         draft.definite = draft.definite or text.words[at] not in ("a", "an", "such")
         draft.article = True
-        first = not any(map(text.is_break, range(at)))  # later it points to what was said
-        draft.deictic = draft.deictic or (first and text.is_word(at, "this", "my", "our"))
+        if text.is_word(at, "this", "my", "our"):  # later it points to what was said
+            draft.deictic = not any(map(text.is_break, range(at)))
         return span.end
     span = text.find(at, "number")
     if span is not None and noun_follows(text, span.end):
