@@ -160,8 +160,10 @@ class Understanding:
         return found
 
     def _ran(self, candidate: Candidate, run: Run) -> Candidate:
-        outcome = run(_program(candidate))
-        self._outcomes[candidate.written.code] = outcome
+        code = candidate.written.code
+        if code not in self._outcomes:
+            self._outcomes[code] = run(_program(candidate))
+        outcome = self._outcomes[code]
         if outcome.status is not RunStatus.OK:
             return with_value(candidate, None, self._view.whole.extents)
         return with_value(candidate, outcome.value, self._view.whole.extents)

@@ -44,8 +44,8 @@ def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
 
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     """Sides behind a preposition: 'from the top or the bottom side'."""
-    axis = any(span.value is Measure.AXIS for span in text.all("measure"))
-    if (prep := text.find(at, "side_preposition")) is None or (text.is_word(at, "to") and (axis or text.has("from"))):
+    leads = text.is_word(at, "to") and (text.has("from") or any(s.value is Measure.AXIS for s in text.all("measure")))
+    if leads or (prep := text.find(at, "side_preposition")) is None:
         return [], at  # 'from the pin to the back end of the fork', 'pin axis to top of the fork' lead to an end
     sides: list[Side] = []
     end = prep.end

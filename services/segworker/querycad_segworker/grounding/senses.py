@@ -57,7 +57,7 @@ def _meant(request: Request) -> Iterator[Way]:
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
         if generic and not noun.product and not query.plural and inventory.model is not None:
-            yield Way((inventory.model,), _GENERIC)  # 'the pin' is all there is
+            yield Way((inventory.model,), _GENERIC)  # 'the pin' is all there is, 'this pin' may be
     elif not query.noun:
         yield Way(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
     elif not named:
