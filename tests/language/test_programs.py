@@ -198,6 +198,20 @@ def test_spacings_in_both_directions_run_along_the_sides_on_which_the_parts_lie_
     assert "center[0]" not in code
 
 
+def test_along_an_axis_the_spacing_is_that_of_a_row() -> None:
+    zigzag = (hole(1, 0, 0), hole(2, 8, 10), hole(3, 20, 0), hole(4, 28, 10))
+    along = write(Distance(HOLES, "each other", axis=0), {HOLES: (zigzag, 0)}, whole())
+    assert "for i in [1, 2])] or [" in along.code  # 20 mm within a row, not 8 mm to the next one
+    apart = write(Distance(HOLES, OTHERS, axis=0), {HOLES: (TWO, 0), OTHERS: (TWO, 0)}, whole())
+    assert " or [abs" not in apart.code
+
+
+def test_over_all_a_flange_is_as_thick_as_it_reaches_along_its_axis() -> None:
+    flange = whole(axis=(0.0, 0.0, 1.0), thickness=0.008, extents=(0.1, 0.1, 0.012))
+    assert options(Measure.THICKNESS, flange, overall=True)[0] == ("{0}.extents[2]", "own")
+    assert options(Measure.THICKNESS, flange)[0] == ("{0}.thickness", "own")
+
+
 def test_the_grounding_that_is_meant_is_named_by_its_sense() -> None:
     assert '"sense": 2' in write(DEPTH, {HOLES: (TWO, 2)}, whole()).code
     assert "sense" not in write(DEPTH, {HOLES: (TWO, 0)}, whole()).code

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Combine, Count, Distance, Every, Form, Get, Reduce, Towards, queries
+from querycad_language.forms import LONGEST, Combine, Count, Distance, Every, Form, Get, Reduce, Towards, queries
 from querycad_language.readings.reader import read
 
 
@@ -179,6 +179,30 @@ def test_what_counts_as_well_restricts_nothing_and_is_not_passed_over(question: 
     assert not reading.form.target.adjectives
     assert not reading.form.target.ranks
     assert {kind for kind, _ in reading.skipped} <= {"chatter"}
+
+
+def test_what_is_included_owns_no_measure() -> None:
+    asks = [form for form in forms("What is the overall thickness including the spigot?") if isinstance(form, Get)]
+    assert asks
+    assert all(form.target is None and form.overall for form in asks)
+    over_all = next(one for one in read("Length of the lever incl. the pin") if isinstance(one.form, Get))
+    assert "overall_part" in over_all.features
+
+
+def test_holes_opposite_each_other_are_the_two_furthest_apart() -> None:
+    across = [form for form in forms("How far apart are two lugs opposite each other?") if isinstance(form, Distance)]
+    assert any(form.second == "each other" and form.reduce is Reduce.LARGEST for form in across)
+
+
+def test_an_adverb_alone_names_an_axis() -> None:
+    found = forms("Lengthwise, how far apart are the lugs?")
+    assert any(isinstance(form, Distance) and form.axis == LONGEST for form in found)
+
+
+def test_what_is_not_counted_is_none_of_the_place_that_stands_before_it() -> None:
+    found = counted("How many lugs are on the rib, not counting the tapped lug?")
+    assert [query.noun for query in found.excluded] == ["lug"]
+    assert not any(place.what and place.what.excluded for place in found.places)
 
 
 def test_an_axis_leads_to_an_end_and_a_part_to_the_left_is_seen_there() -> None:

@@ -187,7 +187,6 @@ _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 _STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "whole_sense"))
 """Groundings of a noun that is no name of the parts' kind."""
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
-_ROUND = frozenset((Measure.RADIUS, Measure.DIAMETER, Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER))
 
 
 def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Features:
@@ -195,13 +194,8 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Fe
     features: Features = {}
     measure = form.measures[0]
     if form.target is None:
-        features["whole_round" if measure in _ROUND else "whole_hollow" if measure in _HOLLOW else "whole_natural"] = (
-            1.0
-        )
-        return features
+        return {"whole_hollow": 1.0} if measure in _HOLLOW else {}
     parts = grounds[form.target].parts
-    if not parts:
-        features["get_of_none"] = 1.0
     if form.reduce is Reduce.EACH and len(parts) == 1:
         features["each_of_one"] = 1.0
     if parts and parts[0].kind in ("model", "body"):
@@ -245,8 +239,6 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
-    if isinstance(form, Get) and form.reduce is Reduce.RANGE and distinct == 1:
-        features["value_range_flat"] = 1.0  # who asks from where to where knows that they differ
     if candidate.written.expects is AnswerType.ANGLE and any(v == 0 for v in flat):
         features["value_zero"] = 1.0  # nobody asks what parallel axes enclose
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):

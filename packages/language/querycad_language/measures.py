@@ -95,6 +95,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "": "length; ~height; ~max(extents)",
     },
     Measure.THICKNESS: {
+        "WHOLE+OVERALL": "extents[along]; min(extents)",  # with what stands on it
         "WHOLE": "thickness; ~min(extents); ?extents[2]",
         "boss+FLAT": "height; thickness; ?diameter",
         "boss+STEPPED pipe+STEPPED": "max(radii) - min(radii); ~height; ~2 * max(radii)",
@@ -208,11 +209,11 @@ def is_length(measure: Measure) -> bool:
 def options(measure: Measure, part: Part, overall: bool = False) -> list[tuple[str, Grade]]:
     """The expressions, '{0}' for the part, that a measure can mean of a part like this one, the usual one first.
 
-    `overall`: of a screw the length with its head, which is none of its standard.
+    `overall`: of a screw the length with its head, which is none of its standard; of a flange with its raised face.
     """
     if measure is Measure.LENGTH and part.nominal_length is not None and not overall:
         return [("{0}.nominal_length", "own"), ("{0}.length", "derived")]
-    groups = frozenset(_groups(part))
+    groups = frozenset((*_groups(part), *["OVERALL"] * overall))
     lines = (meanings for needed, meanings in _lines(measure) if any(map(groups.issuperset, needed)))
     found: dict[str, Grade] = {}
     for expression, grade in next(lines, ()):

@@ -128,6 +128,30 @@ def test_a_place_holds_where_parts_are_and_is_unchecked_where_there_is_none() ->
     assert any("place_unknown" in way.features and way.unchecked for way in ways)
 
 
+def test_a_side_of_what_is_the_whole_restricts_as_one_that_is_said_alone() -> None:
+    plate = PartQuery(noun="plate", words=("plate",), definite=True)
+    on_top = asked(places=(Place(relation="of", what=plate, side=Side.TOP),))
+    below = asked(places=(Place(relation="of", what=plate, side=Side.BOTTOM),))
+    one_body = inventory(SMALL, LARGE, DEAD, whole("plate"))
+    assert ids(best(on_top, one_body)) == {"hole-1", "hole-2", "hole-3"}
+    assert ids(best(below, one_body)) == {"hole-1", "hole-2"}
+
+
+def test_with_a_ring_is_with_any_of_them() -> None:
+    rings = [
+        part(f"boss-{i}", (x, 0.0, 0.005), tags=("cylindrical", "ring"), extents=(0.02 + i / 1e3,) * 3, faces=(50 + i,))
+        for i, x in enumerate((-0.02, 0.0))
+    ]
+    ringed = asked(places=(Place(relation="with", what=PartQuery(noun="boss", words=("boss",))),))
+    assert ids(best(ringed, inventory(SMALL, LARGE, DEAD, *rings))) == {"hole-1", "hole-2"}
+
+
+def test_the_largest_has_the_largest_diameter_that_is_told() -> None:
+    bored = hole(4, 40, diameter=0.008, radii=(0.004, 0.009))
+    largest = asked(plural=False, ranks=(Rank(measure=Measure.MAGNITUDE),))
+    assert ids(best(largest, inventory(SMALL, LARGE, bored))) == {"hole-2"}
+
+
 def test_a_count_agrees_chooses_a_group_or_differs() -> None:
     assert "count_agrees" in best(asked(count=3)).features
     pair = best(asked(count=2))

@@ -9,14 +9,14 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from tests.made import part
+from tests.made import hole, part
 
 from querycad_contracts import Part
 from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 from querycad_segworker.relations.between import lying_between
 from querycad_segworker.relations.nearby import Nearby, to_nearest
-from querycad_segworker.relations.places import TOUCH_M, carries, coaxial, encloses, is_inside, touches
+from querycad_segworker.relations.places import TOUCH_M, carries, coaxial, encloses, is_inside, surrounding, touches
 from querycad_segworker.relations.related import related
 from querycad_segworker.vectors import dot, norm, sub
 
@@ -45,6 +45,15 @@ def test_parts_of_the_examples_are_those_of_all_pairs(path: Path, tmp_path: Path
     parts = ingest(path, ModelStore(tmp_path)).load_model().parts
     for relation in RELATIONS:
         assert_like_all_pairs(parts, relation)
+
+
+def test_three_and_more_stand_around_the_axis_that_their_middle_is_on() -> None:
+    middle = hole(1, diameter=0.03)
+    ring = [hole(2, 20), hole(3, -20), hole(4, 0, 20), hole(5, 0, -20)]
+    assert surrounding([middle, *ring, hole(6, 40)], middle) == ring
+    assert surrounding([hole(2, 20), hole(3, -20)], middle) == []  # beside it
+    assert surrounding([hole(2, 20), hole(3, 0, 20), hole(4, 12, 16)], middle) == []  # on one side of it
+    assert surrounding(ring, part("slot-1")) == []  # around no axis
 
 
 def assert_like_all_pairs(parts: Sequence[Part], relation: str) -> None:
@@ -90,7 +99,9 @@ def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) 
             apart = [p for p in found if p.id not in ids and lies_between(p, holders)]
             return [p for p in apart if lies_between(p, holders, whole=True)] or apart
         case "around":
-            return those(encloses) or next_to([p for p in found if p.kind in ("fillet", "round", "chamfer")])
+            ring = {p.id for h in holders for p in surrounding(found, h)}
+            edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
+            return those(encloses) or [p for p in found if p.id in ring] or next_to(edges)
         case "left":
             return those(lambda p, h: h.id != p.id and h.center[0] - p.center[0] > 5e-5)
         case "opposite":

@@ -74,8 +74,9 @@ def replace_fields(query: PartQuery, **fields: object) -> PartQuery:
 
 
 def placed_in(query: PartQuery, relation: str, other: PartQuery) -> PartQuery:
-    """The parts, where they are so by the other ones: 'in the flange'."""
-    return replace_fields(query, places=(*query.places, Place(relation=relation, what=other)))
+    """The parts, where they are so by the other ones: 'in the flange'. 'In the flange, but not the bore': of them."""
+    excluded, other = (*query.excluded, *other.excluded), replace_fields(other, excluded=())
+    return replace_fields(query, excluded=excluded, places=(*query.places, Place(relation=relation, what=other)))
 
 
 def places_of(query: PartQuery | None, *relations: str) -> list[tuple[Place, PartQuery]]:

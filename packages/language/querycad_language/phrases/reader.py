@@ -56,7 +56,7 @@ class Phrases:
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""
         left = [m for m in found if m.query is not None and self._leaving(m)]
-        found = [m for m in found if m.head not in self.included] or found
+        found = [m for m in found if m.head not in self.included]
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
         if not left or named is None:

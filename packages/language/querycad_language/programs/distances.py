@@ -89,9 +89,14 @@ def pairwise(draft: Draft, first: PartQuery, second: forms.Target, expression: s
         loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":
         loop = f"for a, b in nearest({parts})"
-    draft.lines.append(f"found = [{expression} {loop}]")
-    if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):
-        draft.lines.append(f"found = [d for d in found if d > {SLACK:g}] or found")  # along an axis: that lie apart
+    found = f"[{expression} {loop}]"
+    if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis: in a row, or apart
+        aside = [i for i in range(3) if f"center[{i}]" not in expression]
+        row = f"all(abs(a.center[i] - b.center[i]) < 1e-04 for i in {aside})"
+        found = found if second is not None else f"[{expression} {loop} if {row}] or {found}"
+        draft.lines += [f"found = {found}", f"found = [d for d in found if d > {SLACK:g}] or found"]
+    else:
+        draft.lines.append(f"found = {found}")
     reduced = {Reduce.EACH: "found", Reduce.DIFFERENT: "different(found)", **_REDUCED}
     return reduced.get(reduce, "found[0] if len(different(found, 1e-05)) == 1 else min(found)")
 

@@ -61,9 +61,7 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
                 noun = _PLATES.get(span.value, "wall")
             query = PartQuery(noun=noun, sides=() if noun in _PLATES.values() else (span.value,), definite=True)
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
-    features = {"link_whole": 1.0, "owner_passed": float(owned)}
-    if pronoun:
-        features = {"link_whole_pronoun": 1.0}
+    features = {} if pronoun else {"link_whole": 1.0, "owner_passed": float(owned)}
     features["parts_passed"] = float(bool(question.parts))
     sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
     yield Owner(None, sides, features)

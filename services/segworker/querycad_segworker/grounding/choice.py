@@ -69,15 +69,13 @@ def _first_of(request: Request, parts: Sequence[Part], rank: Rank) -> list[Part]
 
 
 def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
-    """What a superlative compares; of stepped parts the widest or the narrowest step."""
-    sized = rank.measure in (None, Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
+    """What a superlative compares: of stepped holes the diameter that is told of them."""
     if rank.measure is Measure.HEIGHT and all(p.kind == "hole" for p in parts):
         return [p.center[2] for p in parts]  # 'the highest hole' by where it is
-    step = max if rank.most else min
-    order = "size" if sized else str(rank.measure)
+    sized = rank.measure in (None, Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
     if sized and all(p.kind == "face" for p in parts):
         return [p.area or 0.0 for p in parts]
-    return [step(p.radii) if sized and p.radii else measured(p, order) for p in parts]
+    return [measured(p, "size" if sized else str(rank.measure)) for p in parts]
 
 
 def counted(request: Request, way: Way) -> Sequence[Way]:
@@ -136,8 +134,6 @@ def _of_groups(query: PartQuery, way: Way, groups: Sequence[Sequence[Part]]) -> 
             "group_unchecked": bool(way.unchecked and query.plural),
             "group_one": len(group) == 1,
             "group_largest": own == max(sizes),
-            "group_smallest": own == min(sizes),
             "group_most": len(group) == max(map(len, groups)) > 1,
-            "group_central": any("central" in part.tags for part in group),
         }
         yield Way(tuple(group), way.features | {name: 1.0 for name, holds in features.items() if holds}, way.unchecked)

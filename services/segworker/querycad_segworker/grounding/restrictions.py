@@ -94,7 +94,8 @@ def narrowed(request: Request, way: Way) -> Sequence[Way]:
     ways = through([way], query.adjectives, lambda one, name: _adjective(inventory, one, name, query.count))
     for adjective in (lexicon().adjectives[name] for name in query.lacking if name in lexicon().adjectives):
         tags = (*adjective.tags, *adjective.fallback[: 0 if adjective.loose else None])
-        ways = [one.to([p for p in one.parts if not inventory.has(p, tags)], "lacking") for one in ways]
+        left = [(one, [p for p in one.parts if not inventory.has(p, tags)]) for one in ways]
+        ways = [one.to(kept, "lacking" if kept else "adjective_empties") for one, kept in left]
     return [_unknown(inventory, one, query.unknown) for one in ways] if query.unknown else ways
 
 

@@ -8,7 +8,6 @@ from querycad_contracts import PartKind, PartQuery
 from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.tokens import is_english
-from querycad_segworker.relations.orders import size
 
 from .inventory import Inventory
 from .ways import Request, Way
@@ -105,13 +104,8 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Way]:
     if not all(map(is_english, query.noun.split())):
         return
     groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
-    largest = max((size(group[0]) for group in inventory.alike), default=0.0)
     for rank, group in enumerate(groups[:GUESSES]):
-        features = {
-            "guessed": 1.0,
-            "guessed_most": float(rank == 0 and len(group) > 1),
-            "guessed_largest": float(size(group[0]) == largest),
-        }
+        features = {"guessed": 1.0, "guessed_most": float(rank == 0 and len(group) > 1)}
         yield Way(tuple(group), features, (f"'{query.noun}', taken for a {group[0].kind}",))
 
 

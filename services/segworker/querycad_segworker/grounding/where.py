@@ -20,7 +20,9 @@ def placed(request: Request, way: Way) -> Sequence[Way]:
     ways: Sequence[Way] = [way]
     for place in request.query.places:
         if place.what is not None and request.depth <= MOST_DEEP:
-            ways = pruned(through(ways, [(place, request.ground(place.what, 3))], partial(_at_place, request)))
+            any_of = {"plural": True} if place.relation == "with" and not place.what.definite else {}
+            holders = request.ground(place.what.model_copy(update=any_of), 3)  # 'with a ring': with any of them
+            ways = pruned(through(ways, [(place, holders)], partial(_at_place, request)))
     return ways
 
 
@@ -46,7 +48,10 @@ def _held_by(request: Request, way: Way, place: Place, grounded: Grounded, name:
     """The parts that stand so to one way of grounding the place."""
     if grounded.parts[0].kind == "model":
         whole = way.to(way.parts, f"{name}_whole")
-        return [whole.to(way.parts, "whole_deictic") if place.what is not None and place.what.deictic else whole]
+        if place.side is not None:  # 'from the top of the manifold'
+            seen = _seen(way, [place.side])
+            whole = whole.to(seen, "side_agrees" if seen else "side_empties")
+        return [whole.to(whole.parts, "whole_deictic") if place.what is not None and place.what.deictic else whole]
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     if place.side is not None:

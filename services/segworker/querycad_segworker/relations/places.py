@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Sequence
+
 from querycad_contracts import Part
 from querycad_segworker.vectors import cross, line_distance, norm
 
 TOUCH_M = 1e-6
 """Boxes nearer than this meet: above kernel noise, far below drawing accuracy."""
+RING_M = 0.1e-3
+"""Parts of one ring differ by less than this in their distance from its axis: drawing accuracy."""
+LEAST_IN_RING = 3
+"""Two parts stand beside a third, three around it."""
 MADE_OF = ("pattern", "gear")
 """Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
 
@@ -55,3 +62,18 @@ def coaxial(part: Part, other: Part) -> bool:
 def encloses(part: Part, other: Part) -> bool:
     """Is it on the other's axis, and wider?"""
     return bool(part.radius and other.radius and part.radius > other.radius) and coaxial(part, other)
+
+
+def surrounding(parts: Sequence[Part], place: Part) -> list[Part]:
+    """Those that stand in a ring around the axis of the place: three and more, as far from it, their middle on it."""
+    rings: dict[int, list[Part]] = defaultdict(list)
+    for part in parts:
+        if place.axis is not None and part.id != place.id:
+            rings[round(line_distance(part.center, place.center, place.axis) / RING_M)].append(part)
+    return [part for away, ring in rings.items() if away and _is_ring(ring, place) for part in ring]
+
+
+def _is_ring(ring: Sequence[Part], place: Part) -> bool:
+    x, y, z = (sum(part.center[i] for part in ring) / len(ring) for i in range(3))
+    axis = place.axis or (0.0, 0.0, 1.0)
+    return len(ring) >= LEAST_IN_RING and line_distance((x, y, z), place.center, axis) < RING_M

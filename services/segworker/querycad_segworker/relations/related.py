@@ -9,7 +9,7 @@ from querycad_segworker.vectors import dot
 
 from .between import lying_between
 from .nearby import Nearby
-from .places import carries, coaxial, encloses, is_inside, touches
+from .places import carries, coaxial, encloses, is_inside, surrounding, touches
 
 STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))
 _DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
@@ -31,8 +31,9 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             return lying_between(apart, holders, whole=True) or apart
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
+            ring = {p.id for h in holders for p in surrounding(found, h)}
             edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
-            return around or next_to(edges, holders, nearby)
+            return around or [p for p in found if p.id in ring] or next_to(edges, holders, nearby)
         case "above" | "below" | "left" | "right" | "front" | "behind":
             axis, sign = _DIRECTIONS[relation]
             first = min((sign * h.center[axis] for h in holders), default=float("inf"))

@@ -25,7 +25,7 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
         if span.start in taken:
             continue
         lead = text.find(span.start - 1 - text.is_word(span.start - 1, "the"), "axis_preposition")
-        if lead or span.end - span.start > 1 or text.is_word(span.start, "horizontally", "vertically"):
+        if lead or span.end - span.start > 1 or len(text.words[span.start]) > 1:
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
 

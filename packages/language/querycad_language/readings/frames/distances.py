@@ -52,13 +52,15 @@ def distances(question: Question) -> Iterator[Draft]:
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
+        opposed = question.text.at_words("opposite", "opposing")  # 'two holes opposite each other'
         for first, second, more, features in _pairs(question, start):
             if reduce in EXTREMES.values() and isinstance(first, PartQuery):
                 if second == "each other" or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
                     first = replace_fields(first, count=None, ranks=(), plural=True)
-            form = Distance(first, second, mode, axis, reduce)
+            across = second == "each other" and reduce is Reduce.ONE and opposed
+            form = Distance(first, second, mode, axis, Reduce.LARGEST if across else reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
-            yield Draft(form, features, used | more | along | extreme | centred)
+            yield Draft(form, features, used | more | along | extreme | centred | (opposed if across else set()))
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Draft(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
@@ -210,11 +212,10 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
     """Two anchors behind the words that ask, or one before and one behind them."""
     pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else [])]
     pairs += [(after[0], after[2])] if len(after) > 2 else []
-    for index, (ones, others) in enumerate(pairs):
+    for ones, others in pairs:
         for one, two in product(ones, others):
             if isinstance(one.anchor, PartQuery | Plane) or isinstance(two.anchor, PartQuery | Plane):
-                features = {"two_anchors": 1.0, "pair_passed": float(index)}
-                yield _Pair(one.anchor, two.anchor, one.used | two.used, features)
+                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:

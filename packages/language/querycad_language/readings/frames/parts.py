@@ -73,7 +73,7 @@ def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> 
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         used = named | faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
         sides = offered or tuple(Side)
-        yield Draft(Towards(target, sides, "most"), {"which_side": 1.0, "side_of_most": 1.0}, used)
+        yield Draft(Towards(target, sides, "most"), {"which_side": 1.0}, used)
     if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
         target = replace_fields(part.part, plural=True, places=(), count=None)
         used = faces | none | part.used

@@ -100,11 +100,12 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
         features["vector_for_length"] = float(end or any(lengths))
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
-    if overall or text.is_word(asked.start, *{"overall", "total"} & words):
+    counted = text.at_words("incl", "included", "including") and not text.has("not")
+    spans = asked.measures[0] in _ALONG
+    if overall or (counted and spans) or text.is_word(asked.start, *{"overall", "total"} & words):
         features["overall_whole" if target is None else "overall_part"] = 1.0
-    with_head = text.has("head") and text.has("incl", "included", "including") and not text.has("not")
-    over_all = asked.measures == (Measure.LENGTH,) and bool(
-        overall or with_head or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
+    over_all = asked.measures in ((Measure.LENGTH,), (Measure.THICKNESS,)) and bool(
+        overall or counted or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
     )
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
