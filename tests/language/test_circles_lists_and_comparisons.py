@@ -38,7 +38,9 @@ def test_a_number_without_a_comparison_asks_whether_there_are_so_many() -> None:
     assert any(isinstance(form, Exists) and form.target.count == 8 for form in forms("Are there 8 lugs?"))
 
 
-@pytest.mark.parametrize("words", ["along its axis", "in axial direction", "axially"])
+@pytest.mark.parametrize(
+    "words", ["along its axis", "in axial direction", "axially", "along its bore", "along the spindle"]
+)
 def test_along_its_axis_is_the_axial_extent(words: str) -> None:
     measures = [form.measures for form in forms(f"How wide is the ring {words}?") if isinstance(form, Get)]
     assert (Measure.AXIAL_EXTENT,) in measures
@@ -55,9 +57,9 @@ def test_on_what_diameter_parts_are_arranged_asks_for_their_circle() -> None:
     assert "bolt circle" not in nouns("What diameter do the studs have?")
 
 
-def test_three_sizes_of_one_part_are_its_box() -> None:
+def test_three_sizes_of_one_part_are_asked_together() -> None:
     asked = [form.measures for form in forms("Give width, depth and height of the lug") if isinstance(form, Get)]
-    assert (Measure.SIZE,) in asked
+    assert (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT) in asked
     assert (Measure.SIZE,) not in [f.measures for f in forms("Give width and depth of the lug") if isinstance(f, Get)]
 
 

@@ -128,6 +128,15 @@ def test_of_two_ways_out_a_part_stands_out_by_the_shorter(nut_z: float, up: bool
     assert ("max(" in code, "min(" in code) == (up, not up)
 
 
+def test_what_lies_within_the_other_along_its_length_stands_out_where_it_does() -> None:
+    """A logo beyond its board by the face that it is raised from, and not by its ends."""
+    logo = body(1, "logo", (0.0, 0.0, 0.0052), extents=(0.02, 0.01, 0.0004))
+    board = body(2, "board", extents=(0.1, 0.06, 0.01))
+    code = written(Distance(Plane(None, SCREW), Plane(None, NUT)), (SCREW, logo), (NUT, board))
+    assert "center[2]" in code
+    assert "center[0]" not in code
+
+
 @pytest.mark.parametrize(
     ("question", "side"),
     [("the lug farthest to the right", Side.RIGHT), ("the lug farthest from the right side", Side.LEFT)],

@@ -98,7 +98,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "WHOLE+OVERALL": "extents[along]; min(extents)",  # with what stands on it
         "WHOLE": "thickness; ~min(extents); ?extents[2]",
         "boss+FLAT": "height; thickness; ?diameter",
-        "boss+STEPPED pipe+STEPPED": "max(radii) - min(radii); ~height; ~2 * max(radii)",
+        "boss+STEPPED pipe+STEPPED": "max(radii) - min(radii); height; ~2 * max(radii)",  # of an eye its height
         "boss": "diameter; thickness; ~height",
         "": "thickness; ~width; ~min(extents); ~height",
     },

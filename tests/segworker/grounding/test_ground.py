@@ -152,6 +152,17 @@ def test_the_largest_has_the_largest_diameter_that_is_told() -> None:
     assert ids(best(largest, inventory(SMALL, LARGE, bored))) == {"hole-2"}
 
 
+def test_a_bearing_sits_in_the_wide_step_of_a_bore_else_in_the_largest_bore() -> None:
+    seat = PartQuery(noun="bearing seat", words=("bearing", "seat"), definite=True)
+    bore = hole(4, diameter=0.02, radii=(0.01, 0.015), tags=("through", "stepped", "circular"), faces=(4, 5))
+    steps = [
+        part(f"cylinder-{i}", radius=radius, diameter=2 * radius, depth=0.005, tags=("inner",), faces=(face,))
+        for i, (radius, face) in enumerate(((0.01, 4), (0.015, 5)))
+    ]
+    assert [one.diameter for one in best(seat, inventory(SMALL, bore, *steps)).parts] == [0.03]
+    assert ids(best(seat)) == {"hole-2"}
+
+
 def test_a_count_agrees_chooses_a_group_or_differs() -> None:
     assert "count_agrees" in best(asked(count=3)).features
     pair = best(asked(count=2))

@@ -16,7 +16,16 @@ from querycad_segworker.ingest import ingest
 from querycad_segworker.model import ModelStore
 from querycad_segworker.relations.between import lying_between
 from querycad_segworker.relations.nearby import Nearby, to_nearest
-from querycad_segworker.relations.places import TOUCH_M, carries, coaxial, encloses, is_inside, surrounding, touches
+from querycad_segworker.relations.places import (
+    RING_M,
+    TOUCH_M,
+    carries,
+    coaxial,
+    encloses,
+    is_inside,
+    surrounding,
+    touches,
+)
 from querycad_segworker.relations.related import related
 from querycad_segworker.vectors import dot, norm, sub
 
@@ -54,6 +63,13 @@ def test_three_and_more_stand_around_the_axis_that_their_middle_is_on() -> None:
     assert surrounding([hole(2, 20), hole(3, -20)], middle) == []  # beside it
     assert surrounding([hole(2, 20), hole(3, 0, 20), hole(4, 12, 16)], middle) == []  # on one side of it
     assert surrounding(ring, part("slot-1")) == []  # around no axis
+
+
+def test_next_to_is_what_meets_else_what_is_nearest() -> None:
+    slot, close, far = part("slot-1"), hole(1, 30), hole(2, 60)
+    assert related([close, far], "near", [slot], Nearby([slot, close, far])) == [close]
+    touching = hole(3, 5)
+    assert related([touching, close], "near", [slot], Nearby([slot, close, touching])) == [touching]
 
 
 def assert_like_all_pairs(parts: Sequence[Part], relation: str) -> None:
@@ -94,7 +110,9 @@ def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) 
         case "with":
             return those(lambda p, h: h.id != p.id and is_inside(h, p)) or next_to()
         case "near":
-            return next_to()
+            others = [p for p in found if p.id not in ids]
+            gaps = [min(norm(sub(p.center, h.center)) for h in holders) for p in others]
+            return next_to() or [p for p, gap in zip(others, gaps, strict=True) if gap <= min(gaps) + RING_M]
         case "between":
             apart = [p for p in found if p.id not in ids and lies_between(p, holders)]
             return [p for p in apart if lies_between(p, holders, whole=True)] or apart

@@ -82,7 +82,7 @@ class Phrases:
             start = next((i + 1 for i in range(end - 1, 0, -1) if text.tokens[i].kind is Kind.SYMBOL), end)
             if not any(text.find(i, "negation", "minus", "ask", "count", "be") for i in range(start, end)):
                 found.update(range(start, end + 1 + text.is_word(end + 1, "too")) if start < end else ())
-        for start in text.at_words("including", "incl", "counting"):
+        for start in text.at_words("including", "incl", "counting", *["with"] * bool(text.at_phrases("over_all"))):
             other = self.at(start + 1) if not text.find(start - 1, "negation", "minus") else None
             found.update(range(start, other.end) if other and not text.find(start + 1, "each") else ())
         return frozenset(found)

@@ -89,14 +89,13 @@ def pairwise(draft: Draft, first: PartQuery, second: forms.Target, expression: s
         loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":
         loop = f"for a, b in nearest({parts})"
-    found = f"[{expression} {loop}]"
+    draft.lines.append(f"found = [{expression} {loop}]")
     if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis: in a row, or apart
         aside = [i for i in range(3) if f"center[{i}]" not in expression]
         row = f"all(abs(a.center[i] - b.center[i]) < 1e-04 for i in {aside})"
-        found = found if second is not None else f"[{expression} {loop} if {row}] or {found}"
-        draft.lines += [f"found = {found}", f"found = [d for d in found if d > {SLACK:g}] or found"]
-    else:
-        draft.lines.append(f"found = {found}")
+        if second is None:
+            draft.lines[-1] = f"found = [{expression} {loop} if {row}] or [{expression} {loop}]"
+        draft.lines.append(f"found = [d for d in found if d > {SLACK:g}] or found")
     reduced = {Reduce.EACH: "found", Reduce.DIFFERENT: "different(found)", **_REDUCED}
     return reduced.get(reduce, "found[0] if len(different(found, 1e-05)) == 1 else min(found)")
 
@@ -253,10 +252,12 @@ def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[
         parts, others = draft.of(plane.of), draft.of(other.of)
         if parts == others or not parts or not others:
             raise Unwritable
-        sides = list(Side) if mode == "outsides" else _ends(parts, others)
-        beyond = {side: _reach(parts[0], side) - max(_reach(one, side) for one in others) for side in sides}
+        beyond = {side: _reach(parts[0], side) - max(_reach(one, side) for one in others) for side in Side}
+        along = {side: beyond[side] for side in _ends(parts, others)}
         if mode == "outsides":  # by as much on the opposite side
             beyond = {side: out for side, out in beyond.items() if out > 0 and abs(out - beyond[side.opposite]) < SLACK}
+        elif parts[0].axis or max(along.values()) > SLACK:  # a logo lies within the other part along its own length
+            beyond = along
         if not beyond:
             raise Unwritable
         out = [side for side in beyond if beyond[side] > SLACK]

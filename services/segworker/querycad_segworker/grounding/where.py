@@ -48,14 +48,11 @@ def _held_by(request: Request, way: Way, place: Place, grounded: Grounded, name:
     """The parts that stand so to one way of grounding the place."""
     if grounded.parts[0].kind == "model":
         whole = way.to(way.parts, f"{name}_whole")
-        if place.side is not None:  # 'from the top of the manifold'
-            seen = _seen(way, [place.side])
-            whole = whole.to(seen, "side_agrees" if seen else "side_empties")
-        return [whole.to(whole.parts, "whole_deictic") if place.what is not None and place.what.deictic else whole]
+        whole = whole.to(way.parts, "whole_deictic") if place.what and place.what.deictic else whole
+        return [whole] if place.side is None else _from_sides(request, whole, [place.side])  # 'from its top'
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
-    if place.side is not None:
-        kept = [p for p in kept if place.side in p.sides] or kept
+    kept = [p for p in kept if place.side in p.sides] or kept
     if place.negated:
         known = {id(p) for p in kept}
         kept = [p for p in way.parts if id(p) not in known]

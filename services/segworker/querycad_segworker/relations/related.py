@@ -8,8 +8,8 @@ from querycad_contracts import Part
 from querycad_segworker.vectors import dot
 
 from .between import lying_between
-from .nearby import Nearby
-from .places import carries, coaxial, encloses, is_inside, surrounding, touches
+from .nearby import Nearby, to_nearest
+from .places import RING_M, carries, coaxial, encloses, is_inside, surrounding, touches
 
 STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))
 _DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
@@ -24,7 +24,7 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             having = {p.id for h, near in pairs for p in near if h.id != p.id and is_inside(h, p)}
             return [p for p in found if p.id in having] or next_to(found, holders, nearby)
         case "near":
-            return next_to(found, holders, nearby)
+            return next_to(found, holders, nearby) or _nearest(found, holders)
         case "between":
             ids = {h.id for h in holders}
             apart = lying_between([p for p in found if p.id not in ids], holders)
@@ -62,6 +62,14 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
 def next_to(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> list[Part]:
     """Those whose boxes meet that of a holder."""
     return [p for p, near in nearby.pairs(found, holders) if any(h.id != p.id and touches(p, h) for h in near)]
+
+
+def _nearest(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+    """Those that are nearest to a holder, where none meets one: 'the hole next to the slot'."""
+    ids = {h.id for h in holders}
+    others = [p for p in found if p.id not in ids]
+    apart = list(map(to_nearest(holders), others))
+    return [p for p, gap in zip(others, apart, strict=True) if gap <= min(apart) + RING_M]
 
 
 def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:

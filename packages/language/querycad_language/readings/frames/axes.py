@@ -31,7 +31,7 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
 
 
 def own_axis_named(question: Question) -> set[int]:
-    """The words that say 'along its own axis': 'axially', 'in axial direction', 'along the pipe axis'."""
+    """The words that say 'along its own axis': 'axially', 'along the pipe axis', 'along its bore'."""
     text = question.text
     found = text.at_words("axially")
     for at in text.at_words("along", "in"):
@@ -39,6 +39,8 @@ def own_axis_named(question: Question) -> set[int]:
         told = ends and all(text.find(i, "axis") is None for i in range(at + 1, ends[0]))
         if told and (text.is_word(ends[0], "axis") or text.is_word(ends[0] - 1, "axial")):
             found |= set(range(at, ends[0] + 1))
+        noun = text.find(text.skip(at + 1, "article"), "noun")
+        found |= set(range(at, noun.end)) if noun is not None and text.is_word(at, "along") else set()
     return found
 
 

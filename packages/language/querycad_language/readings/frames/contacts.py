@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from querycad_contracts import PartQuery
-from querycad_language.forms import Touching
-from querycad_language.phrases import replace_fields
+from querycad_contracts import Measure, PartQuery
+from querycad_language.forms import Get, Touching
+from querycad_language.phrases import placed_in, replace_fields
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 
@@ -31,6 +31,11 @@ def contacts(question: Question) -> Iterator[Draft]:
     if other is None:
         return
     after = other.end if helped and other.start == begin + 1 else begin + helped
+    if asked is not None and text.find(begin, "have", "carry") and other.start == begin + 1:  # 'which body has it'
+        noun, used = text.lexicon.nouns.get(asked.part.noun), {asks, begin, *asked.used, *other.used}
+        if noun is not None and noun.senses[0].kind in (("body",), ("model",)):
+            body = asked.part if noun.senses[0].kind == ("body",) else PartQuery(noun="body", words=("body",))
+            yield Draft(Get((Measure.NAME,), placed_in(body, "with", other.part)), {"asked_noun": 1.0}, used)
     verb = next((span for at in range(after, after + 2) if (span := text.find(at, *VERBS))), None)
     if verb is None or (other.start > verb.start and other.start > verb.end + 1):
         return

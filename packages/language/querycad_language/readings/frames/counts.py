@@ -16,7 +16,7 @@ from querycad_language.text import Text
 
 _LEADING = ("courtesy", "chatter")
 _TOPOLOGY = {"face": Measure.FACE_COUNT, "surface": Measure.FACE_COUNT, "edge": Measure.EDGE_COUNT}
-_PRESENT = ("present", "included", "there", "available", "exist", "exists", "found")
+_PRESENT = ("present", "included", "used", "provided", "fitted", "there", "available", "exist", "exists", "found")
 
 
 def counts(question: Question) -> Iterator[Draft]:

@@ -45,7 +45,6 @@ def values(question: Question) -> Iterator[Draft]:
             draft = _value(question, asked, owner)
             get = draft.form
             assert isinstance(get, Get)
-            yield from _box(get, draft)
             yield from _circle(question, asked, get, draft)
             yield from _surface(get, draft)
             yield from _extremes(question, get, draft)
@@ -101,20 +100,15 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
     counted = text.at_words("incl", "included", "including") and not text.has("not")
-    spans = asked.measures[0] in _ALONG
-    if overall or (counted and spans) or text.is_word(asked.start, *{"overall", "total"} & words):
+    reduce = Reduce.EACH if counted and reduce is Reduce.TOTAL else reduce  # 'total length, head included'
+    behind = asked.measures[0] in _ALONG and (counted or text.at_words("overall"))  # 'how long is it overall'
+    if overall or behind or text.is_word(asked.start, *{"overall", "total"} & words):
         features["overall_whole" if target is None else "overall_part"] = 1.0
     over_all = asked.measures in ((Measure.LENGTH,), (Measure.THICKNESS,)) and bool(
         overall or counted or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
     )
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
-
-
-def _box(get: Get, draft: Draft) -> Iterator[Draft]:
-    """'Width, depth and height of the plate' are its size."""
-    if len(set(get.measures)) == MOST_TOGETHER and all(measure in _ALONG for measure in get.measures):
-        yield Draft(replace(get, measures=(Measure.SIZE,)), {**draft.features, "asked_box": 1.0}, draft.used)
 
 
 def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterator[Draft]:
