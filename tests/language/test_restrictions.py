@@ -182,7 +182,7 @@ def test_what_counts_as_well_restricts_nothing_and_is_not_passed_over(question: 
 
 
 def test_what_is_included_owns_no_measure() -> None:
-    asks = [form for form in forms("What is the overall thickness including the spigot?") if isinstance(form, Get)]
+    asks = [form for form in forms("Overall thickness of it, including the rib?") if isinstance(form, Get)]
     assert asks
     assert all(form.target is None and form.overall for form in asks)
     behind = next(one for one in read("How long is the lever overall?") if isinstance(one.form, Get))

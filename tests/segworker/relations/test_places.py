@@ -63,6 +63,8 @@ def test_three_and_more_stand_around_the_axis_that_their_middle_is_on() -> None:
     assert surrounding([hole(2, 20), hole(3, -20)], middle) == []  # beside it
     assert surrounding([hole(2, 20), hole(3, 0, 20), hole(4, 12, 16)], middle) == []  # on one side of it
     assert surrounding(ring, part("slot-1")) == []  # around no axis
+    odd = [hole(2, 20.05), hole(3, -20.05 - 1e-9), hole(4, 0, 20.05 + 1e-9), hole(5, 0, -20.05)]
+    assert surrounding(odd, middle) == odd  # as far from it but for rounding
 
 
 def test_next_to_is_what_meets_else_what_is_nearest() -> None:
@@ -119,7 +121,7 @@ def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) 
         case "around":
             ring = {p.id for h in holders for p in surrounding(found, h)}
             edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
-            return those(encloses) or [p for p in found if p.id in ring] or next_to(edges)
+            return those(encloses) or next_to(edges) or [p for p in found if p.id in ring]
         case "left":
             return those(lambda p, h: h.id != p.id and h.center[0] - p.center[0] > 5e-5)
         case "opposite":

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Sequence
+
+import numpy as np
 
 from querycad_contracts import Part
 from querycad_segworker.vectors import cross, line_distance, norm
@@ -66,14 +67,14 @@ def encloses(part: Part, other: Part) -> bool:
 
 def surrounding(parts: Sequence[Part], place: Part) -> list[Part]:
     """Those that stand in a ring around the axis of the place: three and more, as far from it, their middle on it."""
-    rings: dict[int, list[Part]] = defaultdict(list)
-    for part in parts:
-        if place.axis is not None and part.id != place.id:
-            rings[round(line_distance(part.center, place.center, place.axis) / RING_M)].append(part)
-    return [part for away, ring in rings.items() if away and _is_ring(ring, place) for part in ring]
-
-
-def _is_ring(ring: Sequence[Part], place: Part) -> bool:
-    x, y, z = (sum(part.center[i] for part in ring) / len(ring) for i in range(3))
-    axis = place.axis or (0.0, 0.0, 1.0)
-    return len(ring) >= LEAST_IN_RING and line_distance((x, y, z), place.center, axis) < RING_M
+    if place.axis is None or not parts:
+        return []
+    arms = np.cross(np.array([part.center for part in parts]) - place.center, place.axis)  # (n, 3), off the axis
+    away = np.linalg.norm(arms, axis=1)
+    order = np.argsort(away, kind="stable")
+    starts = np.flatnonzero(np.diff(away[order], prepend=-1.0) > RING_M)
+    sizes = np.diff(starts, append=len(parts))
+    middles = np.linalg.norm(np.add.reduceat(arms[order], starts) / sizes[:, None], axis=1)
+    rings = (sizes >= LEAST_IN_RING) & (away[order][starts] > RING_M) & (middles < RING_M)
+    found = set(order[np.repeat(rings, sizes)].tolist())
+    return [part for i, part in enumerate(parts) if i in found] if found else []

@@ -31,9 +31,8 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             return lying_between(apart, holders, whole=True) or apart
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
-            ring = {p.id for h in holders for p in surrounding(found, h)}
             edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
-            return around or [p for p in found if p.id in ring] or next_to(edges, holders, nearby)
+            return around or next_to(edges, holders, nearby) or _ringed(found, holders)
         case "above" | "below" | "left" | "right" | "front" | "behind":
             axis, sign = _DIRECTIONS[relation]
             first = min((sign * h.center[axis] for h in holders), default=float("inf"))
@@ -69,7 +68,14 @@ def _nearest(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
     ids = {h.id for h in holders}
     others = [p for p in found if p.id not in ids]
     apart = list(map(to_nearest(holders), others))
-    return [p for p, gap in zip(others, apart, strict=True) if gap <= min(apart) + RING_M]
+    least = min(apart, default=0.0)
+    return [p for p, gap in zip(others, apart, strict=True) if gap <= least + RING_M]
+
+
+def _ringed(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+    """Those that stand in a ring around one of the holders: 'the holes around the hub'."""
+    ids = {p.id for h in holders for p in surrounding(found, h)}
+    return [p for p in found if p.id in ids]
 
 
 def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:
