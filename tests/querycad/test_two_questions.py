@@ -20,11 +20,23 @@ def housing(runtime: EmbeddedRuntime) -> Model:
 def test_numbers_of_both_are_one_list_and_the_program_gives_it(housing: Model) -> None:
     reply = housing.ask("How many cooling fins are there and how thick are they?")
     assert reply.answer is not None
-    assert (reply.answer.type, reply.answer.value) == (AnswerType.NUMBERS, [6, *[pytest.approx(0.004)] * 6])
+    assert (reply.answer.type, reply.answer.value) == (AnswerType.NUMBERS, [6, pytest.approx(0.004)])
     assert reply.text == "6; 4 mm (each of 6)"
     assert reply.code is not None
     assert housing.run(reply.code).value == reply.answer.value
     assert reply.understood_as.count(";") == 1
+
+
+@pytest.mark.parametrize(
+    ("question", "value"),
+    [
+        ("How many cooling fins are there and how thick is each?", 0.004),
+        ("How many cooling fins are there and what is their pitch?", 0.009),
+        ("How many cooling fins does it have, and what is their spacing?", 0.009),
+    ],
+)
+def test_the_second_half_may_lean_on_the_parts_of_the_first(housing: Model, question: str, value: float) -> None:
+    assert housing.ask(question).value == [6, pytest.approx(value)]
 
 
 def test_what_is_no_number_is_told_in_words(housing: Model) -> None:

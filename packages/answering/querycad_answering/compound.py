@@ -22,6 +22,8 @@ _JOINT = re.compile(
     r"(?:how|what|where (?:is|are|do|does)|(?:at|on|in|by|to) (?:what|which)|is|are|does|do)\b)",
     re.IGNORECASE,
 )
+_EACH = re.compile(r"\beach(?= ?[?.!]?$)", re.IGNORECASE)
+_LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
 _ASKED = ("measure", "scale", "count", "distance", "gap", "where")
 MAX_CHARS = 300
@@ -30,6 +32,8 @@ MAX_JOINTS = 4
 """So many places are looked at where one question may end."""
 _LEADING = 4
 """Words of a clause within which it asks."""
+_ALIKE = "(value{0}[:1] if len(different(value{0}, 1e-05)) == 1 else value{0})"
+"""Values of a list, those of like parts once."""
 _NUMERIC = {*SCALARS, *map(of_several, SCALARS)}
 
 
@@ -43,14 +47,17 @@ def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
         asked = [_asked(one, start) for one, start in zip((first, second), starts, strict=True)]
         used = best.reading.used if best is not None else frozenset[int]()
         if all(asked) and any(used.isdisjoint(one) for one in asked):
-            return question[: joint.start()].strip(" ,;") + "?", question[joint.end() :].strip()
+            rest = _EACH.sub(r"\g<0> of them", question[joint.end() :].strip())
+            return question[: joint.start()].strip(" ,;") + "?", rest
     return ()
 
 
 def _asked(clause: Question, start: int) -> set[int]:
     """Where the clause says what it asks, or of what; nowhere, if it asks nothing or names nothing."""
     text = clause.text
-    if not clause.mentions or not any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))):
+    if not (clause.mentions or text.at_words(*_LEANING)) or not any(
+        text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))
+    ):
         return set()
     how = text.at_words("how")
     pronouns = {i for mention in clause.mentions if mention.pronoun for i in mention.used}
@@ -114,6 +121,6 @@ def _plain(record: AnswerRecord, judged: Judged) -> Answer | None:
 
 def _joined(codes: Sequence[str], lists: Sequence[bool]) -> str:
     """The programs one after the other, and all their values."""
-    values = [f"{'*' if several else ''}value{index}" for index, several in enumerate(lists)]
+    values = [f"*{_ALIKE.format(index)}" if several else f"value{index}" for index, several in enumerate(lists)]
     kept = [re.sub(r"^solution = ", f"value{index} = ", code, flags=re.MULTILINE) for index, code in enumerate(codes)]
     return "\n".join([*kept, f"solution = [{', '.join(values)}]"])

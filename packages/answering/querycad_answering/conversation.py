@@ -43,6 +43,7 @@ _NTH = re.compile(
     re.IGNORECASE,
 )
 _ITS = re.compile(r"\b(?:its|their)\b", re.IGNORECASE)
+_THEIR = re.compile(r"\btheir ([^?.!,]+)", re.IGNORECASE)
 _PICKED = r"the (?:selected|clicked|marked|highlighted|chosen|picked)"
 _THIS = re.compile(
     rf"\b(?:this|these|those|that|{_PICKED}) (?P<noun>one|ones|part|parts|feature|features|selection|[a-z]+)\b",
@@ -104,6 +105,8 @@ def _turn(question: str, last: Turn | None, selected: Sequence[str], before: Bef
         return found
     if selected:
         return _pointed(question, selected)
+    if last is not None and last.noun and Question(question).text.at_phrases("distance", "center_to_center"):
+        question = _THEIR.sub(rf"the \1 of the {last.noun}", question)  # of all from each other: 'their pitch'
     leans = _NTH.search(question) or _ITS.search(question) or _IT.search(question) or _measure_alone(question)
     ids = before(last.text) if last is not None and leans else None
     if last is None or ids is None or not (ids or last.noun):
@@ -135,10 +138,11 @@ def _plain(question: str) -> Turn:
     if len(mentions) != 1:
         return Turn(question)
     raw = [token.raw for token in asked.text.tokens]
-    said = " ".join(raw[mentions[0].start : mentions[0].end])
-    at = question.lower().find(said.lower())
-    if at < 0 or not said:
+    words = map(re.escape, raw[mentions[0].start : mentions[0].end])
+    found = re.search(r"[\s-]*".join(words), question, re.IGNORECASE)  # 'T-slots' are two words
+    if found is None or not found[0]:
         return Turn(question)
+    at, said = found.start(), found[0]
     article = _ARTICLE.match(said)
     noun = said[article.end() :] if article else said
     frame = question[:at].replace("{", "").replace("}", "") + (article[0] if article else "")
