@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import pytest
@@ -195,3 +196,16 @@ def test_one_place_is_one_value_and_two_are_two() -> None:
     ends = [[0.0, 0.0, 0.1], [0.0, 0.0, -0.1]]
     assert "values_several_for_one" not in with_value(asked, ends[0], model.whole.extents).features
     assert with_value(asked, ends, model.whole.extents).features["values_several_for_one"] == 1.0
+
+
+@pytest.mark.parametrize(("value", "square"), [(math.pi / 2, True), (0.4, False), ([math.pi / 2] * 2, True)])
+def test_nobody_asks_how_far_what_stands_upright_leans(value: float | list[float], square: bool) -> None:
+    model = view(part("wall-1", tags=("upright",), inclination=math.pi / 2))
+    asked = candidates(read("What is the inclination of the wall?"), model.ground, model.whole)[0]
+    assert ("value_square" in with_value(asked, value, model.whole.extents).features) is square
+
+
+def test_an_angle_of_its_own_may_well_be_a_right_one() -> None:
+    model = view(part("countersink-1", angle=math.pi / 2))
+    asked = candidates(read("What is the angle of the countersink?"), model.ground, model.whole)[0]
+    assert "value_square" not in with_value(asked, math.pi / 2, model.whole.extents).features

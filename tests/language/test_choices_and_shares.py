@@ -47,6 +47,8 @@ def test_one_of_two_words_is_asked_for(question: str, words: tuple[str, str]) ->
     [
         ("Which is longer, the spindle or the lever?", ("spindle", "lever")),
         ("Which lug is wider, the upper one or the lower one?", ("upper lug", "lower lug")),
+        ("Which of the two lugs is wider, the upper one or the lower one?", ("upper lug", "lower lug")),
+        ("Which of the two ribs is thicker, the left or the right one?", ("left rib", "right rib")),
         ("Are there more lugs or ribs?", ("lugs", "ribs")),
     ],
 )

@@ -11,6 +11,8 @@ from querycad_language.forms import Check, Combine, Count, Distance, Exists, For
 from querycad_language.readings.reader import read
 from querycad_language.tokens import tokenize
 
+PIN, BORE = (PartQuery(noun=noun, words=(noun,), definite=True) for noun in ("pin", "bore"))
+
 
 def forms(question: str) -> list[Form]:
     return [reading.form for reading in read(question)]
@@ -225,3 +227,23 @@ def test_what_compares_no_two_things_asks_for_none_of_them(question: str) -> Non
     found = forms(question)
     assert not any(isinstance(form, Which) for form in found)
     assert not any(isinstance(form, Check) and isinstance(form.low, Count) for form in found)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "What is the diametral clearance between the pin and the bore?",
+        "How much play has the pin in the bore, on diameter?",
+    ],
+)
+def test_a_clearance_on_diameter_is_the_difference_of_two_diameters(question: str) -> None:
+    found = [form for form in forms(question) if isinstance(form, Combine)]
+    assert [(form.operation, form.left, form.right) for form in found] == [
+        ("apart", Get((Measure.DIAMETER,), PIN), Get((Measure.DIAMETER,), BORE))
+    ]
+
+
+@pytest.mark.parametrize("words", ["both sides together", "in total", "altogether"])
+def test_the_play_of_both_sides_is_one_sum(words: str) -> None:
+    found = forms(f"How much play is there between the lug and the fork, {words}?")
+    assert any(isinstance(form, Distance) and form.reduce is Reduce.TOTAL for form in found)

@@ -6,7 +6,7 @@ import pytest
 from tests.made import body, whole
 
 from querycad_contracts import Measure, Part, PartQuery, Side
-from querycad_language.forms import Distance, Form, Get, Plane, Towards
+from querycad_language.forms import Check, Distance, Form, Get, Plane, Towards
 from querycad_language.programs import write
 from querycad_language.readings.frames.overhangs import overhangs
 from querycad_language.readings.question import Question
@@ -152,3 +152,41 @@ def test_what_is_farthest_to_a_side_is_not_what_is_farthest_from_it(question: st
 )
 def test_a_side_is_not_told_where_a_comparison_is_asked_for(question: str, told: bool) -> None:
     assert any(isinstance(form, Towards) for form in forms(question)) is told
+
+
+@pytest.mark.parametrize(
+    ("question", "checks"),
+    [
+        ("Do the pins stick out beyond the lever?", True),
+        ("Does the hub project past the lug?", True),
+        ("How far do the pins stick out beyond the lever?", False),
+        ("Does the bore come out at the lug?", False),
+    ],
+)
+def test_whether_something_stands_out_is_a_yes_or_no(question: str, checks: bool) -> None:
+    found = [form.left for form in forms(question) if isinstance(form, Check)]
+    assert any(isinstance(left, Distance) and left.mode == "beyond" for left in found) is checks
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("How many degrees does the lug lean from the vertical?", Measure.DRAFT),
+        ("What angle does the bore have to the z axis?", Measure.DRAFT),
+        ("By how many degrees is the bore tilted above the horizontal?", Measure.INCLINATION),
+    ],
+)
+def test_an_angle_is_measured_from_what_is_named(question: str, measure: Measure) -> None:
+    first = next(form for form in forms(question) if isinstance(form, Get))
+    assert first.measures == (measure,)
+
+
+def test_proud_is_no_part() -> None:
+    assert (Side.TOP, "lug", Side.TOP, "hub") in planes("How far is the lug proud of the hub?")
+
+
+def test_daylight_is_a_gap() -> None:
+    gaps = [
+        form for form in forms("How much daylight is there between the lug and the hub?") if isinstance(form, Distance)
+    ]
+    assert gaps[0].mode in ("surfaces", "usual")

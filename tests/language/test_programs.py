@@ -251,3 +251,58 @@ def test_a_round_part_is_as_long_as_its_axis_and_a_disc_hardly_so(
 ) -> None:
     found = dict(options(Measure.LENGTH, whole(extents=extents, axis=(0.0, 0.0, 1.0))))
     assert found["{0}.extents[2]"] == grade
+
+
+@pytest.mark.parametrize(("pairs", "value"), [(1, "2 * min(found)"), (2, "sum(found)")])
+def test_the_play_on_both_sides_is_that_of_both_pairs_or_twice_that_of_one(pairs: int, value: str) -> None:
+    play = Distance(PINS, LEVERS, "surfaces", reduce=Reduce.TOTAL)
+    code = write(play, {PINS: ((body(1, "pin"),) * pairs, 0), LEVERS: ((body(2, "lever"),), 0)}, whole()).code
+    assert value in code
+
+
+def test_what_reaches_beyond_is_less_than_nothing_within() -> None:
+    pin, lever = body(1, "pin", extents=(0.01, 0.01, 0.05)), body(2, "lever")
+    grounds = {PINS: ((pin,), 0), LEVERS: ((lever,), 0)}
+    ends = Distance(Plane(Side.BOTTOM, PINS), Plane(Side.BOTTOM, LEVERS), "beyond")
+    code = write(Check(ends, Relation.MORE, 0.0), grounds, whole()).code
+    assert "-1 * (p.center[2] - p.half_extents[2] - " in code
+    assert "abs(" not in code
+
+
+def test_width_depth_and_height_together_run_along_x_y_and_z_save_of_what_is_cut_in() -> None:
+    box = Get((Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT), LEVERS)
+    code = write(box, {LEVERS: ((part("prism-1", width=0.2, height=0.03, depth=0.01),), 0)}, whole()).code
+    assert [f"p.extents[{i}]" in code for i in range(3)] == [True] * 3
+    cut = part("pocket-1", width=0.2, height=0.03, depth=0.01)
+    assert "p.extents[0]" not in write(box, {LEVERS: ((cut,), 0)}, whole()).code
+
+
+def test_an_axis_leans_from_the_vertical_or_rises_from_the_horizontal() -> None:
+    bore = hole(1, axis=(0.6, 0.0, 0.8))
+    lean = write(Get((Measure.DRAFT,), HOLES), {HOLES: ((bore,), 0)}, whole()).code
+    assert lean.startswith("import math")
+    assert "math.acos(min(1.0, abs(p.axis[2])))" in lean
+    assert (
+        "math.asin(min(1.0, abs(p.axis[2])))"
+        in write(Get((Measure.INCLINATION,), HOLES), {HOLES: ((bore,), 0)}, whole()).code
+    )
+
+
+def test_a_long_pocket_that_is_called_a_slot_is_as_wide_as_it_is_across() -> None:
+    long = part("pocket-1", width=0.1, local_size=(0.1, 0.01, 0.005))
+    slots, pockets = (PartQuery(noun=noun, plural=True) for noun in ("slot", "pocket"))
+    width = {
+        query.noun: write(Get((Measure.WIDTH,), query), {query: ((long,), 0)}, whole()).code
+        for query in (slots, pockets)
+    }
+    assert "min(p.local_size[:2])" in width["slot"]
+    assert "p.width" in width["pocket"]
+
+
+@pytest.mark.parametrize(("bottom", "reaches"), [("flat", "max"), ("through", "min")])
+def test_the_bottom_of_a_bore_is_its_floor_wherever_it_opens(bottom: str, reaches: str) -> None:
+    bore = hole(1, normal=(0.0, 0.0, -1.0), bottom=bottom)
+    left = Distance(Plane(Side.BOTTOM, HOLES), Plane(Side.TOP, LEVERS))
+    code = write(left, {HOLES: ((bore,), 0), LEVERS: ((body(2, "lever"),), 0)}, whole()).code
+    sign = "+" if reaches == "max" else "-"
+    assert f"p.center[2] {sign} p.half_extents[2] - (max(" in code

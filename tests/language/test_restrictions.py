@@ -6,6 +6,7 @@ import pytest
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Combine, Count, Distance, Every, Form, Get, Reduce, Towards, queries
+from querycad_language.phrases import noun_phrase
 from querycad_language.readings.reader import read
 
 
@@ -230,3 +231,34 @@ def _all(question: str) -> list[PartQuery]:
     """The queries of all readings, with those inside."""
     found = [query for form in forms(question) for query in queries(form)]
     return [*found, *(place.what for query in found for place in query.places if place.what is not None)]
+
+
+def test_around_the_edge_of_a_part_is_on_it_and_around_the_part_is_not() -> None:
+    on, about = (noun_phrase(f"lugs around {what}").places for what in ("the edge of the hub", "the hub"))
+    assert [place.relation for place in (*on, *about)] == ["of", "around"]
+
+
+def test_the_part_that_is_so_is_one_of_several_and_the_part_is_the_whole() -> None:
+    assert noun_phrase("the part that is 30 mm long").noun == "part"
+    assert noun_phrase("the part").noun == "object"
+
+
+@pytest.mark.parametrize(
+    ("phrase", "size", "count"),
+    [("the 32 bore", 0.032, None), ("the 32 bores", None, 32), ("32 bore", None, 32), ("the 13.5 bores", 0.0135, None)],
+)
+def test_a_number_before_one_part_is_its_size_in_mm(phrase: str, size: float | None, count: int | None) -> None:
+    query = noun_phrase(phrase)
+    assert ([one.low for one in query.sizes], query.count) == ([size] if size else [], count)
+
+
+def test_across_the_corners_is_a_measure_and_in_the_corners_a_place() -> None:
+    across = next(form for form in forms("What does the hexagon measure across the corners?") if isinstance(form, Get))
+    assert (across.measures, across.target) == ((Measure.ACROSS_CORNERS,), noun_phrase("the hexagon"))
+    assert noun_phrase("lugs in the corners").adjectives == ("corner",)
+
+
+@pytest.mark.parametrize("words", ["left to right", "front to back"])
+def test_from_one_side_to_the_other_is_a_direction(words: str) -> None:
+    assert noun_phrase(f"the lug {words}").sides == ()
+    assert noun_phrase(f"the lug on the {words.split(maxsplit=1)[0]}").sides != ()

@@ -22,6 +22,8 @@ OPTIONS = 4
 RUNS = 6
 """So many programs are run."""
 
+_ANGLES = (AnswerType.ANGLE, AnswerType.ANGLES)
+_SQUARE = round(math.pi / 2, 7)
 _VECTORS = {
     *(AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS),
     *(AnswerType.SIZE, AnswerType.SIZES),
@@ -222,6 +224,13 @@ NEAR = 1e-6
 """Metres within which a value is an extent."""
 
 
+def _of_angle(candidate: Candidate, values: Sequence[float | str]) -> dict[str, float]:
+    """Nobody asks what parallel axes enclose, nor how far what stands upright leans."""
+    leans = not any(read.expression.endswith(".angle") for read in candidate.written.reads)
+    told = {"value_zero": 0 in values, "value_square": leans and set(values) == {_SQUARE}}
+    return {name: 1.0 for name, holds in told.items() if holds and candidate.written.expects in _ANGLES}
+
+
 def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Candidate:
     """The candidate after its run, with features of the value: how many, how large, whether there is one."""
     features = dict(candidate.features)
@@ -239,8 +248,7 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
-    if candidate.written.expects is AnswerType.ANGLE and any(v == 0 for v in flat):
-        features["value_zero"] = 1.0  # nobody asks what parallel axes enclose
+    features |= _of_angle(candidate, flat)
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):
         sizes = [v for v in listed if isinstance(v, float | int) and not isinstance(v, bool)]
         diagonal = math.dist((0.0, 0.0, 0.0), tuple(extents))
@@ -254,8 +262,8 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
             and not (isinstance(form, Get) and form.target is None)
         ):
             features["value_is_extent"] = 1.0
-    if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS, AnswerType.ANGLE):
-        scale = 180 / math.pi if candidate.written.expects is AnswerType.ANGLE else 1e3
+    if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS, *_ANGLES):
+        scale = 180 / math.pi if candidate.written.expects in _ANGLES else 1e3
         numbers = [v * scale for v in listed if isinstance(v, float)]
         features["value_digits"] = min(map(_digits, numbers), default=0) / MOST_DIGITS
     return replace(candidate, features=features, value=value)

@@ -88,8 +88,8 @@ class Distance:
 
     first: Anchor
     second: Anchor | Literal["each other"]
-    mode: Literal["centers", "surfaces", "outsides", "usual", "overlap"] = "usual"
-    """'outsides': over all of them; 'overlap': the volume that bodies share."""
+    mode: Literal["centers", "surfaces", "outsides", "usual", "overlap", "beyond"] = "usual"
+    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within."""
     axis: int | None = None
     """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
     reduce: Reduce = Reduce.ONE

@@ -105,8 +105,6 @@ class Lexicon:
 
     nouns: dict[str, Noun] = field(default_factory=dict)
     adjectives: dict[str, Adjective] = field(default_factory=dict)
-    traits: dict[str, Adjective] = field(default_factory=dict)
-    """Nouns that behind 'with' are an attribute: 'with a thread'."""
     threads: dict[str, dict[str, float]] = field(default_factory=dict)
     """Name to pitch and holes, metres: 'core', 'tap drill', 'nominal', 'close', 'medium', 'loose' (clearance)."""
     hues: dict[str, tuple[float, float]] = field(default_factory=dict)
@@ -239,7 +237,6 @@ def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
         fields: dict[str, Any] = {name: tuple(v) if isinstance(v, list) else v for name, v in entry.items()}
         adjective = Adjective(words[0], **fields)
         lex.adjectives |= dict.fromkeys(words, adjective)
-        lex.traits |= dict.fromkeys(nouns, adjective)
         lex.add("adjective", adjective, words)
         lex.add("trait", adjective, nouns)
 

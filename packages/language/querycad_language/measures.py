@@ -42,6 +42,8 @@ def _end(side: Side) -> str:
 _CHAMFER = "chamfer_size; min(extents); ~width"
 """A chamfer is as wide as what it takes off the edge (ISO 13715); across its face is another reading."""
 _WINDOW = "extents; [*local_size[:2]]; ~max(extents)"
+_LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs({0}.axis[2])))"
+"""Of an axis: to the z axis, and to the horizontal plane."""
 _BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
 
 _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
@@ -83,6 +85,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "WHOLE": "extents[0]; ~extents[along]; ~sorted(extents)[1]; ~extents[1]",  # along the axis: of a roller
         "BORE": "2 * max(radii)",
         "chamfer": _CHAMFER,
+        "pocket+ASKEW+SLIM cutout+ASKEW+SLIM": "min(local_size[:2]); ~width",
         "ASKEW": "width; ~min(local_size[:2]); ~diameter; ~height; ?extents[0]",
         "": "width; ~diameter; ~height; ?extents[0]",
     },
@@ -149,9 +152,10 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.NAME: "name; ?label",
     Measure.ANGLE: (
         "angle; bend_angle; ~draft; ~2 * draft; ~1.5707963267948966 - angle; ~inclination; "
-        "~1.5707963267948966 - inclination"
+        f"~1.5707963267948966 - inclination; ?{_LEAN}; ?{_RISE}"
     ),
-    Measure.DRAFT: "draft; ~abs(1.5707963267948966 - inclination); ~inclination",
+    Measure.DRAFT: f"draft; ~abs(1.5707963267948966 - inclination); ~{_LEAN}; ~inclination",
+    Measure.INCLINATION: f"inclination; ~{_RISE}",
     Measure.MASS: "volume",
     Measure.AREA: "area; ~opening_area",  # of a window the opening may be meant, of a hole its wall
     Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]",
@@ -206,14 +210,15 @@ def is_length(measure: Measure) -> bool:
     return measure not in _TYPES
 
 
-def options(measure: Measure, part: Part, overall: bool = False) -> list[tuple[str, Grade]]:
+def options(measure: Measure, part: Part, overall: bool = False, slim: bool = False) -> list[tuple[str, Grade]]:
     """The expressions, '{0}' for the part, that a measure can mean of a part like this one, the usual one first.
 
     `overall`: of a screw the length with its head, which is none of its standard; of a flange with its raised face.
+    `slim`: it is called by what is narrower than long, as a long pocket is a slot.
     """
     if measure is Measure.LENGTH and part.nominal_length is not None and not overall:
         return [("{0}.nominal_length", "own"), ("{0}.length", "derived")]
-    groups = frozenset((*_groups(part), *["OVERALL"] * overall))
+    groups = frozenset((*_groups(part), *["OVERALL"] * overall, *["SLIM"] * slim))
     lines = (meanings for needed, meanings in _lines(measure) if any(map(groups.issuperset, needed)))
     found: dict[str, Grade] = {}
     for expression, grade in next(lines, ()):

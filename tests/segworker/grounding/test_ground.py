@@ -251,6 +251,18 @@ def test_outer_cylinders_are_all_that_are_outer_and_no_inner_ones() -> None:
         assert [p.id for p in find(inventory(*there), "outer cylinder").parts] == [p.id for p in walls]
 
 
+def test_an_upright_plate_may_be_an_upright_floor() -> None:
+    floor, gusset = (part(f"{kind}-1", (0.0, 0.0, z), tags=("upright",)) for kind, z in (("floor", 0.0), ("wall", 0.1)))
+    lying = part("floor-2", (0.1, 0.0, 0.0), tags=("lying",))
+    found = find(inventory(floor, gusset, lying), "the vertical plates").parts
+    assert [p.id for p in found] == ["floor-1", "wall-1"]
+
+
+def test_a_side_port_opens_sideways() -> None:
+    ports = (hole(1), hole(2, 20, tags=("through", "circular", "horizontal")))
+    assert [p.id for p in find(inventory(*ports), "side ports").parts] == ["hole-2"]
+
+
 def sized_hole(number: int, diameter_mm: float, *steps_mm: float) -> Part:
     radii = tuple(size / 2e3 for size in (*steps_mm, diameter_mm))
     return hole(number, 10 * number, diameter=diameter_mm * 1e-3, radius=diameter_mm / 2e3, radii=radii)

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from tests.made import hole, part
+from tests.made import hole, part, whole
 
 from querycad_contracts import Part
 from querycad_segworker.ingest import ingest
@@ -27,6 +27,7 @@ from querycad_segworker.relations.places import (
     touches,
 )
 from querycad_segworker.relations.related import related
+from querycad_segworker.relations.roles import ROLES, Kinds
 from querycad_segworker.vectors import dot, norm, sub
 
 EXAMPLES = [Path(__file__).parents[3] / f"examples/{name}.step" for name in ("bearing_assembly", "bracket", "housing")]
@@ -195,3 +196,14 @@ def scattered(seed: int, step: float = 0.005, reach: float = 0.05) -> tuple[Part
             )
         )
     return tuple(parts)
+
+
+def test_inner_faces_look_towards_the_middle_of_the_model_and_outer_ones_away() -> None:
+    left, right = (-1.0, 0.0, 0.0), (1.0, 0.0, 0.0)
+    inner, outer = part("face-1", (-0.03, 0.0, 0.0), normal=right), part("face-2", (-0.04, 0.0, 0.0), normal=left)
+    middle, bore = part("face-3", (0.0, 0.0, 0.0), normal=right), hole(1, -30, normal=right)
+    kinds = Kinds((whole(), inner, outer, middle, bore))
+    told = {
+        role: [one.id for one in (inner, outer, middle, bore) if ROLES[role](one, kinds)] for role in ("inner", "outer")
+    }
+    assert told == {"inner": ["face-1"], "outer": ["face-2"]}

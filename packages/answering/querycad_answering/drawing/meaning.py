@@ -16,7 +16,12 @@ _OPERATIONS = {
     "minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with",
     "per": "for each of the",
 }  # fmt: skip
-_MODES = {"centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides "}
+_MODES = {
+    "centers": "between centres ",
+    "surfaces": "between surfaces ",
+    "outsides": "over the outsides ",
+    "beyond": "beyond, ",
+}
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
     "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",
@@ -50,6 +55,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
+        case forms.Check(Distance(first, second, "beyond"), Relation.MORE, 0.0):
+            return f"whether {_anchor(first)} reaches beyond {_anchor(second)}"
         case forms.Check(left, relation, low, high):
             counted = isinstance(left, forms.Count) and isinstance(low, float)
             measure = left.measures[0] if isinstance(left, Get) else None

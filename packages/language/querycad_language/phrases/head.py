@@ -35,11 +35,11 @@ def head_of(text: Text, draft: Draft, start: int, at: int) -> Mention | int | No
 
 
 def _whole(text: Text, draft: Draft, start: int, whole: Span) -> Mention | int:
-    """'the part' is the whole model; 'the parts', 'which part', 'the red part' are bodies of it."""
+    """'the part' is the whole model; 'the parts', 'which part', 'the part that is red' are bodies of it."""
     last = whole.end - 1
     plural = text.tokens[last].plural
     restricted = draft.count or draft.ranks or draft.colors or draft.adjectives or draft.ends
-    if plural or restricted or text.is_word(start - 1, "which"):
+    if plural or restricted or text.is_word(start - 1, "which") or text.is_word(whole.end, "that"):
         own = text.words[last] if not plural and text.words[last] in text.lexicon.nouns else "body"
         draft.nouns.append(Span(whole.start, whole.end, "noun", text.lexicon.nouns[own]))
         draft.used.update(range(start, whole.end))

@@ -45,8 +45,9 @@ def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     """Sides behind a preposition: 'from the top or the bottom side'."""
     leads = text.is_word(at, "to") and (text.has("from") or any(s.value is Measure.AXIS for s in text.all("measure")))
-    if leads or (prep := text.find(at, "side_preposition")) is None:
-        return [], at  # 'from the pin to the back end of the fork', 'pin axis to top of the fork' lead to an end
+    along = text.is_word(at, "to") and at in text.covered("axis")
+    if leads or along or (prep := text.find(at, "side_preposition")) is None:
+        return [], at  # 'from the pin to the back end of the fork' leads to an end; 'left to right' is no side
     sides: list[Side] = []
     end = prep.end
     while True:
@@ -124,7 +125,7 @@ def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     corner = text.skip(at + 1, "article", "each", "number")
     if span is not None:
         end = span.end - text.is_word(span.end - 1, "of")
-    elif text.find(at, "place") and text.is_word(corner, "corner"):
+    elif text.find(at, "place") and text.is_word(corner, "corner") and not text.find(at, "measure"):
         end = corner + 1
     else:
         return at
@@ -163,5 +164,6 @@ def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
         both = replace_fields(other.query, also=(*other.query.also, second.part))
         draft.places.append(Place(relation="between", what=both))
         return second.end
-    draft.places.append(Place(relation=span.value, what=other.query))
+    rim = span.value == "around" and start > span.end  # 'around the edge of the plate' is on it
+    draft.places.append(Place(relation="of" if rim else span.value, what=other.query))
     return other.end

@@ -8,7 +8,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Part, PartQuery, Side
 from querycad_language import forms
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
-from querycad_language.measures import WHOLE, along_axis
+from querycad_language.measures import CUT, WHOLE, along_axis
 
 from .draft import Draft, Read, Unwritable
 
@@ -24,7 +24,8 @@ _FASTENERS = ["screw", "nut", "washer"]
 """Tags of bodies that hold others."""
 _FLAT = ("body", "prism", "rib", "protrusion", "wall", "face")
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
-_REDUCED = {Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)"}
+_PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
+_REDUCED = {Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
 
 
 def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
@@ -193,13 +194,15 @@ def side_axis(side: Side) -> tuple[int, str]:
 
 def _from_plane(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> str:
     """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""
+    plane, other = _floor(draft, plane), _floor(draft, other) if isinstance(other, Plane) else other
     side, other_side = _sides(draft, plane, other, mode)
     axis, sign = side_axis(side)
     at = _outermost(draft, plane.of, axis, sign)
     match other:
         case Plane(_, of) if other_side is not None:
             beyond = "+" if other_side.outward[axis] > 0 else "-"
-            return _each_of(draft, plane.of, at, sign, axis, f"({_outermost(draft, of, axis, beyond)})")
+            level = f"({_outermost(draft, of, axis, beyond)})"
+            return _each_of(draft, plane.of, at, sign, axis, level, signed=mode == "beyond")
         case Boundary(Side() as bound) if bound.outward[axis]:
             corner = "max" if bound.outward[axis] > 0 else "min"
             return _each_of(draft, plane.of, at, sign, axis, f"shape.{corner}_corner[{axis}]")
@@ -215,6 +218,12 @@ def _from_plane(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> s
     raise Unwritable
 
 
+def _floor(draft: Draft, plane: Plane) -> Plane:
+    """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
+    cut = [part for part in draft.of(plane.of) if part.kind in CUT and part.normal and part.bottom != "through"]
+    return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
+
+
 def _of_each(draft: Draft, query: PartQuery, modes: dict[str, str], reduce: Reduce = Reduce.ONE) -> str:
     """The distance of each part 'p', or what becomes of them."""
     parts = draft.parts(query)
@@ -223,11 +232,12 @@ def _of_each(draft: Draft, query: PartQuery, modes: dict[str, str], reduce: Redu
     return _REDUCED.get(reduce, one)
 
 
-def _each_of(draft: Draft, query: PartQuery, at: str, sign: str, axis: int, level: str) -> str:
-    """How far the plane, or that of each of several parts, lies from a level."""
+def _each_of(draft: Draft, query: PartQuery, at: str, sign: str, axis: int, level: str, signed: bool = False) -> str:
+    """How far the plane, or that of each of several parts, lies from a level; `signed`: beyond it."""
+    far = f"{sign}1 * " if signed else "abs"
     if not query.plural:
-        return f"abs({at} - {level})"
-    return f"[abs(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {draft.parts(query)}]"
+        return f"{far}({at} - {level})"
+    return f"[{far}(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {draft.parts(query)}]"
 
 
 def _outermost(draft: Draft, query: PartQuery, axis: int, sign: str) -> str:

@@ -10,9 +10,13 @@ from typing import NamedTuple
 
 from querycad_contracts import AnswerType, Measure, Part, PartQuery
 from querycad_language.forms import Form
-from querycad_language.measures import WHOLE, Grade, options
+from querycad_language.lexicon import lexicon
+from querycad_language.measures import CUT, WHOLE, Grade, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
+
+_SLIM = ("slot", "channel", "groove")
+"""Kinds whose width is across their length."""
 
 
 class Read(NamedTuple):
@@ -87,17 +91,24 @@ class Draft:
             return "{0}." + measure.value
         usual, _ = Counter(part.kind for part in parts).most_common(1)[0]
         sample = next(part for part in parts if part.kind == usual)
-        known = options(measure, sample, self.overall)
+        called = [query.noun for query, (found, _) in self.grounds.items() if found is parts]
+        slim = any(noun.senses[0].kind[0] in _SLIM for name in called if (noun := lexicon().nouns.get(name)))
+        known = options(measure, sample, self.overall, slim)
         if scalar:
             known = [one for one in known if not (one[0].startswith("[") or one[0].endswith(_VECTORS))]
         if self.option >= len(known):
             raise Unwritable
         expression, grade = known[self.option]
         self.reads.append(Read(measure.value, usual, expression, grade))
+        if "math." in expression:
+            self.lines.insert(0, "import math")
         return expression
 
     def beside(self, measure: Measure, others: Sequence[Measure], parts: Sequence[Part]) -> str:
         """The same where length and width are asked together: the longer side and the other one."""
+        box = (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT)  # along x, y, z, where all three are asked
+        if set(box) == set(others) and not any(part.kind in CUT for part in parts):
+            return f"{{0}}.extents[{box.index(measure)}]"
         if {Measure.LENGTH, Measure.WIDTH} <= set(others) and measure in (Measure.LENGTH, Measure.WIDTH):
             if all(part.kind in WHOLE for part in parts):
                 return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"

@@ -167,6 +167,19 @@ def is_in_half(side: Side) -> Callable[[Part, Kinds], bool]:
     return holds
 
 
+def is_facing(inwards: bool) -> Callable[[Part, Kinds], bool]:
+    """Does a plane face look towards the middle of the model, as the inner faces of two walls do, or away from it?"""
+
+    def holds(face: Part, kinds: Kinds) -> bool:
+        whole = next(iter(kinds.get("model")), None)
+        if face.kind != "face" or face.normal is None or whole is None:
+            return False
+        away = dot(sub(face.center, whole.center), face.normal)
+        return away < -TOUCH_M if inwards else away > TOUCH_M
+
+    return holds
+
+
 def _bolts_on(plate: Part, pattern: Part, kinds: Kinds) -> bool:
     """Does the plate carry this pattern of holes, on one axis with a round part that stands on it?"""
     if "hole" not in pattern.tags or not set(pattern.children) <= set(plate.children):
@@ -190,7 +203,9 @@ ROLES: Mapping[str, Callable[[Part, Kinds], bool]] = {
     "dowel_size": is_dowel_size,
     "flange": is_flange,
     "holed": is_holed,
+    "inner": is_facing(inwards=True),
     "lone": is_lone,
+    "outer": is_facing(inwards=False),
     "tight": is_tight,
     **{f"along_{name}": is_along(axis) for axis, name in enumerate("xyz")},
     **{f"{side.value}_half": is_in_half(side) for side in Side},

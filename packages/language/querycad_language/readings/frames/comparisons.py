@@ -8,12 +8,14 @@ from itertools import pairwise, takewhile
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, bare_of
+from querycad_language.phrases import Mention, bare_of, places_of
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.asked import asked_in
 from querycad_language.readings.drafts import Draft
 from querycad_language.readings.question import Question
 from querycad_language.tokens import Kind
+
+from .anchors import without
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
@@ -24,6 +26,7 @@ def comparisons(question: Question) -> Iterator[Draft]:
     yield from _compared(question)
     yield from _which(question)
     yield from _combined(question)
+    yield from _clearances(question)
     yield from _numbers(question)
 
 
@@ -123,6 +126,17 @@ def _combined(question: Question) -> Iterator[Draft]:
     elif owners and owners[0].start > asked[0].end:  # 'the ratio of the outer diameter to the bore'
         right = Get((Measure.MAGNITUDE,), owners[0].query)
         yield Draft(Combine(span.value, Get((measures[0],), None), right), {"combined": 1.0}, used)
+
+
+def _clearances(question: Question) -> Iterator[Draft]:
+    """'How much play has the pin in its bore, on diameter?': the difference of their diameters."""
+    parts = [m for m in question.parts if m.part.known]
+    said = question.text.covered("gap", "on_diameter")
+    pairs = [(a.part, b.part, a.used | b.used) for a, b in pairwise(parts)]
+    pairs += [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, "in", "between")]
+    for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
+        a, b = (Get((Measure.DIAMETER,), one) for one in (first, second))
+        yield Draft(Combine("apart", a, b), {"combined": 1.0}, {*used, *said})
 
 
 def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Draft]:

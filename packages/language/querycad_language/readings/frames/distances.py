@@ -52,6 +52,8 @@ def distances(question: Question) -> Iterator[Draft]:
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
+        if question.text.at_phrases("gap") and (total := question.text.covered("total")):  # 'play, both sides together'
+            reduce, extreme = Reduce.TOTAL, extreme | total
         opposed = question.text.at_words("opposite", "opposing")  # 'two holes opposite each other'
         for first, second, more, features in _pairs(question, start):
             if reduce in EXTREMES.values() and isinstance(first, PartQuery):

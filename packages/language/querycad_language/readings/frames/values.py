@@ -30,6 +30,7 @@ MOST_TOGETHER = 3
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
+_LEANING = {Measure.DRAFT: ("vertical", "plumb", "z"), Measure.INCLINATION: ("horizontal", "table", "underside")}
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
@@ -171,6 +172,11 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
     if get.measures[0] in (Measure.ANGLE, Measure.INCLINATION) and against:
         found.append(((Measure.DRAFT,), against))  # 'the angle of the cone to the centreline', 'per side'
+    for measure, words in _LEANING.items() if get.measures[0] in (Measure.ANGLE, *_LEANING) else ():
+        for at in text.at_words(*words):  # 'from the vertical', 'to the z axis', 'above the table'
+            begin = at - 1 - text.is_word(at - 1, "the", "global", "world")
+            if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
+                found.append(((measure,), {*range(begin, at + 1), *(span.end for span in text.all("axis"))}))
     for measures, said in found:
         yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
     yield draft

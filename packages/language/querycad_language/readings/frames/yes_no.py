@@ -16,6 +16,7 @@ from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
 from .distances import distances
+from .overhangs import overhangs
 from .values import density_of
 
 
@@ -125,14 +126,16 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
 
 
 def _apart(question: Question, start: int) -> Iterator[Draft]:
-    """'Is there at least 10 mm between the slot and the edge?', 'Is there any gap between the disc and the nut?'"""
+    """'Is there at least 10 mm between the slot and the edge?', 'Is there any gap …?', 'Does the pin stick out?'"""
     text = question.text
     asks_gap = text.is_word(start + 1, "there") and bool(text.at_phrases("gap"))
-    any_gap = (SizeFilter(relation=Relation.MORE, low=0.0), {start, start + 1}) if asks_gap else None
-    if (found := _size_after(question, start, len(text)) or any_gap) is None:
-        return
-    size, used = found
-    for draft in distances(question):
+    found, beyond = _size_after(question, start, len(text)), () if text.has("come") else overhangs(question)
+    size, used = found or (SizeFilter(relation=Relation.MORE, low=0.0), {start, start + asks_gap})
+    for draft in beyond:
+        if isinstance(draft.form, Distance):
+            signed = Check(replace(draft.form, mode="beyond"), size.relation, size.low, size.high)
+            yield Draft(signed, draft.features, draft.used | used)
+    for draft in distances(question) if found or asks_gap else ():
         form = mapped(draft.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
         if isinstance(form, Distance):
             yield Draft(Check(form, size.relation, size.low, size.high), draft.features, draft.used | used)
