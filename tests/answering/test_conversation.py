@@ -38,6 +38,17 @@ def alone(
         ("How far is it from hole 1?", "radius of the slot", "How far is hole-4 from hole 1?"),
         ("the same in inches", "How deep is the slot?", "How deep is the slot in inches?"),
         ("and in mm?", "How deep is the slot?", "How deep is the slot in mm?"),
+        ("what is their pitch?", "How many slots are there?", "what is the pitch of the slots?"),
+        (
+            "what is their centre distance?",
+            "How many T-slots are there?",
+            "what is the centre distance of the T-slots?",
+        ),
+        (
+            "what is their distance from the edge?",
+            "How many slots are there?",
+            "what is hole-4's distance from the edge?",
+        ),
         ("only the ones on top", "How many holes are there?", "How many holes on top are there?"),
         ("only the blind ones", "How deep are the holes on top?", "How deep are the blind holes on top?"),
         (

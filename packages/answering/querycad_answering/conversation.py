@@ -43,7 +43,7 @@ _NTH = re.compile(
     re.IGNORECASE,
 )
 _ITS = re.compile(r"\b(?:its|their)\b", re.IGNORECASE)
-_THEIR = re.compile(r"\btheir ([^?.!,]+)", re.IGNORECASE)
+_THEIR = re.compile(r"\btheir ((?:(?!from\b|to\b)[\w-]+ ?){1,3})(?=[?.!,]|$)", re.IGNORECASE)
 _PICKED = r"the (?:selected|clicked|marked|highlighted|chosen|picked)"
 _THIS = re.compile(
     rf"\b(?:this|these|those|that|{_PICKED}) (?P<noun>one|ones|part|parts|feature|features|selection|[a-z]+)\b",
@@ -106,7 +106,8 @@ def _turn(question: str, last: Turn | None, selected: Sequence[str], before: Bef
     if selected:
         return _pointed(question, selected)
     if last is not None and last.noun and Question(question).text.at_phrases("distance", "center_to_center"):
-        question = _THEIR.sub(rf"the \1 of the {last.noun}", question)  # of all from each other: 'their pitch'
+        noun = last.noun  # of all from each other: 'their pitch'
+        question = _THEIR.sub(lambda match: f"the {match[1]} of the {noun}", question)
     leans = _NTH.search(question) or _ITS.search(question) or _IT.search(question) or _measure_alone(question)
     ids = before(last.text) if last is not None and leans else None
     if last is None or ids is None or not (ids or last.noun):

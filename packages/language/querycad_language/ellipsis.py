@@ -41,9 +41,7 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
                 told[way] = tokens[at:end]
             lead = [before.word for before in tokens[max(0, at - 4) : at]]
             if not which and (lead[-1:] in (["which"], ["what"]) or lead[:2] == ["which", "of"]):
-                which = tuple(
-                    replace(one, raw=one.word, plural=False) for one in tokens[at:end]
-                )  # 'which of the two lugs'
+                which = tuple(replace(one, raw=one.word, plural=False) for one in tokens[at:end])  # 'of the two lugs'
         elif token.word == "or" and way is not None and tokens[at - 2].word == "the":
             found += which  # 'the upper or the lower one'
         meant = told.get(way or "", which) if token.word == "one" and found and found[-1].word != "which" else ()

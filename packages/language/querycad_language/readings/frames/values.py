@@ -176,7 +176,7 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
         for at in text.at_words(*words):  # 'from the vertical', 'to the z axis', 'above the table'
             begin = at - 1 - text.is_word(at - 1, "the", "global", "world")
             if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
-                found.append(((measure,), {*range(begin, at + 1), *(span.end for span in text.all("axis"))}))
+                found.append(((measure,), {*range(begin, at + 1), *text.covered("axis")}))
     for measures, said in found:
         yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
     yield draft
