@@ -238,9 +238,8 @@ def test_what_compares_no_two_things_asks_for_none_of_them(question: str) -> Non
 )
 def test_a_clearance_on_diameter_is_the_difference_of_two_diameters(question: str) -> None:
     found = [form for form in forms(question) if isinstance(form, Combine)]
-    assert [(form.operation, form.left, form.right) for form in found] == [
-        ("apart", Get((Measure.DIAMETER,), PIN), Get((Measure.DIAMETER,), BORE))
-    ]
+    ends = (Get((Measure.DIAMETER,), PIN), Get((Measure.DIAMETER,), BORE))
+    assert found == [Combine("clearance", *ends)]
 
 
 @pytest.mark.parametrize("words", ["both sides together", "in total", "altogether"])

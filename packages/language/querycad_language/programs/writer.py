@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
-from querycad_language.measures import SCALARS, answer_type, is_length, of_several
+from querycad_language.measures import CUT, SCALARS, answer_type, is_length, of_several
 
 from .distances import SLACK, distance, overlapping, touching
 from .draft import Compared, Draft, Grounds, Unwritable, Written
@@ -264,11 +264,30 @@ def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
         if not others or len(parts) % len(others):
             raise Unwritable  # some have more
         return f"len({draft.parts(left.target)}) // len({draft.parts(form.right.target)})", kind
+    if form.operation == "clearance":
+        return _clearance(draft, left, form.right), kind
     if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
         value = draft.read(left.measures[0], draft.of(left.target)).format("p")
         return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(draft, left), _scalar(draft, form.right))
     return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
+
+
+def _clearance(draft: Draft, *ends: Get | Count) -> str:
+    """The bore of the part that goes around the other, less the diameter of that one. Raises Unwritable."""
+    found = [(draft.parts(end.target), draft.of(end.target)) for end in ends if end.target is not None]
+    if len(found) < 2 or not all(parts for _, parts in found):
+        raise Unwritable
+    (inner, pins), (outer, bores) = sorted(found, key=lambda one: _around(one[1]))
+    bore = draft.read(Measure.INNER_DIAMETER, bores, scalar=True).format("p")
+    pin = draft.read(Measure.DIAMETER, pins, scalar=True).format("p")
+    return f"min({bore} for p in {outer}) - max({pin} for p in {inner})"
+
+
+def _around(parts: Sequence[Part]) -> tuple[bool, bool, float]:
+    """A hole goes around a part, what is hollow around what is not, and the wider one around the other."""
+    cut, hollow = (any(test(part) for part in parts) for test in (lambda p: p.kind in CUT, lambda p: p.inner_diameter))
+    return cut, hollow, max(part.diameter or 0.0 for part in parts)
 
 
 def _which(draft: Draft, form: forms.Which) -> str:

@@ -129,14 +129,14 @@ def _combined(question: Question) -> Iterator[Draft]:
 
 
 def _clearances(question: Question) -> Iterator[Draft]:
-    """'How much play has the pin in its bore, on diameter?': the difference of their diameters."""
+    """'How much play has the pin in its bore, on diameter?': what the bore has more than the pin."""
     parts = [m for m in question.parts if m.part.known]
     said = question.text.covered("gap", "on_diameter")
     pairs = [(a.part, b.part, a.used | b.used) for a, b in pairwise(parts)]
     pairs += [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, "in", "between")]
     for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
         a, b = (Get((Measure.DIAMETER,), one) for one in (first, second))
-        yield Draft(Combine("apart", a, b), {"combined": 1.0}, {*used, *said})
+        yield Draft(Combine("clearance", a, b), {"combined": 1.0}, {*used, *said})
 
 
 def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Draft]:
