@@ -16,6 +16,8 @@ interface Upload {
   readonly size: number;
   readonly stop: AbortController;
   sent: number;
+  /** Models that were listed when it was chosen: none of them is this file's. */
+  readonly before: ReadonlySet<string>;
   failed?: string;
 }
 
@@ -68,8 +70,9 @@ export class Files {
   /** Sends files, some at a time; one that fails says so in its own row and stops no other. */
   private take(files: readonly File[]): void {
     if (!files.length) return;
+    const before = new Set(this.models.map((model) => model.id));
     const waiting = files.map((file, place) => {
-      const upload: Upload = { name: file.name, size: file.size, stop: new AbortController(), sent: 0 };
+      const upload: Upload = { name: file.name, size: file.size, stop: new AbortController(), sent: 0, before };
       this.uploads.unshift(upload);
       return { file, upload, place };
     });
@@ -146,7 +149,7 @@ export class Files {
   private render(): void {
     const focused = document.activeElement?.getAttribute("data-focus");
     const arrived = (upload: Upload): boolean => // its model is listed before the answer to the upload is here
-      upload.sent === 1 && this.models.some((model) => model.file_name === upload.name && model.size_bytes === upload.size);
+      this.models.some((model) => !upload.before.has(model.id) && model.file_name === upload.name && model.size_bytes === upload.size);
     const uploads = this.uploads.filter((upload) => upload.failed !== undefined || !arrived(upload));
     const rows = [...uploads.map((upload) => this.uploadRow(upload)), ...this.models.map((model) => this.modelRow(model))];
     this.list.replaceChildren(...(rows.length ? rows : [h("li", { class: "quiet" }, texts.files.empty)]));
