@@ -232,7 +232,7 @@ def test_what_compares_no_two_things_asks_for_none_of_them(question: str) -> Non
 @pytest.mark.parametrize(
     "question",
     [
-        "What is the diametral clearance between the pin and the bore?",
+        "Diametral clearance of the pin and the bore?",
         "How much play has the pin in the bore, on diameter?",
     ],
 )
@@ -244,5 +244,5 @@ def test_a_clearance_on_diameter_is_the_difference_of_two_diameters(question: st
 
 @pytest.mark.parametrize("words", ["both sides together", "in total", "altogether"])
 def test_the_play_of_both_sides_is_one_sum(words: str) -> None:
-    found = forms(f"How much play is there between the lug and the fork, {words}?")
+    found = forms(f"How much play is there between the lug and the hub, {words}?")
     assert any(isinstance(form, Distance) and form.reduce is Reduce.TOTAL for form in found)

@@ -245,7 +245,7 @@ def test_the_part_that_is_so_is_one_of_several_and_the_part_is_the_whole() -> No
 
 @pytest.mark.parametrize(
     ("phrase", "size", "count"),
-    [("the 32 bore", 0.032, None), ("the 32 bores", None, 32), ("32 bore", None, 32), ("the 13.5 bores", 0.0135, None)],
+    [("the 25 lug", 0.025, None), ("the 25 lugs", None, 25), ("25 lug", None, 25), ("the 13.5 bores", 0.0135, None)],
 )
 def test_a_number_before_one_part_is_its_size_in_mm(phrase: str, size: float | None, count: int | None) -> None:
     query = noun_phrase(phrase)
@@ -253,8 +253,8 @@ def test_a_number_before_one_part_is_its_size_in_mm(phrase: str, size: float | N
 
 
 def test_across_the_corners_is_a_measure_and_in_the_corners_a_place() -> None:
-    across = next(form for form in forms("What does the hexagon measure across the corners?") if isinstance(form, Get))
-    assert (across.measures, across.target) == ((Measure.ACROSS_CORNERS,), noun_phrase("the hexagon"))
+    across = next(form for form in forms("How much does the nut measure across the corners?") if isinstance(form, Get))
+    assert (across.measures, across.target) == ((Measure.ACROSS_CORNERS,), noun_phrase("the nut"))
     assert noun_phrase("lugs in the corners").adjectives == ("corner",)
 
 

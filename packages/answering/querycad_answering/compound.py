@@ -55,9 +55,8 @@ def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
 def _asked(clause: Question, start: int) -> set[int]:
     """Where the clause says what it asks, or of what; nowhere, if it asks nothing or names nothing."""
     text = clause.text
-    if not (clause.mentions or text.at_words(*_LEANING)) or not any(
-        text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))
-    ):
+    named = clause.mentions or text.at_words(*_LEANING)
+    if not named or not any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))):
         return set()
     how = text.at_words("how")
     pronouns = {i for mention in clause.mentions if mention.pronoun for i in mention.used}

@@ -17,11 +17,9 @@ _OPERATIONS = {
     "per": "for each of the",
 }  # fmt: skip
 _MODES = {
-    "centers": "between centres ",
-    "surfaces": "between surfaces ",
-    "outsides": "over the outsides ",
+    "centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides ",
     "beyond": "beyond, ",
-}
+}  # fmt: skip
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
     "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",

@@ -63,7 +63,7 @@ def _number(text: Text, at: int, draft: Draft) -> int:
     noun = text.find(at + 1, "noun")
     one = draft.definite and noun and not text.tokens[noun.end - 1].plural and not text.find(noun.end, "noun")
     if not draft.nouns and ((not whole and text.find(at + 1, "noun", "adjective")) or (one and token.value > 1)):
-        draft.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes', 'the 32 bore'
+        draft.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes', 'the 25 lug'
     elif whole and draft.nouns and not draft.unknown and draft.nouns[-1].end == at and token.value < 10_000:
         draft.ids.append(f"{draft.nouns[-1].value.name}-{int(token.value)}")
     elif whole and not draft.nouns and noun_follows(text, at + 1):

@@ -286,8 +286,8 @@ def _clearance(draft: Draft, *ends: Get | Count) -> str:
 
 def _around(parts: Sequence[Part]) -> tuple[bool, bool, float]:
     """A hole goes around a part, what is hollow around what is not, and the wider one around the other."""
-    cut, hollow = (any(test(part) for part in parts) for test in (lambda p: p.kind in CUT, lambda p: p.inner_diameter))
-    return cut, hollow, max(part.diameter or 0.0 for part in parts)
+    hollow = any(part.inner_diameter for part in parts)
+    return any(part.kind in CUT for part in parts), hollow, max(part.diameter or 0.0 for part in parts)
 
 
 def _which(draft: Draft, form: forms.Which) -> str:
