@@ -54,6 +54,8 @@ class Measure(StrEnum):
     WALL_DISTANCE = "wall_distance"
     """Of a hole: the material from its wall to the nearest outer face."""
     ANGLE = "angle"
+    INCLUDED_ANGLE = "included_angle"
+    """Of what tapers: from flank to flank."""
     DRAFT = "draft"
     INCLINATION = "inclination"
     """Of what is plane: its angle to the horizontal plane."""

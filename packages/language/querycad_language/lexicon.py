@@ -13,7 +13,7 @@ from typing import Any, Literal
 from querycad_contracts import Measure, Relation, Side
 
 Order = Literal["size", "length", "width", "depth", "height", "thickness", "distance", "corner"]
-Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "most", "elongated"]
+Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "tall", "low", "most", "elongated"]
 Degree = Literal["positive", "more", "less", "most", "least"]
 DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
 """The order of the lists of a scale in measures.toml."""

@@ -154,6 +154,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "angle; bend_angle; ~draft; ~2 * draft; ~1.5707963267948966 - angle; ~inclination; "
         f"~1.5707963267948966 - inclination; ?{_LEAN}; ?{_RISE}"
     ),
+    Measure.INCLUDED_ANGLE: "angle; ~2 * draft; bend_angle",
     Measure.DRAFT: f"draft; ~abs(1.5707963267948966 - inclination); ~{_LEAN}; ~inclination",
     Measure.INCLINATION: f"inclination; ~{_RISE}",
     Measure.MASS: "volume",
@@ -178,7 +179,7 @@ _TYPES = {
     Measure.MASS: AnswerType.NUMBER, Measure.COUNT: AnswerType.COUNT,
     Measure.FACE_COUNT: AnswerType.COUNT, Measure.EDGE_COUNT: AnswerType.COUNT, Measure.SIDES: AnswerType.TEXTS,
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
-    **dict.fromkeys((Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
+    **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
     **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA, Measure.STANDING_AREA), AnswerType.AREA),
     **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
     **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.APPROACH), AnswerType.DIRECTION),

@@ -87,6 +87,13 @@ class Phrases:
             found.update(range(start, other.end) if other and not text.find(start + 1, "each") else ())
         return frozenset(found)
 
+    @cached_property
+    def counted_in(self) -> tuple[PartQuery, ...]:
+        """The parts that `included` names: the head of 'the length of the screw, head included'."""
+        starts = (at for at in sorted(self.included) if at - 1 not in self.included)
+        found = (self.at(at + self.text.is_word(at, "including", "incl", "counting", "with")) for at in starts)
+        return tuple(m.query for m in found if m is not None and m.query is not None and m.query.noun)
+
     def _shared(self, mention: Mention, after: list[Mention]) -> Mention:
         """'the largest and the smallest hole': of the noun that both share."""
         query, other = mention.query, after[0].query if after else None

@@ -104,13 +104,17 @@ def _how(text: Text, at: int) -> Asked | None:
     ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
         return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
+    behind = (text.find(i, "reach") for i in range(max(0, at - 3), at) if text.is_word(at + 1, "far", "much"))
+    if (reach := next((span for span in behind if span and span.end == at), None)) is not None:  # 'goes in how far'
+        return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((*reach.tokens, at, at + 1)))
     return None
 
 
 def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
     verb = text.find(at, "verbs")
-    if verb and at not in taken:
+    named = verb is not None and any((span := text.find(i, "measure")) and span.end > verb.end for i in verb.tokens)
+    if verb and at not in taken and not named:  # 'what does it measure across the flats'
         ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
@@ -135,8 +136,12 @@ class Inventory:
         match pick:
             case "elongated":
                 return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
-            case "standing":
-                return [part for part in found if self._stands(part)]
+            case "standing" | "tall" | "low":
+                found = [part for part in found if self._stands(part)]
+                heights = [part.height or 0.0 for part in found]
+                bounds = {"tall": (max(heights, default=0.0) / 2, math.inf), "low": (0.0, 2 * min(heights, default=0.0))}
+                low, high = bounds.get(pick, (0.0, math.inf))
+                return [part for part, height in zip(found, heights, strict=True) if low <= height <= high]
             case "most":
                 group = max(orders.by_size(found), key=len)
                 return group if len(group) > 2 else []

@@ -50,7 +50,8 @@ def anchors_of(question: Question) -> list[Spot]:
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
-        others = (floored(query) or rimmed(query), plane_of(query))
+        cut = floored(query)
+        others = (cut or rimmed(query), plane_of(query), Plane(Side.BOTTOM, cut) if cut is not None else None)
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     return sorted([*found, *planes_of(question)], key=lambda one: one.at)

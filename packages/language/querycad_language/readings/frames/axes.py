@@ -15,8 +15,11 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
     text = question.text
     for at in sorted(text.at_phrases("axis_preposition") - taken):
-        if side := text.find(text.skip(at + 1, "article"), "measure", "adjective"):
+        owned = next((i + 1 for i in range(at + 1, at + 5) if text.is_possessive(i)), at + 1)  # 'the plate's width'
+        if side := text.find(text.skip(owned, "article"), "measure", "adjective"):
             word = text.words[side.start]
+            if word == "width" and text.is_word(at, "across"):  # 'across the width of the plate'
+                return SHORTER, set(range(at, side.end))
             if word in _SIDES:
                 return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
             if word in _MEASURES and text.is_word(at, "along"):
@@ -33,7 +36,7 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
 def own_axis_named(question: Question) -> set[int]:
     """The words that say 'along its own axis': 'axially', 'along the pipe axis', 'along its bore'."""
     text = question.text
-    found = text.at_words("axially")
+    found = text.at_words("axially") | text.covered("facewise")
     for at in text.at_words("along", "in"):
         ends = [i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "direction")]
         told = ends and all(text.find(i, "axis") is None for i in range(at + 1, ends[0]))
@@ -54,5 +57,8 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
+    upright = text.at_words("horizontal", "horizontally", "vertical", "vertically")
+    if len(upright) == 2 and not spans and max(upright) - min(upright) == 2:  # 'horizontal and vertical pitch'
+        return (LONGEST, SHORTER), {*upright, min(upright) + 1}
     axes = tuple(dict.fromkeys(spans[at] for at in sorted(spans)))
     return (axes, {i for at in spans for i in (at - 1, at)}) if len(axes) > 1 else ((), set())

@@ -34,6 +34,8 @@ class _Words(NamedTuple):
     mode: Mode
     used: set[int]
     named: bool = True
+    level: bool = False
+    """'How high above …?' is not asked of every two."""
 
 
 class _Pair(NamedTuple):
@@ -47,7 +49,7 @@ class _Pair(NamedTuple):
 
 def distances(question: Question) -> Iterator[Draft]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
-    for start, end, said, used, named in _distance_words(question):
+    for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
@@ -56,6 +58,8 @@ def distances(question: Question) -> Iterator[Draft]:
             reduce, extreme = Reduce.TOTAL, extreme | total
         opposed = question.text.at_words("opposite", "opposing")  # 'two holes opposite each other'
         for first, second, more, features in _pairs(question, start):
+            if level and second == "each other":
+                continue
             if reduce in EXTREMES.values() and isinstance(first, PartQuery):
                 if second == "each other" or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
                     first = replace_fields(first, count=None, ranks=(), plural=True)
@@ -101,7 +105,7 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(map(question.in_question, (*text.at_phrases("distance", "gap"), *counts))):
         return
     joining = text.at_words("to", "above", "from")
-    points = (Measure.POSITION, Measure.AXIS, *([Measure.SIZE] if len(joining) > 1 else ()))
+    points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 else ()))
     centred = bool(text.at_phrases("center_to_center"))
     if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
@@ -125,7 +129,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
             yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
     elif (scale := text.find(at + 1, "scale")) and scale.value.measure is Measure.HEIGHT:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
-            yield _Words(at, scale.end, "centers", set(range(at, scale.end)))
+            yield _Words(at, scale.end, "centers", set(range(at, scale.end)), level=True)
 
 
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Place
-from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_language.forms import LONGEST, Distance, Get, Reduce, Target
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
 from querycad_language.phrases import bare_of, replace_fields
 from querycad_language.readings.asked import EXTREMES, Asked, asked_in
@@ -15,7 +15,7 @@ from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
-from querycad_language.tokens import DENSITY
+from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
 from .remains import less, material, under_cut
@@ -49,6 +49,7 @@ def values(question: Question) -> Iterator[Draft]:
             yield from _circle(question, asked, get, draft)
             yield from _surface(get, draft)
             yield from _extremes(question, get, draft)
+            yield from _with_included(question, get, draft)
             if asked not in asked_for:
                 draft.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
@@ -66,11 +67,24 @@ def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]
     """'How deep is the slot, and how wide is it?': measures of one owner that are asked one after the other."""
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
+    lengths = [one for one in lengths if not _is_place(text, one.start)]
     ones = list({one.measures: one for one in reversed(lengths)}.values())[::-1]
     measures = tuple(dict.fromkeys(measure for one in ones for measure in one.measures))
     joined = all(any(text.is_word(i, "and", ",", "&", "x") for i in range(a.end, b.start)) for a, b in pairwise(ones))
     if len(ones) > 1 and len(measures) <= MOST_TOGETHER and joined:
         yield replace(ones[0], measures=measures, used=frozenset().union(*(one.used for one in ones)))
+
+
+def _is_place(text: Text, start: int) -> bool:
+    """Does a measure only say where: 'the groove under the full diameter', 'between the body and the rear diameter'?"""
+    for at in range(start - 1, max(-1, start - 5), -1):
+        if text.is_word(at, "and", "then"):
+            return any(text.find(i, "between") for i in range(max(0, at - 5), at))
+        if ((lead := text.find(at, "place")) and lead.value not in ("of", "in", "with")):
+            return True
+        if text.tokens[at].kind is Kind.SYMBOL or text.find(at, "place", "ask"):
+            break
+    return False
 
 
 def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
@@ -144,6 +158,14 @@ def _extremes(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
         yield Draft(both, {**draft.features, "both_extremes": 1.0}, draft.used | set(ends.values()))
 
 
+def _with_included(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
+    """'The length of the hub, flange included' goes over both."""
+    if get.target is not None and get.target.noun and len(get.measures) == 1 and get.measures[0] in _ALONG:
+        for other in question.phrases.counted_in:
+            form = Distance(get.target, other, "outsides", 2 if get.measures[0] is Measure.HEIGHT else None)
+            yield Draft(form, {**draft.features, "over_included": 1.0}, draft.used)
+
+
 def _surface(get: Get, draft: Draft) -> Iterator[Draft]:
     """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
     area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
@@ -164,8 +186,12 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
             found.append(((EXTENTS[axis],), used))
         elif get.measures[0] is Measure.POSITION:
             found.append(((COORDINATES[axis],), used))
-    if get.measures == (Measure.WIDTH,) and text.has("flat"):
-        found.append(((Measure.ACROSS_FLATS,), text.at_words("across", "over", "flat", "between")))
+    over = text.at_words("across", "over", "between")
+    for word, measure in (("flat", Measure.ACROSS_FLATS), ("corner", Measure.ACROSS_CORNERS)):
+        if get.measures == (Measure.WIDTH,) and over and text.has(word):
+            found.append(((measure,), over | text.at_words(word)))
+    if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
+        found.append(((Measure.CENTRE_LENGTH,), centred))  # 'how long is the slot, centre to centre'
     if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
         found.append(((Measure.AXIAL_EXTENT,), own))
     against = {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
