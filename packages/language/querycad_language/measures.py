@@ -68,6 +68,8 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     },
     Measure.OUTER_RADIUS: "outer_diameter / 2; max(radii); radius; ~extents[across] / 2",
     Measure.OUTER_DIAMETER: "outer_diameter; 2 * max(radii); 2 * radius; ~extents[across]",
+    Measure.ROOT_DIAMETER: {"gear": "2 * min(radii)"},
+    Measure.CENTRELINE_RADIUS: "bend_radius; ~center_length / angle; ~(min(radii) + max(radii)) / 2",
     Measure.CIRCUMFERENCE: "~3.141592653589793 * diameter",
     Measure.DEPTH: {
         "WHOLE": "extents[1]",

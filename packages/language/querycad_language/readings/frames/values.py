@@ -59,6 +59,8 @@ def values(question: Question) -> Iterator[Draft]:
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
                 yield Draft(floor, draft.features, draft.used)  # 'the floor thickness of the tray'
+            if get.measures == (Measure.ROOT_DIAMETER,):
+                yield Draft(replace(get, target=PartQuery(noun="gear", definite=True)), draft.features, draft.used)
             yield from less(question, get, draft.features, draft.used)
             yield from material(question, get, draft.features, draft.used)
 
