@@ -14,7 +14,7 @@ from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_area, faces_box, geometry, millimetres
 from querycad_segworker.features.shared.walls import Groups
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub
 
 MOST = 0.5
@@ -128,23 +128,31 @@ def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
 def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
     """The same wall with the lengths of its two feet, where it fills the corner of two faces that meet; else None.
 
-    Its height is that of the foot which is the more upright one.
+    Its height is that of the foot which is the more upright one. A side that is level with that of one of the faces has
+    no foot there: then the gusset has the other side, and what is as wide as it is thick.
     """
-    feet = [_feet(brep, brep.faces[face]) for face in wall.faces]
-    shared = [found for found in feet if len(found) == 2]
-    if len(wall.faces) != 2 or len(shared) != 2:
+    feet = {face: _feet(brep, brep.faces[face]) for face in wall.faces}
+    standing = {face: found for face, found in feet.items() if len(found) == 2}
+    if len(wall.faces) != 2 or not standing or max(map(len, feet.values())) > 2:
         return None
-    (a, a_length), (b, b_length) = feet[0]
-    others = {face for face, _ in feet[1]}
-    same = all(any(_is_one_plane(brep, face, other) for other in others) for face in (a, b))
+    (a, a_length), (b, b_length) = next(iter(standing.values()))
+    others = [i for found in feet.values() for i, _ in found]
+    same = all(_is_one_plane(brep, a, i) or _is_one_plane(brep, b, i) for i in others)
     normals = brep.faces[a].axis, brep.faces[b].axis
-    area = max(brep.faces[face].area for face in wall.faces)
+    area = max(brep.faces[face].area for face in standing)
     spread = norm(cross(*normals))
     if not same or spread < math.sqrt(1 - APART**2) or area > CORNER * a_length * b_length * spread:
         return None
     upright = abs(normals[0][2]), abs(normals[1][2])  # a foot on an upright face runs upwards
     height, length = (a_length, b_length) if upright[0] < upright[1] else (b_length, a_length)
-    return replace(wall, length=length, width=height, tags=("gusset",))
+    rims = {i for face in standing for e, i in brep.neighbours(face) if _is_rim(brep.faces[i], e, wall.thickness)}
+    faces = wall.faces if len(standing) == 2 else tuple(sorted({*standing, *rims}))
+    return replace(wall, length=length, width=height, faces=faces, tags=("gusset",))
+
+
+def _is_rim(face: FaceRecord, edge: EdgeRecord, thickness: float) -> bool:
+    """Does a face beyond a convex edge of a wall go as far as the wall is thick, and no further?"""
+    return edge.convexity is EdgeConvexity.CONVEX and abs(face.area - edge.length * thickness) < SAME * face.area
 
 
 def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
