@@ -19,8 +19,8 @@ from querycad_language.forms import (
     Towards,
     Which,
 )  # fmt: skip
-from querycad_language.readings.passed import CLOSED
 from querycad_language.readings.reader import read
+from querycad_language.readings.skipped_words import CLOSED
 
 
 def forms(question: str) -> list[Form]:

@@ -18,7 +18,7 @@ from querycad_language.describe import plural_of
 from querycad_language.forms import Distance, Every, Form, Get, Reduce, Which, mapped, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reader
-from querycad_language.readings.drafts import Reading
+from querycad_language.readings.parses import Reading
 from querycad_language.text import Text
 from querycad_language.tokens import MAX_CHARS
 

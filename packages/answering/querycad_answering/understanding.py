@@ -25,8 +25,8 @@ from querycad_contracts import (
 from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
-from querycad_language.programs.draft import Read
-from querycad_language.readings.passed import CLOSED
+from querycad_language.programs.builder import Read
+from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .beside import beside, is_of_whole, of_height, reads_height, standing

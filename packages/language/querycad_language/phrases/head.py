@@ -9,24 +9,24 @@ from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import GENERIC, Draft, Mention
+from .mention import GENERIC, Mention, PhraseBuilder
 
 _GATHERED = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "sides", "unseen", "ends", "excluded",
              "also", "ids")  # fmt: skip
-"""What a draft gathers for the fields of the query that have the same names."""
+"""What is gathered for the fields of the query that have the same names."""
 
 
-def head_of(text: Text, draft: Draft, start: int, at: int) -> Mention | int | None:
+def head_of(text: Text, build: PhraseBuilder, start: int, at: int) -> Mention | int | None:
     """Where the head ends; a finished mention for pronouns and the whole model; None where this is no noun phrase."""
-    if draft.nouns or draft.unknown:
+    if build.nouns or build.unknown:
         return at
     adjective = text.find(at, "whole_adjective")
     whole = text.find(at, "whole") or (text.find(adjective.end, "whole") if adjective else None)
     if whole is not None:
-        return _whole(text, draft, start, whole)
-    if (end := _without_noun(text, draft, start, at)) is not None:
+        return _whole(text, build, start, whole)
+    if (end := _without_noun(text, build, start, at)) is not None:
         return end
-    if draft.adjectives or draft.ranks:
+    if build.adjectives or build.ranks:
         return None
     pointing = text.is_word(start, "this", "that", "these", "those", "them", "one")
     if (at <= start + 1) if pointing else (at == start and text.find(at, "pronoun")):
@@ -34,71 +34,71 @@ def head_of(text: Text, draft: Draft, start: int, at: int) -> Mention | int | No
     return None
 
 
-def _whole(text: Text, draft: Draft, start: int, whole: Span) -> Mention | int:
+def _whole(text: Text, build: PhraseBuilder, start: int, whole: Span) -> Mention | int:
     """'the part' is the whole model; 'the parts', 'which part', 'the part that is red' are bodies of it."""
     last = whole.end - 1
     plural = text.tokens[last].plural
-    restricted = draft.count or draft.ranks or draft.colors or draft.adjectives or draft.ends
+    restricted = build.count or build.ranks or build.colors or build.adjectives or build.ends
     if plural or restricted or text.is_word(start - 1, "which") or text.is_word(whole.end, "that"):
         own = text.words[last] if not plural and text.words[last] in text.lexicon.nouns else "body"
-        draft.nouns.append(Span(whole.start, whole.end, "noun", text.lexicon.nouns[own]))
-        draft.used.update(range(start, whole.end))
+        build.nouns.append(Span(whole.start, whole.end, "noun", text.lexicon.nouns[own]))
+        build.used.update(range(start, whole.end))
         return whole.end
     return Mention(start, whole.end, None, frozenset(range(start, whole.end)), last)
 
 
-def _without_noun(text: Text, draft: Draft, start: int, at: int) -> int | None:
+def _without_noun(text: Text, build: PhraseBuilder, start: int, at: int) -> int | None:
     """Where a phrase without a noun ends: 'the small one', 'the 8 mm', 'the largest'; None where it is no phrase."""
-    if text.is_word(at, "one") and (draft.adjectives or draft.ranks or draft.sizes or draft.ends or draft.threads):
-        draft.used.add(at)
+    if text.is_word(at, "one") and (build.adjectives or build.ranks or build.sizes or build.ends or build.threads):
+        build.used.add(at)
         return at + 1
-    if (draft.sizes or draft.threads) and not draft.adjectives:
-        round_size = any(size.measure in (Measure.DIAMETER, Measure.RADIUS) for size in draft.sizes)
-        if round_size or draft.threads or draft.article:
+    if (build.sizes or build.threads) and not build.adjectives:
+        round_size = any(size.measure in (Measure.DIAMETER, Measure.RADIUS) for size in build.sizes)
+        if round_size or build.threads or build.article:
             return at
     if text.find(at, "measure", "distance", "gap") or text.find(at - 1, "outside_to_outside"):
         return None  # 'the straight distance', 'the opposite side'
-    return at if (draft.adjectives or draft.ranks) and draft.article and at > start + 1 else None
+    return at if (build.adjectives or build.ranks) and build.article and at > start + 1 else None
 
 
-def mention_of(text: Text, start: int, end: int, draft: Draft) -> Mention:
+def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mention:
     """The mention that was gathered."""
-    nouns = draft.nouns
+    nouns = build.nouns
     while len(nouns) > 1 and nouns[-1].value.name in GENERIC:
         nouns = nouns[:-1]
     noun = nouns[-1] if nouns else None
     names = [n.value.name for n in nouns]
     compound = [PartQuery(noun=name, words=(name,)) for name in names[:-1] if name != names[-1]]
-    places = (*draft.places, *(Place(relation="", what=query) for query in compound))
-    unknown = tuple(text.words[at] for at in draft.unknown)
+    places = (*build.places, *(Place(relation="", what=query) for query in compound))
+    unknown = tuple(text.words[at] for at in build.unknown)
     named = " ".join(text.words[noun.start : noun.end]) if noun is not None else " ".join(unknown)
     if noun is not None and named not in text.lexicon.nouns:
         named = noun.value.name
     known = noun is not None or not unknown
-    head = noun.end - 1 if noun is not None else draft.unknown[-1] if draft.unknown else start
+    head = noun.end - 1 if noun is not None else build.unknown[-1] if build.unknown else start
     plural = any(text.tokens[i].plural for i in (noun.tokens if noun is not None else (head,)))
-    gathered: dict[str, Any] = {name: tuple(dict.fromkeys(getattr(draft, name))) for name in _GATHERED}
+    gathered: dict[str, Any] = {name: tuple(dict.fromkeys(getattr(build, name))) for name in _GATHERED}
     query = PartQuery(
         noun=named,
         known=known,
-        words=tuple(text.words[at] for at in range(start, noun.end if noun else end) if _says(text, at, draft, noun)),
-        count=draft.count,
-        plural=plural or draft.each or (draft.count or 1) > 1,
-        definite=draft.definite,
-        sample=draft.sample,
-        deictic=draft.deictic,
+        words=tuple(text.words[at] for at in range(start, noun.end if noun else end) if _says(text, at, build, noun)),
+        count=build.count,
+        plural=plural or build.each or (build.count or 1) > 1,
+        definite=build.definite,
+        sample=build.sample,
+        deictic=build.deictic,
         places=places,
         unknown=unknown if known else (),
         **gathered,
     )
-    used = frozenset(draft.used.union(noun.tokens if noun is not None else draft.unknown))
+    used = frozenset(build.used.union(noun.tokens if noun is not None else build.unknown))
     return Mention(start, end, query, used, head, plural=query.plural)
 
 
-def _says(text: Text, at: int, draft: Draft, noun: Span | None) -> bool:
+def _says(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bool:
     """Is it a word of the phrase that says what is meant?"""
     if text.tokens[at].kind is not Kind.WORD or text.find(at, "article"):
         return False
     if not text.is_content(at) and not text.find(at, "noun", "side", "color", "adjective"):
         return False
-    return noun is not None or at in draft.unknown or text.find(at, "side", "adjective") is not None
+    return noun is not None or at in build.unknown or text.find(at, "side", "adjective") is not None

@@ -34,7 +34,7 @@ class Mention:
 
 
 @dataclass(slots=True)
-class Draft:
+class PhraseBuilder:
     """What is gathered of a phrase while it is read."""
 
     adjectives: list[str] = field(default_factory=list)

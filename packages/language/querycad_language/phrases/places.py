@@ -8,14 +8,14 @@ from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, Draft, replace_fields
+from .mention import MAX_DEPTH, PhraseBuilder, replace_fields
 from .words import is_noun, noun_follows
 
 if TYPE_CHECKING:
     from .reader import Phrases
 
 
-def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
     negated = text.is_word(at, "not", "invisible", "hidden")
@@ -29,16 +29,16 @@ def seen(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     if view is None and seeing is None and text.is_word(start, "from") and "far" in text.words[:at]:
         return at  # 'how far is the hole from the left side': a plane
     if sides and not negated and text.is_word(end - 1, "half"):
-        draft.seen_on(sides, half=True)
+        build.seen_on(sides, half=True)
         return end
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
     other = phrases.at(end + 1, depth + 1) if text.is_word(end, "of") and depth < MAX_DEPTH else None
     if other is not None and other.query is not None:  # 'on the left side of the flange'
-        draft.places.append(Place(relation="of", what=other.query, side=sides[0]))
+        build.places.append(Place(relation="of", what=other.query, side=sides[0]))
         return other.end
     end = other.end if other is not None else end
-    (draft.unseen if negated else draft.sides).extend(sides)
+    (build.unseen if negated else build.sides).extend(sides)
     return end
 
 
@@ -68,20 +68,20 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     return (sides, end) if sides else ([], at)
 
 
-def sideways(text: Text, at: int, draft: Draft) -> int:
+def sideways(text: Text, at: int, build: PhraseBuilder) -> int:
     """'from the side', 'through one of the side walls': neither from above nor from below."""
     end = text.skip(at + text.is_word(at, "come", "comes", "coming", "entering"), "passing")
-    if not text.is_word(end, "from", "through", "in", "into") or draft.sides:
+    if not text.is_word(end, "from", "through", "in", "into") or build.sides:
         return at
     end = text.skip(end + 1, "side_preposition", "place", "each", "article", "number", "function")
     wall = text.skip(end + 1, "side_noun") + text.is_word(end + 1, "wall")
     if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half") or is_noun(text, wall):
         return at
-    draft.adjectives.append("horizontal")
+    build.adjectives.append("horizontal")
     return wall
 
 
-def along(text: Text, at: int, draft: Draft) -> int:
+def along(text: Text, at: int, build: PhraseBuilder) -> int:
     """'along Z', 'whose axis is parallel to the z axis', 'that run in x direction': of parts that are counted."""
     named = (text.find(i, "measure") for i in range(at, at + 4))
     axes = next((span for span in named if span and span.value is Measure.AXIS), None)
@@ -91,13 +91,13 @@ def along(text: Text, at: int, draft: Draft) -> int:
     end = text.skip(end, "parallel", "axis_preposition", "function", "article")
     axis = text.find(end, "axis")
     runs = text.find(at, "passing") or axes is not None or any(text.find(i, "count", "parallel") for i in range(end))
-    if axis is None or axis.value > 2 or not runs or draft.sizes:  # 'longer than 5 mm along z': of the size
+    if axis is None or axis.value > 2 or not runs or build.sizes:  # 'longer than 5 mm along z': of the size
         return at
-    draft.adjectives.append(f"{'xyz'[axis.value]} parallel")
+    build.adjectives.append(f"{'xyz'[axis.value]} parallel")
     return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
-def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
     span = text.find(at, "near", "far")
@@ -107,18 +107,18 @@ def nearest(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     start = span.end + text.is_word(span.end, "to", "from")
     inner = text.skip(start, "article")
     if edge := text.find(inner, "edge"):
-        draft.ranks.append(Rank(edge=True, most=most))
+        build.ranks.append(Rank(edge=True, most=most))
         return edge.end
     if side := text.find(inner, "side"):
         away = most and "from" in text.words[span.start : start]
-        draft.ranks.append(Rank(side=side.value.opposite if away else side.value))
+        build.ranks.append(Rank(side=side.value.opposite if away else side.value))
         return text.skip(side.end, "side_noun")
     if (other := phrases.inner(start, depth)) is not None:
-        draft.ranks.append(Rank(near=other.query, most=most))
+        build.ranks.append(Rank(near=other.query, most=most))
     return other.end if other is not None else at
 
 
-def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
@@ -129,14 +129,14 @@ def central(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
         end = corner + 1
     else:
         return at
-    draft.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")
+    build.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")
     other = phrases.at(end + 1, depth + 1, False) if text.is_word(end, "of") and depth < MAX_DEPTH else None
     if other is not None and other.query is not None:
-        draft.places.append(Place(relation="in", what=other.query))
+        build.places.append(Place(relation="in", what=other.query))
     return other.end if other is not None else max(end, span.end if span is not None else 0)
 
 
-def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
@@ -162,8 +162,8 @@ def placed(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     second = phrases.inner(also + 1, depth) if span.value == "between" and text.is_word(also, "and") else None
     if second is not None:
         both = replace_fields(other.query, also=(*other.query.also, second.part))
-        draft.places.append(Place(relation="between", what=both))
+        build.places.append(Place(relation="between", what=both))
         return second.end
     rim = span.value == "around" and start > span.end  # 'around the edge of the plate' is on it
-    draft.places.append(Place(relation="of" if rim else span.value, what=other.query))
+    build.places.append(Place(relation="of" if rim else span.value, what=other.query))
     return other.end

@@ -10,11 +10,11 @@ from querycad_contracts import PartQuery
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .before import before_noun
 from .head import head_of, mention_of
-from .mention import MAX_DEPTH, Draft, Mention, placed_in, replace_fields
-from .modifiers import modifiers
+from .mention import MAX_DEPTH, Mention, PhraseBuilder, placed_in, replace_fields
 from .places import seen
+from .postmodifiers import modifiers
+from .premodifiers import before_noun
 
 MAX_LEAD = 20
 """Tokens of a phrase up to its noun; twice as many as people say."""
@@ -87,13 +87,6 @@ class Phrases:
             found.update(range(start, other.end) if other and not text.find(start + 1, "each") else ())
         return frozenset(found)
 
-    @cached_property
-    def counted_in(self) -> tuple[PartQuery, ...]:
-        """The parts that `included` names: the head of 'the length of the screw, head included'."""
-        starts = (at for at in sorted(self.included) if at - 1 not in self.included)
-        found = (self.at(at + self.text.is_word(at, "including", "incl", "counting", "with")) for at in starts)
-        return tuple(m.query for m in found if m is not None and m.query is not None and m.query.noun)
-
     def _shared(self, mention: Mention, after: list[Mention]) -> Mention:
         """'the largest and the smallest hole': of the noun that both share."""
         query, other = mention.query, after[0].query if after else None
@@ -123,33 +116,33 @@ class Phrases:
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
 
     def _read(self, start: int, depth: int, joined: bool) -> Mention | None:
-        draft, at = Draft(), start
-        while at < min(len(self.text), start + MAX_LEAD) and (after := before_noun(self.text, at, draft)) > at:
-            draft.used.update(range(at, after))
+        build, at = PhraseBuilder(), start
+        while at < min(len(self.text), start + MAX_LEAD) and (after := before_noun(self.text, at, build)) > at:
+            build.used.update(range(at, after))
             at = after
-        head = head_of(self.text, draft, start, at)
+        head = head_of(self.text, build, start, at)
         if not isinstance(head, int):
             return head
-        return mention_of(self.text, start, modifiers(self, head, draft, depth, joined), draft)
+        return mention_of(self.text, start, modifiers(self, head, build, depth, joined), build)
 
     def view(self, at: int) -> Mention | None:
         """A side that is said here apart from a part, as a mention without a noun."""
-        draft = Draft()
-        end = seen(self, at, draft, 1)
+        build = PhraseBuilder()
+        end = seen(self, at, build, 1)
         inner = self.text.skip(at, "article")
         if end == at and inner > at and (side := self.text.find(inner, "side")):
             owner = self.text.skip(side.end, "side_noun")
             whole = self.text.skip(owner + 1, "article") if self.text.is_word(owner, "of") else owner
             owner = self.text.skip(whole, "whole")  # 'the top of the part has …'
             if self.text.find(owner, "have") or self.text.find(at - 1, "have"):  # 'does the top have?'
-                draft.sides.append(side.value)
+                build.sides.append(side.value)
                 end = owner
         if end == at:
-            end = self._fragment(at, draft)
-        draft.used.update(range(at, end))
-        return mention_of(self.text, at, end, draft) if end > at else None
+            end = self._fragment(at, build)
+        build.used.update(range(at, end))
+        return mention_of(self.text, at, end, build) if end > at else None
 
-    def _fragment(self, at: int, draft: Draft) -> int:
+    def _fragment(self, at: int, build: PhraseBuilder) -> int:
         """Where a side ends that stands alone between commas: 'lugs, underside only'."""
         text = self.text
         start = text.skip(at, "article")
@@ -163,7 +156,7 @@ class Phrases:
         whole = text.skip(text.skip(end + 1, "article"), "whole") if text.is_word(end, "of") else end
         if whole < len(text) and text.tokens[whole].kind is not Kind.SYMBOL:
             return at
-        draft.seen_on([side.value], half)
+        build.seen_on([side.value], half)
         return whole
 
 

@@ -6,7 +6,7 @@ from querycad_contracts import Measure, Relation, SizeFilter
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import Draft
+from .mention import PhraseBuilder
 from .words import noun_follows
 
 COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
@@ -18,7 +18,7 @@ _LINKS = (
 """Words between a measure and its value."""
 
 
-def size_before(text: Text, at: int, draft: Draft) -> int:
+def size_before(text: Text, at: int, build: PhraseBuilder) -> int:
     """'5 mm holes', 'Ø8.5 bores', 'the 40 mm deep pocket', '12 x 40 mm slot'."""
     token = text.tokens[at]
     if token.power != 1:
@@ -30,9 +30,9 @@ def size_before(text: Text, at: int, draft: Draft) -> int:
         measure, after = scale.value.measure, scale.end
     elif (noun := text.find(after, "measure")) and noun_follows(text, noun.end) and not text.find(noun.end, "be"):
         measure, after = noun.value, noun.end
-    draft.sizes.append(SizeFilter(measure=measure, low=token.value))
+    build.sizes.append(SizeFilter(measure=measure, low=token.value))
     while text.is_word(after, "x") and after + 1 < len(text) and text.tokens[after + 1].kind is Kind.QUANTITY:
-        draft.sizes.append(SizeFilter(low=text.tokens[after + 1].value))
+        build.sizes.append(SizeFilter(low=text.tokens[after + 1].value))
         after += 2
     return after
 

@@ -10,7 +10,7 @@ from querycad_language import forms
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
 from querycad_language.measures import CUT, WHOLE, along_axis
 
-from .draft import Draft, Read, Unwritable
+from .builder import Builder, Read, Unwritable
 
 SLACK = 1e-6
 """Metres within which two lengths are one."""
@@ -28,38 +28,38 @@ _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
 _REDUCED = {Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
 
 
-def distance(draft: Draft, form: Distance) -> tuple[str, AnswerType]:
+def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     """How far apart the two ends of a distance are, as an expression and its type."""
-    form = replace(form, axis=_axis(draft, form))
+    form = replace(form, axis=_axis(build, form))
     first, second = form.first, form.second
     if form.mode == "overlap":
-        return f"sum(a.overlap_with(b) for a, b in {overlapping(draft, form)})", AnswerType.VOLUME
+        return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
     if isinstance(first, Plane):
-        return _from_plane(draft, first, second, form.mode), AnswerType.LENGTH
+        return _from_plane(build, first, second, form.mode), AnswerType.LENGTH
     if isinstance(second, Plane):
-        return _from_plane(draft, second, first, form.mode), AnswerType.LENGTH
+        return _from_plane(build, second, first, form.mode), AnswerType.LENGTH
     if isinstance(second, PartQuery) and not isinstance(first, PartQuery):
         first, second = second, first
     if not isinstance(first, PartQuery):
         raise Unwritable
     kind = AnswerType.LENGTHS if form.reduce is Reduce.DIFFERENT else AnswerType.LENGTH
     if isinstance(second, forms.Behind):
-        second = Boundary(_behind(draft.of(first)))
+        second = Boundary(_behind(build.of(first)))
         form = replace(form, mode="surfaces")
     if isinstance(second, Boundary | Origin) or second is None:
-        return _to_place(draft, first, second, form), kind
+        return _to_place(build, first, second, form), kind
     if form.mode == "outsides":
-        return _over(draft, form, first), kind
+        return _over(build, form, first), kind
     other = second if isinstance(second, PartQuery) else None
-    return pairwise(draft, first, other, _between(draft, form, other is not None), form.reduce), kind
+    return pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
 
-def _axis(draft: Draft, form: Distance) -> int | None:
+def _axis(build: Builder, form: Distance) -> int | None:
     """Which of x, y, z: where the words say so one of the longer sides along which the parts lie apart."""
     if form.axis not in (LONGEST, SHORTER):
         return form.axis
-    order = sorted(range(3), key=lambda i: draft.whole.extents[i], reverse=True)
-    spread = _spread(draft.all_of(form.first)) if form.second == "each other" else (0.0, 0.0, 0.0)
+    order = sorted(range(3), key=lambda i: build.whole.extents[i], reverse=True)
+    spread = _spread(build.all_of(form.first)) if form.second == "each other" else (0.0, 0.0, 0.0)
     apart = [i for i in order if spread[i] > SLACK]
     return (apart if len(apart) > 1 else order)[form.axis - LONGEST]
 
@@ -73,37 +73,37 @@ def _spread(parts: Sequence[Part]) -> Sequence[float]:
 # Between parts
 
 
-def pairwise(draft: Draft, first: PartQuery, second: forms.Target, expression: str, reduce: Reduce) -> str:
+def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression: str, reduce: Reduce) -> str:
     """The expression of 'a' and 'b' for every two parts."""
-    parts, least = draft.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
-    own, others = len(draft.of(first)), "" if second is None else f", {draft.parts(second)}"
-    pairs = own * (own - 1) // 2 if second is None else own * len(draft.of(second))
+    parts, least = build.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
+    own, others = len(build.of(first)), "" if second is None else f", {build.parts(second)}"
+    pairs = own * (own - 1) // 2 if second is None else own * len(build.of(second))
     if second is None and own < 2:
         raise Unwritable
     if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
         if not least:
             raise Unwritable
-        draft.lines.append(f"a, b = closest({parts}{others})")
+        build.lines.append(f"a, b = closest({parts}{others})")
         return expression
     loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
     if second is not None:
-        loop = f"for a in {parts} for b in {draft.parts(second)} if a.id != b.id"
+        loop = f"for a in {parts} for b in {build.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":
         loop = f"for a, b in nearest({parts})"
-    draft.lines.append(f"found = [{expression} {loop}]")
+    build.lines.append(f"found = [{expression} {loop}]")
     if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis: in a row, or apart
         aside = [i for i in range(3) if f"center[{i}]" not in expression]
         row = f"all(abs(a.center[i] - b.center[i]) < 1e-04 for i in {aside})"
         if second is None:
-            draft.lines[-1] = f"found = [{expression} {loop} if {row}] or [{expression} {loop}]"
-        draft.lines.append(f"found = [d for d in found if d > {SLACK:g}] or found")
+            build.lines[-1] = f"found = [{expression} {loop} if {row}] or [{expression} {loop}]"
+        build.lines.append(f"found = [d for d in found if d > {SLACK:g}] or found")
     reduced = {Reduce.EACH: "found", Reduce.DIFFERENT: "different(found)", **_REDUCED}
     return reduced.get(reduce, "found[0] if len(different(found, 1e-05)) == 1 else min(found)")
 
 
-def _between(draft: Draft, form: Distance, two: bool) -> str:
+def _between(build: Builder, form: Distance, two: bool) -> str:
     """The distance of 'a' and 'b': of round or like parts between centres, else from surface to surface."""
-    parts = draft.all_of(form.first, form.second)
+    parts = build.all_of(form.first, form.second)
     if not parts:
         raise Unwritable
     flat = all(part.kind in _FLAT and part.diameter is None for part in parts)
@@ -119,7 +119,7 @@ def _between(draft: Draft, form: Distance, two: bool) -> str:
     elif two and (not alike or form.mode == "centers") and (along := turned(parts[-1])) is not None:  # from its axis
         planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i != along)
         modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
-    return draft.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
+    return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
 
 
 def turned(part: Part) -> int | None:
@@ -135,47 +135,47 @@ def kinds(parts: Sequence[Part]) -> str:
     return "+".join(sorted({part.kind for part in parts})[:2])
 
 
-def _over(draft: Draft, form: Distance, first: PartQuery) -> str:
+def _over(build: Builder, form: Distance, first: PartQuery) -> str:
     """Over the outsides of several parts, along an axis or the one along which they lie furthest apart."""
     queries = [query for query in (first, form.second) if isinstance(query, PartQuery)]
-    found = draft.all_of(*queries)
-    if len(found) < 2 or not all(map(draft.of, queries)):
+    found = build.all_of(*queries)
+    if len(found) < 2 or not all(map(build.of, queries)):
         raise Unwritable
     spread = _spread(found)
     if len(queries) > 1 and (normal := found[0].normal) is not None:  # from a keyway's floor across the bore
         spread = [abs(x) for x in normal]
     i = form.axis if form.axis is not None else max(range(3), key=spread.__getitem__)
-    draft.lines.append(f"found = {' + '.join(f'list({draft.parts(query)})' for query in queries)}")
-    draft.reads.append(Read("distance", kinds(found), "outsides", "own"))
+    build.lines.append(f"found = {' + '.join(f'list({build.parts(query)})' for query in queries)}")
+    build.reads.append(Read("distance", kinds(found), "outsides", "own"))
     lower = f"min(p.center[{i}] - p.half_extents[{i}] for p in found)"
     return f"max(p.center[{i}] + p.half_extents[{i}] for p in found) - {lower}"
 
 
-def overlapping(draft: Draft, form: Distance) -> str:
+def overlapping(build: Builder, form: Distance) -> str:
     """The pairs of bodies that take the same room, as an expression."""
-    if any(part.kind != "body" for part in draft.all_of(form.first, form.second)):
+    if any(part.kind != "body" for part in build.all_of(form.first, form.second)):
         raise Unwritable
-    names = [draft.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
+    names = [build.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
     return f"overlaps({', '.join(names)})"
 
 
-def touching(draft: Draft, form: forms.Touching) -> str:
+def touching(build: Builder, form: forms.Touching) -> str:
     """The bodies that touch others, as an expression; those whose boxes are apart are not measured.
 
     Fasteners hold what they touch, and what other fasteners do that they touch: a nut by its screw and a washer.
     """
-    if any(part.kind != "body" for part in draft.all_of(form.target, form.other)):
+    if any(part.kind != "body" for part in build.all_of(form.target, form.other)):
         raise Unwritable
-    found, others = draft.parts(form.target), draft.parts(form.other)
+    found, others = build.parts(form.target), build.parts(form.other)
     room = "abs(p.center[i] - q.center[i]) <= p.half_extents[i] + q.half_extents[i] + 1e-06"
     meets = f"any(all({room} for i in range(3)) and p.distance_to(q) <= 1e-06 for q in taken)"
     new = "p.id not in [q.id for q in taken] and "
     wanted = f"{new}{'not ' * form.negated}{meets}"
-    draft.lines.append(f"taken = [q for q in {others}]")
+    build.lines.append(f"taken = [q for q in {others}]")
     if not form.held:
         return f"[p for p in {found} if {wanted}]"
     fastens = f"any(tag in p.tags for tag in {_FASTENERS})"
-    draft.lines += [
+    build.lines += [
         f'fasteners = [p for p in find_parts({{"noun": "body", "plural": True}}) if {fastens}]',
         "for _ in range(2):",
         f"    taken += [p for p in fasteners if {new}{meets}]",
@@ -192,63 +192,63 @@ def side_axis(side: Side) -> tuple[int, str]:
     return axis, "+" if side.outward[axis] > 0 else "-"
 
 
-def _from_plane(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> str:
+def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> str:
     """Along the normal of a part's outer plane, to another plane, to a boundary of the model, or to parts."""
-    plane, other = _floor(draft, plane), _floor(draft, other) if isinstance(other, Plane) else other
-    side, other_side = _sides(draft, plane, other, mode)
+    plane, other = _floor(build, plane), _floor(build, other) if isinstance(other, Plane) else other
+    side, other_side = _sides(build, plane, other, mode)
     axis, sign = side_axis(side)
-    at = _outermost(draft, plane.of, axis, sign)
+    at = _outermost(build, plane.of, axis, sign)
     match other:
         case Plane(_, of) if other_side is not None:
             beyond = "+" if other_side.outward[axis] > 0 else "-"
-            level = f"({_outermost(draft, of, axis, beyond)})"
-            return _each_of(draft, plane.of, at, sign, axis, level, signed=mode == "beyond")
+            level = f"({_outermost(build, of, axis, beyond)})"
+            return _each_of(build, plane.of, at, sign, axis, level, signed=mode == "beyond")
         case Boundary(Side() as bound) if bound.outward[axis]:
             corner = "max" if bound.outward[axis] > 0 else "min"
-            return _each_of(draft, plane.of, at, sign, axis, f"shape.{corner}_corner[{axis}]")
+            return _each_of(build, plane.of, at, sign, axis, f"shape.{corner}_corner[{axis}]")
         case Origin():
             return f"abs({at})"
         case PartQuery():
             ends = ", ".join(f"abs(p.center[{axis}] {sign} p.half_extents[{axis}] - ({at}))" for sign in "+-")
             modes = {"center": f"abs(p.center[{axis}] - ({at}))", "far": f"max({ends})", "near": f"min({ends})"}
-            round_parts = any(part.axis is not None for part in draft.of(other))
+            round_parts = any(part.axis is not None for part in build.of(other))
             usual = ("center", "far", "near") if round_parts else ("near", "far", "center")
             names = {"centers": ("center",), "surfaces": ("near", "far")}.get(mode, usual)
-            return _of_each(draft, other, {name: modes[name] for name in names})
+            return _of_each(build, other, {name: modes[name] for name in names})
     raise Unwritable
 
 
-def _floor(draft: Draft, plane: Plane) -> Plane:
+def _floor(build: Builder, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [part for part in draft.of(plane.of) if part.kind in CUT and part.normal and part.bottom != "through"]
+    cut = [part for part in build.of(plane.of) if part.kind in CUT and part.normal and part.bottom != "through"]
     return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
 
 
-def _of_each(draft: Draft, query: PartQuery, modes: dict[str, str], reduce: Reduce = Reduce.ONE) -> str:
+def _of_each(build: Builder, query: PartQuery, modes: dict[str, str], reduce: Reduce = Reduce.ONE) -> str:
     """The distance of each part 'p', or what becomes of them."""
-    parts = draft.parts(query)
-    draft.lines.append(f"found = [{draft.chosen(modes, kinds(draft.of(query)))} for p in {parts}]")
+    parts = build.parts(query)
+    build.lines.append(f"found = [{build.chosen(modes, kinds(build.of(query)))} for p in {parts}]")
     one = "found" if query.plural else "found[0] if len(different(found, 1e-05)) == 1 else found"
     return _REDUCED.get(reduce, one)
 
 
-def _each_of(draft: Draft, query: PartQuery, at: str, sign: str, axis: int, level: str, signed: bool = False) -> str:
+def _each_of(build: Builder, query: PartQuery, at: str, sign: str, axis: int, level: str, signed: bool = False) -> str:
     """How far the plane, or that of each of several parts, lies from a level; `signed`: beyond it."""
     far = f"{sign}1 * " if signed else "abs"
     if not query.plural:
         return f"{far}({at} - {level})"
-    return f"[{far}(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {draft.parts(query)}]"
+    return f"[{far}(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {build.parts(query)}]"
 
 
-def _outermost(draft: Draft, query: PartQuery, axis: int, sign: str) -> str:
+def _outermost(build: Builder, query: PartQuery, axis: int, sign: str) -> str:
     """How far parts reach along an axis, to '+' or to '-'."""
-    if not draft.of(query):
+    if not build.of(query):
         raise Unwritable
     pick = "max" if sign == "+" else "min"
-    return f"{pick}(q.center[{axis}] {sign} q.half_extents[{axis}] for q in {draft.parts(query)})"
+    return f"{pick}(q.center[{axis}] {sign} q.half_extents[{axis}] for q in {build.parts(query)})"
 
 
-def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:
+def _sides(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:
     """The sides of two planes: where one reaches beyond the other, by the shorter way, or 'from the head to the end'.
 
     Of a single plane without one: the end of the part that is free, as that of a shank is, which is no head's or
@@ -259,7 +259,7 @@ def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[
             return plane.side, other.side or plane.side.opposite
         if other.side is not None:
             return other.side.opposite, other.side
-        parts, others = draft.of(plane.of), draft.of(other.of)
+        parts, others = build.of(plane.of), build.of(other.of)
         if parts == others or not parts or not others:
             raise Unwritable
         beyond = {side: _reach(parts[0], side) - max(_reach(one, side) for one in others) for side in Side}
@@ -277,9 +277,9 @@ def _sides(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> tuple[
         return plane.side, None
     if not isinstance(other, PartQuery):
         raise Unwritable
-    part, others = draft.of(plane.of), draft.of(other)
+    part, others = build.of(plane.of), build.of(other)
     ends = _ends(part, others)
-    free = [side for side in ends if _reach(part[0], side) > _reach(draft.whole, side) - SLACK]
+    free = [side for side in ends if _reach(part[0], side) > _reach(build.whole, side) - SLACK]
     ends = free if len(free) == 1 and part[0].kind not in WHOLE else ends
     return min(ends, key=lambda side: abs(_reach(part[0], side) - _reach(others[0], side, 0.0))), None
 
@@ -310,9 +310,9 @@ def _behind(parts: Sequence[Part]) -> Side:
 # To places
 
 
-def _to_place(draft: Draft, first: PartQuery, place: Boundary | Origin | None, form: Distance) -> str:
+def _to_place(build: Builder, first: PartQuery, place: Boundary | Origin | None, form: Distance) -> str:
     """To an edge, to the outside of the model on one side, to its middle or to the origin."""
-    found = draft.of(first)
+    found = build.of(first)
     match place:
         case Boundary(None):
             modes = {"near": "p.edge_distance()"}
@@ -337,4 +337,4 @@ def _to_place(draft: Draft, first: PartQuery, place: Boundary | Origin | None, f
             elif place is None and found and (along := along_axis(found[0])) is not None:
                 planar = (f"(p.center[{i}] - shape.center[{i}]) ** 2" for i in range(3) if i != along)
                 modes = {"axis": f"({' + '.join(planar)}) ** 0.5"} | modes
-    return _of_each(draft, first, modes, form.reduce)
+    return _of_each(build, first, modes, form.reduce)

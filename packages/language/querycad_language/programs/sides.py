@@ -7,17 +7,17 @@ from collections.abc import Sequence
 from querycad_contracts import AnswerType, Part, PartQuery, Side
 from querycad_language.forms import Reduce, Target, Towards
 
+from .builder import Builder, Unwritable
 from .distances import kinds, pairwise, side_axis, turned
-from .draft import Draft, Unwritable
 
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""
 
 
-def directions(draft: Draft, first: PartQuery, second: Target, reduce: Reduce) -> str:
+def directions(build: Builder, first: PartQuery, second: Target, reduce: Reduce) -> str:
     """Angles between axes or normals; of flat parts also what they enclose. Raises Unwritable: some have neither."""
-    parts = draft.all_of(first, second)
-    return pairwise(draft, first, second, draft.chosen(_between(parts, reduce), kinds(parts)), reduce)
+    parts = build.all_of(first, second)
+    return pairwise(build, first, second, build.chosen(_between(parts, reduce), kinds(parts)), reduce)
 
 
 def _between(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
@@ -32,68 +32,68 @@ def _between(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
     return meanings
 
 
-def angle_between(draft: Draft, first: PartQuery, second: Target) -> str:
+def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     """Between directions, or about an axis: the pitch of a bolt circle, a keyway and the cross hole opposite."""
-    parts = draft.all_of(first, second)
+    parts = build.all_of(first, second)
     if len(parts) < 2:
         raise Unwritable
     axes = [part.axis for part in parts if part.axis is not None]
     cosines = (sum(a * b for a, b in zip(axes[0], axis, strict=True)) for axis in axes)
     parallel = len(axes) == len(parts) and all(abs(cosine) > _PARALLEL for cosine in cosines)
     if parallel and second is None and len(parts) > 2:
-        return _about(draft, first, None, None)
+        return _about(build, first, None, None)
     meanings = _between(parts, Reduce.ONE)
-    if (along := turned(draft.whole)) is not None:  # the angle of parallel axes is none
+    if (along := turned(build.whole)) is not None:  # the angle of parallel axes is none
         meanings = {"about": ""} | meanings if parallel else meanings | {"about": ""}
-    chosen = draft.chosen(meanings, kinds(parts))
-    return pairwise(draft, first, second, chosen, Reduce.ONE) if chosen else _about(draft, first, second, along)
+    chosen = build.chosen(meanings, kinds(parts))
+    return pairwise(build, first, second, chosen, Reduce.ONE) if chosen else _about(build, first, second, along)
 
 
-def _about(draft: Draft, first: PartQuery, second: Target, along: int | None) -> str:
+def _about(build: Builder, first: PartQuery, second: Target, along: int | None) -> str:
     """The least angle between the arms to two parts, from their common middle or from the axis of a round model."""
-    names = [draft.parts(query) for query in (first, second) if query is not None]
+    names = [build.parts(query) for query in (first, second) if query is not None]
     middle = f"[sum(p.center[i] for p in {names[0]}) / len({names[0]}) for i in range(3)]"
     point = "p.center" if along is None else "(p.opening or p.center)"
-    draft.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
+    build.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
     for index, name in enumerate(names):
         arm = f"[{point}[i] - middle[i] for i in {[i for i in range(3) if i != along]}]"
-        draft.lines.append(f"arms{index} = [{arm} for p in {name}]")
+        build.lines.append(f"arms{index} = [{arm} for p in {name}]")
     pairs = "for a in arms0 for b in arms1" if second else "for i, a in enumerate(arms0) for b in arms0[i + 1 :]"
-    draft.lines.append(f"pairs = [(a, b) {pairs} if math.hypot(*a) * math.hypot(*b) > 0]")
+    build.lines.append(f"pairs = [(a, b) {pairs} if math.hypot(*a) * math.hypot(*b) > 0]")
     cosine = "sum(u * v for u, v in zip(a, b)) / (math.hypot(*a) * math.hypot(*b))"
     return f"min([math.acos(max(-1.0, min(1.0, {cosine}))) for a, b in pairs])"
 
 
-def towards(draft: Draft, form: Towards) -> tuple[str, AnswerType]:
+def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
     Or the side that 'most' of them are seen from, those that 'none' is, those from which a tool or screw comes in.
     """
-    parts, sides = draft.of(form.target), [side.value for side in form.sides]
+    parts, sides = build.of(form.target), [side.value for side in form.sides]
     if not parts and form.seen in ("", "way"):
         raise Unwritable
     if form.seen == "way" and any(not part.approach for part in parts):
         raise Unwritable
-    name = draft.parts(form.target)
+    name = build.parts(form.target)
     match form.seen:
         case "none":
             return f"[side for side in {sides} if not any(side in p.sides for p in {name})]", AnswerType.TEXTS
         case "each" | "most":  # all of as many
-            draft.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
+            build.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
             if form.seen == "each":
                 return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
             most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
             return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
         case "way":
             outward = ", ".join(f'("{side.value}", {side.outward})' for side in Side)
-            draft.lines.append(f"ways = [p.approach[0] for p in {name}]")
-            draft.lines.append(f"sides = [{outward}]")
+            build.lines.append(f"ways = [p.approach[0] for p in {name}]")
+            build.lines.append(f"sides = [{outward}]")
             along = "sum(a * b for a, b in zip(way, side[1]))"
             return f"sorted(set(min(sides, key=lambda side: {along})[0] for way in ways))", AnswerType.TEXTS
     point = "opening" if all(part.opening is not None for part in parts) else "center"
     for side in form.sides:
         i, sign = side_axis(side)
         share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]"
-        draft.lines.append(f"{side.value} = {sign.strip('+')}sum({share} for p in {name})")
+        build.lines.append(f"{side.value} = {sign.strip('+')}sum({share} for p in {name})")
     found = ", ".join(f'({side}, "{side}")' for side in sides)
     return f"max({found})[1]", AnswerType.TEXT

@@ -11,8 +11,8 @@ from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import CUT, SCALARS, answer_type, is_length, of_several
 
+from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping, touching
-from .draft import Compared, Draft, Grounds, Unwritable, Written
 from .sides import angle_between, directions, towards
 
 _OF_SHAPE = {
@@ -45,113 +45,113 @@ _COMPARED = {
 def write(form: Form, grounds: Grounds, whole: Part, option: int = 0) -> Written:
     """The program for a form. `option`: which meaning of the measure for these parts. Raises Unwritable."""
     measured = getattr(form, "left", form)
-    draft = Draft(grounds, whole, option, overall=isinstance(measured, Get) and measured.overall)
-    result, kind = _form(draft, form)
-    code = "\n".join([*draft.lines, f"solution = {result}"])
-    return Written(code, kind, tuple(draft.reads), option, tuple(draft.compared))
+    build = Builder(grounds, whole, option, overall=isinstance(measured, Get) and measured.overall)
+    result, kind = _form(build, form)
+    code = "\n".join([*build.lines, f"solution = {result}"])
+    return Written(code, kind, tuple(build.reads), option, tuple(build.compared))
 
 
-def _form(draft: Draft, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
+def _form(build: Builder, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR0911 - one case a form
     match form:
         case Get():
-            return _of_whole(draft, form) if form.target is None else _of_parts(draft, form, form.target)
+            return _of_whole(build, form) if form.target is None else _of_parts(build, form, form.target)
         case Count():
-            return _count(draft, form.target, form.measure), AnswerType.COUNT
+            return _count(build, form.target, form.measure), AnswerType.COUNT
         case Distance():
-            return distance(draft, form)
+            return distance(build, form)
         case forms.Several(several):
             for index, one in enumerate(several):
-                draft.lines.append(f"value{index} = {distance(draft, one)[0]}")
+                build.lines.append(f"value{index} = {distance(build, one)[0]}")
             return f"[{', '.join(f'value{index}' for index in range(len(several)))}]", AnswerType.LENGTHS
         case forms.Angle(first, second):
-            return angle_between(draft, first, second), AnswerType.ANGLE
+            return angle_between(build, first, second), AnswerType.ANGLE
         case forms.Combine():
-            return _combine(draft, form)
+            return _combine(build, form)
         case forms.Parts(target):
-            return draft.parts(target), AnswerType.PARTS
+            return build.parts(target), AnswerType.PARTS
         case forms.Which() | forms.Either():
-            return _which(draft, form) if isinstance(form, forms.Which) else _either(draft, form), AnswerType.TEXT
+            return _which(build, form) if isinstance(form, forms.Which) else _either(build, form), AnswerType.TEXT
         case forms.Touching():
-            return touching(draft, form), AnswerType.PARTS
+            return touching(build, form), AnswerType.PARTS
         case forms.Towards():
-            return towards(draft, form)
-    return _decided(draft, form), AnswerType.BOOLEAN
+            return towards(build, form)
+    return _decided(build, form), AnswerType.BOOLEAN
 
 
-def _decided(draft: Draft, form: Form) -> str:
+def _decided(build: Builder, form: Form) -> str:
     """Yes or no; what is said of a part that is not there is neither."""
     counted = isinstance(form, forms.Exists | forms.Every) or isinstance(getattr(form, "left", None), Count)
-    if not counted and not all(map(draft.of, forms.queries(form))):
+    if not counted and not all(map(build.of, forms.queries(form))):
         raise Unwritable
     match form:
         case forms.Check():
-            return _check(draft, form)
+            return _check(build, form)
         case forms.Exists(target):
-            return f"len({draft.parts(target)}) > 0"
+            return f"len({build.parts(target)}) > 0"
         case forms.Every(target, among):
-            found, kept = draft.parts(target), draft.parts(among)
+            found, kept = build.parts(target), build.parts(among)
             return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
         case forms.Uniform(get) if get.target is not None:
-            different = f"different({_values(draft, get.measures[0], get.target)}, 5e-05)"
-            draft.compared.append(Compared(get, different, answer_type(get.measures[0])))
+            different = f"different({_values(build, get.measures[0], get.target)}, 5e-05)"
+            build.compared.append(Compared(get, different, answer_type(get.measures[0])))
             return f"len({different}) == 1"
         case forms.Parallel(first, second, square):
             limit = "abs(angle - 1.5707963267948966)" if square else "angle"
-            angles = directions(draft, first, second, Reduce.EACH)
-            draft.compared.append(Compared(None, angles, AnswerType.ANGLE))
+            angles = directions(build, first, second, Reduce.EACH)
+            build.compared.append(Compared(None, angles, AnswerType.ANGLE))
             return f"all({limit} < 0.01 for angle in {angles})"
         case forms.Within(target, box):
-            found = "[shape]" if target is None else draft.parts(target)
+            found = "[shape]" if target is None else build.parts(target)
             extents = f"{found}[0].extents if len({found}) == 1 else None"
-            draft.compared.append(Compared(Get((Measure.SIZE,), target), extents, AnswerType.SIZE))
+            build.compared.append(Compared(Get((Measure.SIZE,), target), extents, AnswerType.SIZE))
             return f"all(all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r})) for p in {found})"
     raise Unwritable
 
 
-def _count(draft: Draft, target: PartQuery, measure: Measure | None) -> str:
+def _count(build: Builder, target: PartQuery, measure: Measure | None) -> str:
     if measure in (Measure.FACE_COUNT, Measure.EDGE_COUNT):
         return f"shape.{measure}"
     plain = PartQuery(noun=target.noun, words=target.words, plural=target.plural, definite=target.definite)
     if (kind := _SURFACES.get(target.noun.replace("surface", "face"))) and measure is None and target == plain:
-        draft.parts(target)
+        build.parts(target)
         return f"len(faces(kind={kind!r}))"
     if measure is None:
-        return f"len({draft.parts(target)})"
+        return f"len({build.parts(target)})"
     if measure is Measure.MIRROR_PLANES:
-        if any("axisymmetric" in part.tags for part in draft.of(target)):  # they are more than can be counted
+        if any("axisymmetric" in part.tags for part in build.of(target)):  # they are more than can be counted
             raise Unwritable
-        return f"sum(len(p.mirror_planes) for p in {draft.parts(target)})"
-    return f"len(different({_values(draft, measure, target, steps=measure in _STEPPED)}))"
+        return f"sum(len(p.mirror_planes) for p in {build.parts(target)})"
+    return f"len(different({_values(build, measure, target, steps=measure in _STEPPED)}))"
 
 
-def _values(draft: Draft, measure: Measure, target: PartQuery, steps: bool = False) -> str:
+def _values(build: Builder, measure: Measure, target: PartQuery, steps: bool = False) -> str:
     """The numbers that parts have; with the radii or diameters of all `steps`, where parts have several."""
-    expression = draft.read(measure, draft.of(target), scalar=True)
-    return _listed(draft, expression, target, steps)
+    expression = build.read(measure, build.of(target), scalar=True)
+    return _listed(build, expression, target, steps)
 
 
-def _listed(draft: Draft, expression: str, target: PartQuery, steps: bool = False) -> str:
-    stepped = any(len(part.radii) > 1 for part in draft.of(target))
+def _listed(build: Builder, expression: str, target: PartQuery, steps: bool = False) -> str:
+    stepped = any(len(part.radii) > 1 for part in build.of(target))
     if steps and stepped and expression in ("{0}.radius", "{0}.diameter"):
         scale = "2 * " if expression == "{0}.diameter" else ""
         radii = "(p.radii if hasattr(p, 'radii') else [p.radius])"
-        return f"[{scale}r for p in {draft.parts(target)} for r in {radii}]"
-    return f"[{expression.format('p')} for p in {draft.parts(target)}]"
+        return f"[{scale}r for p in {build.parts(target)} for r in {radii}]"
+    return f"[{expression.format('p')} for p in {build.parts(target)}]"
 
 
-def _of_parts(draft: Draft, form: Get, target: PartQuery) -> tuple[str, AnswerType]:
-    parts, name = draft.of(target), draft.parts(target)
+def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, AnswerType]:
+    parts, name = build.of(target), build.parts(target)
     if not parts:
         raise Unwritable
     if len(form.measures) > 1:
-        return _rows(draft, form.measures, parts, name)
+        return _rows(build, form.measures, parts, name)
     measure = form.measures[0]
     if measure is Measure.COLOR:
-        draft.lines.append(f"names = [p.name for p in {name}]")
+        build.lines.append(f"names = [p.name for p in {name}]")
         return "[body.color for body in shape.bodies if body.name in names]", AnswerType.TEXTS
     if measure is Measure.POSITION and target.noun.split()[-1:] == ["end"] and all(part.tip for part in parts):
         measure = Measure.TIP  # a shaft ends at its tip
-    expression = draft.read(measure, parts)
+    expression = build.read(measure, parts)
     if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
@@ -159,9 +159,9 @@ def _of_parts(draft: Draft, form: Get, target: PartQuery) -> tuple[str, AnswerTy
     if expression.startswith("[*"):
         if len(parts) > 1:
             raise Unwritable
-        return f"{_listed(draft, expression, target)}[0]", AnswerType.LENGTHS
+        return f"{_listed(build, expression, target)}[0]", AnswerType.LENGTHS
     steps = measure in _STEPPED and form.reduce in _OF_STEPS
-    return _reduced(draft, _listed(draft, expression, target, steps), form.reduce, _type(measure, expression))
+    return _reduced(build, _listed(build, expression, target, steps), form.reduce, _type(measure, expression))
 
 
 def _type(measure: Measure, expression: str) -> AnswerType:
@@ -179,20 +179,20 @@ def _dense(form: Get, expression: str) -> str:
     return expression.replace("[i][i]", f"[i][i]{density}") if "[i][i]" in expression else expression + density
 
 
-def _rows(draft: Draft, measures: Sequence[Measure], parts: Sequence[Part], name: str) -> tuple[str, AnswerType]:
+def _rows(build: Builder, measures: Sequence[Measure], parts: Sequence[Part], name: str) -> tuple[str, AnswerType]:
     """Several measures of each part; of one, or where they are the same, once."""
-    listed = [draft.beside(measure, measures, parts).format("p") for measure in measures]
+    listed = [build.beside(measure, measures, parts).format("p") for measure in measures]
     if any(value.startswith("[*") for value in listed):
         raise Unwritable
     kinds = {answer_type(measure) for measure in measures}
     if kinds <= SCALARS and "p.extents" not in listed:  # what differs in the last digit is one value
         listed = [f"round({value}, 9)" for value in listed]
-    draft.lines.append(f"values = [({', '.join(listed)}) for p in {name}]")
+    build.lines.append(f"values = [({', '.join(listed)}) for p in {name}]")
     kind = answer_type(measures[0], True) if len(kinds) == 1 else AnswerType.NUMBERS
     return "[v for row in values for v in row] if len(set(values)) != 1 else list(values[0])", kind
 
 
-def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
+def _reduced(build: Builder, values: str, reduce: Reduce, kind: AnswerType) -> tuple[str, AnswerType]:
     scalar, many = kind in SCALARS, of_several(kind)
     if reduce is Reduce.EACH:
         return values, many
@@ -201,7 +201,7 @@ def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tup
     at_once = {Reduce.TOTAL: "sum", Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
     if scalar and reduce in at_once:
         return f"{at_once[reduce]}({values})", kind
-    draft.lines.append(f"values = {values}")
+    build.lines.append(f"values = {values}")
     if scalar and reduce is Reduce.MEAN:
         return "sum(values) / len(values)", kind
     if scalar and reduce is Reduce.RANGE:
@@ -214,41 +214,41 @@ def _reduced(draft: Draft, values: str, reduce: Reduce, kind: AnswerType) -> tup
     return f"values[0] if {same} else values", kind
 
 
-def _of_whole(draft: Draft, form: Get) -> tuple[str, AnswerType]:
+def _of_whole(build: Builder, form: Get) -> tuple[str, AnswerType]:
     measure, *others = form.measures
     if measure in _DENSE:
-        return _of_model(draft, _dense(form, _DENSE[measure])), answer_type(measure)
+        return _of_model(build, _dense(form, _DENSE[measure])), answer_type(measure)
     if measure in (Measure.NAME, Measure.COLOR):
         return f"[body.{measure.value} for body in shape.bodies]", AnswerType.TEXTS
     if set(form.measures) in _SIZES:
         return "shape.extents", AnswerType.SIZE
-    values = [draft.beside(one, form.measures, [draft.whole]) for one in form.measures]
-    known = [_of_model(draft, value) for value in values]
+    values = [build.beside(one, form.measures, [build.whole]) for one in form.measures]
+    known = [_of_model(build, value) for value in values]
     if others:
         return f"[{', '.join(known)}]", answer_type(measure, True)
     return known[0], _type(measure, known[0])
 
 
-def _of_model(draft: Draft, expression: str) -> str:
+def _of_model(build: Builder, expression: str) -> str:
     """What is read of `shape`; of the part that stands for the model where the shape does not have it."""
     if _OF_SHAPE.issuperset(re.findall(r"\{0\}\.(\w+)", expression)):
         return expression.format("shape")
     line = 'model = find_parts({"noun": "object"})[0]'
-    if line not in draft.lines:
-        draft.lines.append(line)
+    if line not in build.lines:
+        build.lines.append(line)
     return expression.format("model")
 
 
-def _scalar(draft: Draft, get: Get | Count) -> str:
+def _scalar(build: Builder, get: Get | Count) -> str:
     """One number of the whole, or of parts: of several the largest."""
     if isinstance(get, Count):
-        return f"len({draft.parts(get.target)})"
+        return f"len({build.parts(get.target)})"
     if get.target is not None:
-        expression = draft.read(get.measures[0], draft.of(get.target), scalar=True)
-        return f"max({expression.format('p')} for p in {draft.parts(get.target)})"
+        expression = build.read(get.measures[0], build.of(get.target), scalar=True)
+        return f"max({expression.format('p')} for p in {build.parts(get.target)})"
     if get.measures[0] in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
         raise Unwritable
-    return _of_whole(draft, get)[0]
+    return _of_whole(build, get)[0]
 
 
 def _kind(form: Get | Count | Distance) -> AnswerType:
@@ -257,30 +257,30 @@ def _kind(form: Get | Count | Distance) -> AnswerType:
     return answer_type(Measure.LENGTH if isinstance(form, Distance) else form.measures[0])
 
 
-def _combine(draft: Draft, form: forms.Combine) -> tuple[str, AnswerType]:
+def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
     left, kind = form.left, _kind(form.left)
     if form.operation == "per" and isinstance(left, Count) and isinstance(form.right, Count):
-        parts, others = draft.of(left.target), draft.of(form.right.target)
+        parts, others = build.of(left.target), build.of(form.right.target)
         if not others or len(parts) % len(others):
             raise Unwritable  # some have more
-        return f"len({draft.parts(left.target)}) // len({draft.parts(form.right.target)})", kind
+        return f"len({build.parts(left.target)}) // len({build.parts(form.right.target)})", kind
     if form.operation == "clearance":
-        return _clearance(draft, left, form.right), kind
+        return _clearance(build, left, form.right), kind
     if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
-        value = draft.read(left.measures[0], draft.of(left.target)).format("p")
-        return f"[{value} - {_scalar(draft, form.right)} for p in {draft.parts(left.target)}]", of_several(kind)
-    result = _COMBINED[form.operation].format(_scalar(draft, left), _scalar(draft, form.right))
+        value = build.read(left.measures[0], build.of(left.target)).format("p")
+        return f"[{value} - {_scalar(build, form.right)} for p in {build.parts(left.target)}]", of_several(kind)
+    result = _COMBINED[form.operation].format(_scalar(build, left), _scalar(build, form.right))
     return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
 
 
-def _clearance(draft: Draft, *ends: Get | Count) -> str:
+def _clearance(build: Builder, *ends: Get | Count) -> str:
     """The bore of the part that goes around the other, less the diameter of that one. Raises Unwritable."""
-    found = [(draft.parts(end.target), draft.of(end.target)) for end in ends if end.target is not None]
+    found = [(build.parts(end.target), build.of(end.target)) for end in ends if end.target is not None]
     if len(found) < 2 or not all(parts for _, parts in found):
         raise Unwritable
     (inner, pins), (outer, bores) = sorted(found, key=lambda one: _around(one[1]))
-    bore = draft.read(Measure.INNER_DIAMETER, bores, scalar=True).format("p")
-    pin = draft.read(Measure.DIAMETER, pins, scalar=True).format("p")
+    bore = build.read(Measure.INNER_DIAMETER, bores, scalar=True).format("p")
+    pin = build.read(Measure.DIAMETER, pins, scalar=True).format("p")
     return f"min({bore} for p in {outer}) - max({pin} for p in {inner})"
 
 
@@ -290,49 +290,49 @@ def _around(parts: Sequence[Part]) -> tuple[bool, bool, float]:
     return any(part.kind in CUT for part in parts), hollow, max(part.diameter or 0.0 for part in parts)
 
 
-def _which(draft: Draft, form: forms.Which) -> str:
+def _which(build: Builder, form: forms.Which) -> str:
     """What the parts with more, or less, are called; both where they are alike."""
-    if isinstance(form.left, Get) and not all(map(draft.of, forms.queries(form))):
+    if isinstance(form.left, Get) and not all(map(build.of, forms.queries(form))):
         raise Unwritable
     for name, get in zip("ab", (form.left, form.right), strict=True):
-        draft.lines.append(f"{name} = {_scalar(draft, get)}")
-        draft.compared.append(Compared(get, name, _kind(get)))
+        build.lines.append(f"{name} = {_scalar(build, get)}")
+        build.compared.append(Compared(get, name, _kind(get)))
     least = "a - b" if form.relation is Relation.MORE else "b - a"
     first, second = form.words
     both = f"{first} and {second} alike"
     return f"{both!r} if abs(a - b) < {SLACK:g} else {first!r} if {least} > 0 else {second!r}"
 
 
-def _either(draft: Draft, form: forms.Either) -> str:
+def _either(build: Builder, form: forms.Either) -> str:
     """The words that are true of any of the parts."""
-    if not draft.of(form.target) or not any(map(draft.of, form.options)):
+    if not build.of(form.target) or not any(map(build.of, form.options)):
         raise Unwritable
-    parts, named = draft.parts(form.target), zip(form.words, map(draft.parts, form.options), strict=True)
-    draft.lines.append(f"named = [{', '.join(f'({word!r}, {those})' for word, those in named)}]")
+    parts, named = build.parts(form.target), zip(form.words, map(build.parts, form.options), strict=True)
+    build.lines.append(f"named = [{', '.join(f'({word!r}, {those})' for word, those in named)}]")
     return f"', '.join(word for word, those in named if any(p.id in [q.id for q in those] for p in {parts}))"
 
 
-def _check(draft: Draft, form: forms.Check) -> str:
+def _check(build: Builder, form: forms.Check) -> str:
     match form.left:
         case Count(target):
-            values = f"[len({draft.parts(target)})]"
+            values = f"[len({build.parts(target)})]"
         case Distance(mode="overlap"):
-            return f"len({overlapping(draft, form.left)}) > 0"
+            return f"len({overlapping(build, form.left)}) > 0"
         case Distance():
-            apart = distance(draft, replace(form.left, reduce=Reduce.SMALLEST))[0]
+            apart = distance(build, replace(form.left, reduce=Reduce.SMALLEST))[0]
             values = "found" if apart.startswith("found") else apart if apart.startswith("[") else f"[{apart}]"
         case Get(measures, PartQuery() as target):
-            values = _values(draft, measures[0], target)
+            values = _values(build, measures[0], target)
             if measures[0] is Measure.MASS:
                 values = f"[{_dense(form.left, 'v')} for v in {values}]"
         case _:
-            values = f"[{_scalar(draft, form.left)}]"
-    low = repr(form.low) if isinstance(form.low, float) else _scalar(draft, form.low)
-    draft.lines.append(f"values = {values}")
+            values = f"[{_scalar(build, form.left)}]"
+    low = repr(form.low) if isinstance(form.low, float) else _scalar(build, form.low)
+    build.lines.append(f"values = {values}")
     kind = _kind(form.left)
-    draft.compared.append(Compared(form.left, "values[0]" if kind is AnswerType.COUNT else "values", kind))
+    build.compared.append(Compared(form.left, "values[0]" if kind is AnswerType.COUNT else "values", kind))
     if not isinstance(form.low, float):
-        draft.compared.append(Compared(form.low, low, _kind(form.low)))
+        build.compared.append(Compared(form.low, low, _kind(form.low)))
     share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
     length = isinstance(form.left, Count | Distance) or is_length(form.left.measures[0])
     compared = _COMPARED[form.relation].format(low=low, high=repr(form.high), slack="5e-05" if length else f"{share:g}")

@@ -4,7 +4,7 @@ Nothing is decided here. Every measure that is named may be asked of every part 
 the features say how the words link them, and what was skipped. Which reading is meant is ranked on the model.
 """
 
-from .drafts import Features, Reading
+from .parses import Features, Reading
 from .reader import Reader, read
 
 __all__ = ["Features", "Reader", "Reading", "read"]

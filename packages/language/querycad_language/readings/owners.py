@@ -9,9 +9,9 @@ from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.phrases import Mention, noun_follows, placed_in, replace_fields
 
-from .asked import Asked
-from .drafts import Features
+from .parses import Features
 from .question import Question
+from .requested_measures import Requested
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
@@ -29,7 +29,7 @@ class Owner(NamedTuple):
     features: Features
 
 
-def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
+def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     """All that the measure may be asked of."""
     text = question.text
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
@@ -67,7 +67,7 @@ def owners_of(question: Question, asked: Asked) -> Iterator[Owner]:
     yield Owner(None, sides, features)
 
 
-def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Asked) -> Iterator[Owner]:
+def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
     """'the counterbore diameter of the small holes': of the counterbores of those."""
     before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
     of = next((m for m, link in linked if link in ("of", "preposition") and m.query is not None), None)
@@ -77,7 +77,7 @@ def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Asked) -> Iterato
         yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})
 
 
-def _link(question: Question, asked: Asked, mention: Mention) -> str:
+def _link(question: Question, asked: Requested, mention: Mention) -> str:
     """How do the words link a measure to a part?"""
     apart = question.sentence_of(mention.start) != question.sentence_of(asked.start)
     if mention.end <= asked.start:
@@ -87,7 +87,7 @@ def _link(question: Question, asked: Asked, mention: Mention) -> str:
     return "overlap"
 
 
-def _link_before(question: Question, asked: Asked, mention: Mention) -> str:
+def _link_before(question: Question, asked: Requested, mention: Mention) -> str:
     """The part is named before the measure."""
     text, between = question.text, range(mention.end, asked.start)
     if not between:
@@ -101,7 +101,7 @@ def _link_before(question: Question, asked: Asked, mention: Mention) -> str:
     return "before" if all(not text.is_content(i) for i in between) else "far_before"
 
 
-def _link_behind(question: Question, asked: Asked, mention: Mention) -> str:
+def _link_behind(question: Question, asked: Requested, mention: Mention) -> str:
     """The part is named behind the measure."""
     text, between = question.text, range(asked.end, mention.start)
     others = [other for other in question.mentions if not other.pronoun]

@@ -11,7 +11,6 @@ from querycad_language.forms import Distance, Form, Several, mapped, queries
 from querycad_language.phrases import Mention
 from querycad_language.weights import weights
 
-from .drafts import Draft, Reading
 from .frames.comparisons import comparisons
 from .frames.contacts import contacts
 from .frames.counts import counts, exists
@@ -20,8 +19,9 @@ from .frames.overhangs import overhangs
 from .frames.parts import bare, mating, parts
 from .frames.values import values, wholes
 from .frames.yes_no import within, yes_no
-from .passed import finished, passable
+from .parses import Parse, Reading
 from .question import Question, seen_from
+from .skipped_words import finished, passable
 
 MAX_VIEWS = 2
 """Sides that are said apart from a part; nobody says more."""
@@ -29,7 +29,7 @@ MAX_READINGS = 14
 """More are never looked at; those that the words link best come first."""
 MAX_DRAFTS = 150
 """Drafts of one frame: twice as many as any question that was collected has."""
-FRAMES: tuple[Callable[[Question], Iterator[Draft]], ...] = (
+FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
     counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
@@ -41,27 +41,27 @@ class Reader(Question):
     @cached_property
     def readings(self) -> list[Reading]:
         """The readings, those that the words link best first."""
-        drafts = [draft for frame in FRAMES for draft in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
-        drafts += [one for draft in drafts for view in self.views[:MAX_VIEWS] for one in _viewed(draft, view)]
+        parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
+        parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
         words = passable(self)
         best: dict[Form, Reading] = {}
-        for draft in drafts:
-            reading = finished(self, draft, words)
+        for parse in parses:
+            reading = finished(self, parse, words)
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading
         return sorted(best.values(), key=_prior, reverse=True)[:MAX_READINGS]
 
 
-def _viewed(draft: Draft, view: Mention) -> Iterator[Draft]:
+def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
     """The form of the parts that are seen from a side that stands apart from them."""
-    target = next(queries(draft.form), None)
-    if target is None or target.sides or target.unseen or isinstance(draft.form, Distance | Several):
+    target = next(queries(parse.form), None)
+    if target is None or target.sides or target.unseen or isinstance(parse.form, Distance | Several):
         return
-    if draft.used & view.used:
+    if parse.used & view.used:
         return  # the part is named in the side: 'on the underside of the foot'
-    form = mapped(draft.form, lambda query: seen_from(query, view) if query == target else query)
-    yield Draft(form, {**draft.features, "view_apart": 1.0}, draft.used | view.used)
+    form = mapped(parse.form, lambda query: seen_from(query, view) if query == target else query)
+    yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
 
 
 def _prior(reading: Reading) -> float:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from querycad_contracts import Grounded, PartQuery
 
-from .choice import counted, excepted, joined, ranked, single
+from .candidates import BEAM, Request, Step, pruned, score
 from .inventory import Inventory
+from .placement import placed, seen
 from .restrictions import colored, narrowed, sized, threaded
+from .selection import counted, excepted, joined, ranked, single
 from .senses import bases
-from .ways import BEAM, Request, Step, pruned, score
-from .where import placed, seen
 
 STEPS: tuple[Step, ...] = (
     colored, threaded, narrowed, sized, placed, seen, excepted, joined, ranked, counted, single,

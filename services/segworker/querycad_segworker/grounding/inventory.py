@@ -138,10 +138,10 @@ class Inventory:
                 return [part for part in found if part.kind == "slot" or {"elongated", "obround"} & set(part.tags)]
             case "standing" | "tall" | "low":
                 found = [part for part in found if self._stands(part)]
-                heights = [part.height or 0.0 for part in found]
-                bounds = {"tall": (max(heights, default=0.0) / 2, math.inf), "low": (0.0, 2 * min(heights, default=0.0))}
-                low, high = bounds.get(pick, (0.0, math.inf))
-                return [part for part, height in zip(found, heights, strict=True) if low <= height <= high]
+                heights = [part.height or 0.0 for part in found] or [0.0]
+                low = max(heights) / 2 if pick == "tall" else 0.0
+                high = 2 * min(heights) if pick == "low" else math.inf
+                return [part for part in found if low <= (part.height or 0.0) <= high]
             case "most":
                 group = max(orders.by_size(found), key=len)
                 return group if len(group) > 2 else []

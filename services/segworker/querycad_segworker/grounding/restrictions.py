@@ -10,9 +10,9 @@ from querycad_language.lexicon import Adjective, lexicon
 from querycad_segworker.relations.orders import by_size
 from querycad_segworker.relations.roles import ROLES
 
+from .candidates import Candidate, Request, kept, through
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
-from .ways import Request, Way, kept, through
 
 DRAWN_M = 0.05e-3
 """Stated sizes are met to drawing accuracy, or to half of their last digit."""
@@ -28,7 +28,7 @@ NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
 
-def colored(request: Request, way: Way) -> Sequence[Way]:
+def colored(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Those of a colour: 'the red bolts'; a colour without a noun, or of a body, is one of bodies."""
     if not request.query.colors:
         return [way]
@@ -58,7 +58,7 @@ def _has_color(part: Part, name: str) -> bool:
     return not gray and value >= 0.2 and inside
 
 
-def threaded(request: Request, way: Way) -> Sequence[Way]:
+def threaded(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Those that a thread's name marks, or that are drawn for it: 'the M5 holes'. Their labels say as which."""
     if not request.query.threads:
         return [way]
@@ -88,7 +88,7 @@ def _drawn_for(part: Part, name: str, holes: Mapping[str, float], near_m: float)
     return part.model_copy(update={"label": f"{part.label}; {drawn} of {name.upper().replace('X', 'x')}"})
 
 
-def narrowed(request: Request, way: Way) -> Sequence[Way]:
+def narrowed(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Adjectives, and what the parts must not have; words that are not known, which the names of bodies may hold."""
     inventory, query = request.inventory, request.query
     ways = through([way], query.adjectives, lambda one, name: _adjective(inventory, one, name, query.count))
@@ -99,7 +99,7 @@ def narrowed(request: Request, way: Way) -> Sequence[Way]:
     return [_unknown(inventory, one, query.unknown) for one in ways] if query.unknown else ways
 
 
-def _unknown(inventory: Inventory, way: Way, words: Sequence[str]) -> Way:
+def _unknown(inventory: Inventory, way: Candidate, words: Sequence[str]) -> Candidate:
     """Words that are not known: names of bodies or of the file may hold them."""
     marked = [p for p in way.parts if p.kind == "body" and all(word in all_words(p.name) for word in words)]
     if marked:
@@ -109,7 +109,7 @@ def _unknown(inventory: Inventory, way: Way, words: Sequence[str]) -> Way:
     return way.to(way.parts, "unknown_words", float(len(words)), f"'{' '.join(words)}'")
 
 
-def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> Sequence[Way]:
+def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | None) -> Sequence[Candidate]:
     adjective = lexicon().adjectives.get(name)
     if adjective is None or not way.parts:
         return [way]
@@ -128,7 +128,7 @@ def _adjective(inventory: Inventory, way: Way, name: str, count: int | None) -> 
     return _lacked(inventory, way, adjective, name)
 
 
-def _lacked(inventory: Inventory, way: Way, adjective: Adjective, name: str) -> Sequence[Way]:
+def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:
     """None of the parts is so: it is sure that there is none, or the word is left unchecked."""
     if adjective.decided and (ROLES.keys() >= set(adjective.tags) or all(p.kind in _WHOLES for p in way.parts)):
         return [way.to((), "adjective_agrees")]
@@ -140,7 +140,9 @@ def _lacked(inventory: Inventory, way: Way, adjective: Adjective, name: str) -> 
     return kept(way, (), feature, f"'{name}'")
 
 
-def _ordered(inventory: Inventory, way: Way, adjective: Adjective, count: int | None, name: str) -> Sequence[Way]:
+def _ordered(
+    inventory: Inventory, way: Candidate, adjective: Adjective, count: int | None, name: str
+) -> Sequence[Candidate]:
     """Those that are most so: 'the large holes', 'the central hole' where none is in the middle."""
     ordered = inventory.ordered(way.parts, adjective, count)
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
@@ -157,12 +159,12 @@ def _ordered(inventory: Inventory, way: Way, adjective: Adjective, count: int | 
     ]
 
 
-def sized(request: Request, way: Way) -> Sequence[Way]:
+def sized(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Those with the stated sizes: 'the 5 mm holes'."""
     return through([way], request.query.sizes, _of_size)
 
 
-def _of_size(way: Way, size: SizeFilter) -> Sequence[Way]:
+def _of_size(way: Candidate, size: SizeFilter) -> Sequence[Candidate]:
     values = [(p, values_of(p, size.measure)) for p in way.parts]
     exact = [p for p, own in values if any(compares(v, size) for v in own)]
     if not exact and size.relation in _COMPARED and values and all(own for _, own in values):

@@ -9,8 +9,8 @@ from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.tokens import is_english
 
+from .candidates import Candidate, Request
 from .inventory import Inventory
-from .ways import Request, Way
 
 SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
@@ -29,14 +29,14 @@ NAMELESS = frozenset(("depression", "elevation"))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
 
-def bases(request: Request) -> Iterator[Way]:
+def bases(request: Request) -> Iterator[Candidate]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
     pointing = request.query.deictic
     for way in _meant(request):
-        yield way.to(way.parts, "whole_deictic") if pointing and "whole_sense" in way.features else way
+        yield (way.to(way.parts, "whole_deictic") if pointing and "whole_sense" in way.features else way)
 
 
-def _meant(request: Request) -> Iterator[Way]:
+def _meant(request: Request) -> Iterator[Candidate]:
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
     said_nothing = {"the", *lexicon().wholes}
@@ -44,7 +44,7 @@ def _meant(request: Request) -> Iterator[Way]:
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
-        yield Way((inventory.model,), _GENERIC)  # 'the complete dish'
+        yield Candidate((inventory.model,), _GENERIC)  # 'the complete dish'
     if noun is not None:
         found = list(_senses(inventory, noun, query.noun))
         yield from found
@@ -56,14 +56,14 @@ def _meant(request: Request) -> Iterator[Way]:
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
         if generic and not noun.product and not query.plural and inventory.model is not None:
-            yield Way((inventory.model,), _GENERIC)  # 'the pin' is all there is, 'this pin' may be
+            yield Candidate((inventory.model,), _GENERIC)  # 'the pin' is all there is, 'this pin' may be
     elif not query.noun:
-        yield Way(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
+        yield Candidate(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
     elif not named:
         yield from _unknown(inventory, query, words)
 
 
-def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) -> Iterator[Way]:
+def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) -> Iterator[Candidate]:
     """Bodies that are called so, and the model where its file is."""
     called = False
     for body_words in dict.fromkeys((tuple(words), tuple(noun))):
@@ -72,13 +72,13 @@ def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) ->
             best = max(share for _, share in named)
             called = called or best == 1.0
             bodies = tuple(body for body, share in named if share == best)
-            yield Way(bodies, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
+            yield Candidate(bodies, {"by_name": 1.0, "name_share": best, "name_all": float(best == 1.0)})
     if inventory.model is not None and inventory.file_named(words) and not called:  # 'cap' in 'bottle with cap'
         features = {"file_named": 1.0, "whole_sense": 1.0, "named_words": float(len(words) > 1)}
-        yield Way((inventory.model,), features)
+        yield Candidate((inventory.model,), features)
 
 
-def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Way]:
+def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Candidate]:
     """What other words of a phrase mean whose noun the model lacks."""
     for word in words[:-1]:
         if (noun := lexicon().nouns.get(word)) is not None and not noun.product:
@@ -87,29 +87,29 @@ def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Way]:
                     yield way.to(way.parts, "modifier_means")
 
 
-def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Way]:
+def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Candidate]:
     """Nothing is known of the noun: its last word may be one, or it is what the whole model is."""
     last = lexicon().nouns.get(words[-1]) if words else None
     if last is not None and len(words) > 1:
         for way in _senses(inventory, last, words[-1]):
             yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
     if inventory.model is not None and not query.plural:
-        yield Way((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
+        yield Candidate((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
     yield from _guessed(inventory, query)
-    yield Way((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
+    yield Candidate((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
 
 
-def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Way]:
+def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
     """Parts of one kind and size, where nothing is known of the noun: 'a cell' may be any of the fifteen pockets."""
     if not all(map(is_english, query.noun.split())):
         return
     groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
     for rank, group in enumerate(groups[:GUESSES]):
         features = {"guessed": 1.0, "guessed_most": float(rank == 0 and len(group) > 1)}
-        yield Way(tuple(group), features, (f"'{query.noun}', taken for a {group[0].kind}",))
+        yield Candidate(tuple(group), features, (f"'{query.noun}', taken for a {group[0].kind}",))
 
 
-def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Way]:
+def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Candidate]:
     """The parts of each sense; any of the kind, or of a kind like it; of a product the whole. `said`: the noun."""
     seen: set[tuple[str, ...]] = set()
     rank = 0
@@ -127,27 +127,28 @@ def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Way]:
             features["whole_sense"] = 1.0
             if inventory.alone:
                 features["whole_alone"] = 1.0
-        yield Way(tuple(parts), features)
+        yield Candidate(tuple(parts), features)
     for way in _wider(inventory, noun.senses, said):
         key = tuple(part.id for part in way.parts)
         if key and key not in seen:
             seen.add(key)
             yield way if rank else way.to(way.parts, "kin_instead")
     if noun.product and inventory.model is not None and not any("model" in sense.kind for sense in noun.senses):
-        yield Way((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
+        yield Candidate((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
     if rank == 0:
-        yield Way((), {"nothing": 1.0})
+        yield Candidate((), {"nothing": 1.0})
 
 
-def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator[Way]:
+def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator[Candidate]:
     """Any hole, where a bearing seat is asked for; then those of each kind that people take for it."""
     own = next((sense.kind for sense in senses if not sense.name), ())
     if not WHOLE.isdisjoint(own):
         return
-    yield Way(tuple(inventory.kinds.get(*own)), {"sense_wide": 1.0})
+    yield Candidate(tuple(inventory.kinds.get(*own)), {"sense_wide": 1.0})
     kinds = next((kin for kin in KIN if not set(own).isdisjoint(kin)), ())
     for kind in kinds:
         if kind in PIECES and PartKind.HOLE in own:
             continue
         hole = {"kin_hole": 1.0} if kind is PartKind.HOLE else {}
-        yield Way(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (f"'{said}', taken for a {kind}",))
+        note = f"'{said}', taken for a {kind}"
+        yield Candidate(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (note,))

@@ -1,1 +1,1 @@
-"""Frames: the shapes that questions have, each a function from the question to drafts of readings."""
+"""Frames: the shapes that questions have, each a function from the question to parses of readings."""

@@ -10,9 +10,9 @@ from querycad_language.forms import Check, Combine, Count, Distance, Get, Operat
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, bare_of, places_of
 from querycad_language.phrases.sizes import COMPARISONS
-from querycad_language.readings.asked import asked_in
-from querycad_language.readings.drafts import Draft
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
 
 from .anchors import without
@@ -21,7 +21,7 @@ _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 
 
-def comparisons(question: Question) -> Iterator[Draft]:
+def comparisons(question: Question) -> Iterator[Parse]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
     yield from _which(question)
@@ -30,7 +30,7 @@ def comparisons(question: Question) -> Iterator[Draft]:
     yield from _numbers(question)
 
 
-def _compared(question: Question) -> Iterator[Draft]:
+def _compared(question: Question) -> Iterator[Parse]:
     """'How much longer is A than B?', 'Is A longer than B?', 'Is A as long as B?', 'Is it taller than it is wide?'"""
     text, start = question.text, question.asking[0]
     scales = [span for i in range(start, len(text)) if (span := text.find(i, "scale"))]
@@ -53,14 +53,14 @@ def _compared(question: Question) -> Iterator[Draft]:
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide'
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
-        yield Draft(Combine("apart", a, b), {"combined": 1.0}, used)
+        yield Parse(Combine("apart", a, b), {"combined": 1.0}, used)
         if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # which lies higher
             tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
             for form in (tops, Distance(left.query, right.query, "centers", axis=2)):
-                yield Draft(form, {"level": 1.0, "combined": 1.0}, used)
+                yield Parse(form, {"level": 1.0, "combined": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
         relation = COMPARISONS.get(comparative.value.degree, Relation.EQUAL)
-        yield Draft(Check(a, relation, b), {"check": 1.0}, used | {start})
+        yield Parse(Check(a, relation, b), {"check": 1.0}, used | {start})
 
 
 def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Measure, set[int]]:
@@ -74,7 +74,7 @@ def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Meas
     return said, used | named.used
 
 
-def _which(question: Question) -> Iterator[Draft]:
+def _which(question: Question) -> Iterator[Parse]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
@@ -90,7 +90,7 @@ def _which(question: Question) -> Iterator[Draft]:
     measure, used = _of_noun(question, scale.value.measure, used)
     words = (_said(question, left), _said(question, right))
     form = Which(Get((measure,), left.part), relation, Get((measure,), right.part), words)
-    yield Draft(form, {"combined": 1.0}, used)
+    yield Parse(form, {"combined": 1.0}, used)
 
 
 def _said(question: Question, mention: Mention) -> str:
@@ -100,7 +100,7 @@ def _said(question: Question, mention: Mention) -> str:
     return " ".join(token.raw for token in tokens)
 
 
-def _combined(question: Question) -> Iterator[Draft]:
+def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
     span = next(iter(question.text.all("operation")), None)
     if span is None or span.value == "share":
@@ -113,7 +113,7 @@ def _combined(question: Question) -> Iterator[Draft]:
     owners = [m for m in owners if m.start > span.start] or owners
     if not asked and span.value == "ratio" and len(owners) > 1:  # 'the ratio of the bore to the lug'
         left, right = (Get((Measure.MAGNITUDE,), one.query) for one in owners[:2])
-        yield Draft(Combine("ratio", left, right), {"combined": 1.0}, {*span.tokens, *owners[0].used, *owners[1].used})
+        yield Parse(Combine("ratio", left, right), {"combined": 1.0}, {*span.tokens, *owners[0].used, *owners[1].used})
     if not asked:
         return
     used = set(span.tokens) | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
@@ -122,13 +122,13 @@ def _combined(question: Question) -> Iterator[Draft]:
     if len(measures) > 1 or (measures and len(owners) > 1):
         left = Get((measures[0],), targets[0])
         right = Get((measures[1] if len(measures) > 1 else measures[0],), targets[-1])
-        yield Draft(Combine(span.value, left, right), {"combined": 1.0}, used)
+        yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
     elif owners and owners[0].start > asked[0].end:  # 'the ratio of the outer diameter to the bore'
         right = Get((Measure.MAGNITUDE,), owners[0].query)
-        yield Draft(Combine(span.value, Get((measures[0],), None), right), {"combined": 1.0}, used)
+        yield Parse(Combine(span.value, Get((measures[0],), None), right), {"combined": 1.0}, used)
 
 
-def _clearances(question: Question) -> Iterator[Draft]:
+def _clearances(question: Question) -> Iterator[Parse]:
     """'How much play has the pin in its bore, on diameter?': what the bore has more than the pin."""
     parts = [m for m in question.parts if m.part.known]
     said = question.text.covered("gap", "on_diameter")
@@ -136,10 +136,10 @@ def _clearances(question: Question) -> Iterator[Draft]:
     pairs += [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, "in", "between")]
     for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
         a, b = (Get((Measure.DIAMETER,), one) for one in (first, second))
-        yield Draft(Combine("clearance", a, b), {"combined": 1.0}, {*used, *said})
+        yield Parse(Combine("clearance", a, b), {"combined": 1.0}, {*used, *said})
 
 
-def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Draft]:
+def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Parse]:
     """'Are there more lugs than ribs?', 'Has it as many lugs as ribs?', 'Are there more lugs or ribs?'"""
     text, left, right = question.text, Count(first.part), Count(second.part)
     words = [(at, _NUMBERED[text.words[at]]) for at in range(first.end) if text.words[at] in _NUMBERED]
@@ -147,13 +147,13 @@ def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterat
     at, relation = words[0] if words else (0, Relation.EQUAL)
     used = {question.asking[0], at, at - 1, *joining, *first.used, *second.used}
     if words and joining - text.at_words("or") and question.closed:
-        yield Draft(Check(left, relation, right), {"check": 1.0}, used)
+        yield Parse(Check(left, relation, right), {"check": 1.0}, used)
     elif words and joining and relation is not Relation.EQUAL and not text.has("than"):
         called = (_said(question, first), _said(question, second))
-        yield Draft(Which(left, relation, right, called), {"combined": 1.0}, used)
+        yield Parse(Which(left, relation, right, called), {"combined": 1.0}, used)
 
 
-def _numbers(question: Question) -> Iterator[Draft]:
+def _numbers(question: Question) -> Iterator[Parse]:
     """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
     text = question.text
     owners = [m for m in question.parts if m.part.plural][:2]
@@ -170,7 +170,7 @@ def _numbers(question: Question) -> Iterator[Draft]:
             noun = last if last in text.lexicon.nouns else part.noun
             among = among or PartQuery(noun=noun, known=part.known, words=(noun,), plural=True)
             whole = used | set(span.tokens)
-            yield Draft(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
+            yield Parse(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
         return
     if len(targets) < 2:
         return
@@ -183,4 +183,4 @@ def _numbers(question: Question) -> Iterator[Draft]:
     if said and (spoken or more or less):
         features = {"combined": 1.0, "count_next": float(bool(spoken))}
         operation: Operation = span.value if span is not None else "apart" if more else "minus"
-        yield Draft(Combine(operation, Count(targets[0]), Count(targets[1])), features, used | said | spoken)
+        yield Parse(Combine(operation, Count(targets[0]), Count(targets[1])), features, used | said | spoken)

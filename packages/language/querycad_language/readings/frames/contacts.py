@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import Get, Touching
 from querycad_language.phrases import placed_in, replace_fields
-from querycad_language.readings.drafts import Draft
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 
 VERBS = ("contact", "carry", "fasten")
 BODIES = PartQuery(noun="body", words=("body",), plural=True)
 
 
-def contacts(question: Question) -> Iterator[Draft]:
+def contacts(question: Question) -> Iterator[Parse]:
     """'Which discs does the spindle touch?', 'What do the bolts hold together?', 'What is held by the bolts?'
 
     What carries a body touches it; what fasteners hold touches them, and is no fastener itself.
@@ -35,7 +35,7 @@ def contacts(question: Question) -> Iterator[Draft]:
         noun, used = text.lexicon.nouns.get(asked.part.noun), {asks, begin, *asked.used, *other.used}
         if noun is not None and noun.senses[0].kind in (("body",), ("model",)):
             body = asked.part if noun.senses[0].kind == ("body",) else PartQuery(noun="body", words=("body",))
-            yield Draft(Get((Measure.NAME,), placed_in(body, "with", other.part)), {"asked_noun": 1.0}, used)
+            yield Parse(Get((Measure.NAME,), placed_in(body, "with", other.part)), {"asked_noun": 1.0}, used)
     verb = next((span for at in range(after, after + 2) if (span := text.find(at, *VERBS))), None)
     if verb is None or (other.start > verb.start and other.start > verb.end + 1):
         return
@@ -46,4 +46,4 @@ def contacts(question: Question) -> Iterator[Draft]:
     denied = {at for at in range(begin, verb.start) if text.find(at, "negation")}
     used = {asks, *verb.tokens, *denied, *other.used, *(asked.used if asked is not None else ())}
     several = replace_fields(target, plural=True)  # 'which disc' may be two
-    yield Draft(Touching(several, other.part, held, bool(denied)), used=used)
+    yield Parse(Touching(several, other.part, held, bool(denied)), used=used)

@@ -10,7 +10,7 @@ from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
-from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
@@ -19,7 +19,7 @@ _TOPOLOGY = {"face": Measure.FACE_COUNT, "surface": Measure.FACE_COUNT, "edge": 
 _PRESENT = ("present", "included", "used", "provided", "fitted", "there", "available", "exist", "exists", "found")
 
 
-def counts(question: Question) -> Iterator[Draft]:
+def counts(question: Question) -> Iterator[Parse]:
     """'How many blind slots are there?', 'What is the number of different depths of the keyways?'"""
     text = question.text
     for span in text.all("count"):
@@ -43,7 +43,7 @@ def counts(question: Question) -> Iterator[Draft]:
             body = noun is not None and any(one.kind == ("body",) for one in noun.senses[:2])
             for by in (Measure.VOLUME, Measure.MAGNITUDE) if body else (Measure.MAGNITUDE,):
                 features = {"count_next": 1.0, "count_kinds": 1.0}
-                yield Draft(Count(several, by), features, used | alike.used | {*range(at, inner + 2)})
+                yield Parse(Count(several, by), features, used | alike.used | {*range(at, inner + 2)})
         named = question.mentions
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
@@ -74,7 +74,7 @@ def _counts(question: Question, span: Span) -> bool:
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
 
-def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
+def _treated(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
     """'How many edges are chamfered?' counts chamfered edges: what was done to an edge or corner names a part."""
     text = question.text
     if not text.is_word(at, "edge", "corner"):
@@ -84,20 +84,20 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
         phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
         if adjective is not None and phrase in text.lexicon.nouns:
             query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
-            yield Draft(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *adjective.tokens})
+            yield Parse(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *adjective.tokens})
 
 
-def _topology(question: Question, at: int, used: set[int]) -> Iterator[Draft]:
+def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
     """'How many faces does the part have?': of all shapes, and 'how many edges'."""
     measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
     named = question.parts
     if measure is not None and len(named) < 2 and all(bare_of(one.part, *_TOPOLOGY) for one in named):
         said = {i for m in question.mentions if m.query is None for i in m.used}
         whole = Count(PartQuery(noun="object", definite=True), measure)
-        yield Draft(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
+        yield Parse(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
 
-def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Draft]:
+def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Parse]:
     nouns = {Measure.MIRROR_PLANES: "object", Measure.DIAMETER: "cylindrical face"}
     whole = PartQuery(noun=noun, plural=True) if (noun := nouns.get(measure.value)) else None
     for mention in question.mentions:
@@ -105,13 +105,13 @@ def _different_counts(question: Question, used: set[int], measure: Span) -> Iter
             yield _values_of(query, measure.value, used | mention.used)
 
 
-def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Draft:
-    return Draft(Count(replace_fields(query, plural=True), measure), {"count_next": 1.0, "count_values": 1.0}, used)
+def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Parse:
+    return Parse(Count(replace_fields(query, plural=True), measure), {"count_next": 1.0, "count_values": 1.0}, used)
 
 
 def _count_of(
     text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
-) -> Iterator[Draft]:
+) -> Iterator[Parse]:
     """How many of them; of another part's where one is named: 'how many ribs does the bracket have?'
 
     And on each side, or of each of the others.
@@ -122,9 +122,9 @@ def _count_of(
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     noun = text.lexicon.nouns.get(query.noun)
     of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
-    yield Draft(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
+    yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
     if each and any(text.is_word(i + 1, "side", "face") for i in each):
-        yield Draft(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
+        yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
         if owner.query is not None:
             stands = text.find(owner.start - 1, "place")
@@ -134,10 +134,10 @@ def _count_of(
             shared = each & {owner.start, owner.start - 1}
             form = Combine("per", owned, Count(replace_fields(owner.query, plural=True))) if shared else owned
             tokens = used | mention.used | owner.used | each | {*(stands.tokens if stands is not None else ())}
-            yield Draft(form, {**features, **of_whole, link: 1.0}, tokens)
+            yield Parse(form, {**features, **of_whole, link: 1.0}, tokens)
 
 
-def exists(question: Question) -> Iterator[Draft]:
+def exists(question: Question) -> Iterator[Parse]:
     """'Is there a keyway in the shaft?', 'Does the lever have a rib?'"""
     text = question.text
     gap = text.at_phrases("gap").difference(*(m.used for m in question.parts))
@@ -154,7 +154,7 @@ def exists(question: Question) -> Iterator[Draft]:
     for owner, mention in pairwise(owned):
         held = replace(mention, query=placed_in(mention.part, "of", owner.part))
         yield from (
-            draft.with_more({"owner_before": 1.0}, owner.used) for draft in _existing(text, [held], {start or 0})
+            parse.with_more({"owner_before": 1.0}, owner.used) for parse in _existing(text, [held], {start or 0})
         )
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
@@ -164,7 +164,7 @@ def exists(question: Question) -> Iterator[Draft]:
         yield from _existing(text, question.mentions, set(text.at_phrases("have")))
 
 
-def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterator[Draft]:
+def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterator[Parse]:
     """Whether there is the first of them, or less likely the second; of 'more than 8 lugs' whether so many."""
     compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
@@ -172,9 +172,9 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
         features = {"exists": 1.0, "count_far": float(index)}
         if query is not None and query.count and span is not None:
             several = Count(replace_fields(query, count=None, plural=True))
-            yield Draft(Check(several, span.value, float(query.count)), features, used | mention.used | {*span.tokens})
+            yield Parse(Check(several, span.value, float(query.count)), features, used | mention.used | {*span.tokens})
         elif query is not None:
-            yield Draft(Exists(query), features, used | mention.used)
+            yield Parse(Exists(query), features, used | mention.used)
 
 
 def _having(question: Question) -> int | None:

@@ -10,9 +10,9 @@ from typing import Literal, NamedTuple
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Distance, Plane, Reduce, Several
 from querycad_language.phrases import places_of, replace_fields
-from querycad_language.readings.asked import EXTREMES, asked_in
-from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
 from .anchors import Spot, anchors_of, ends_between, plane_of, without
@@ -47,7 +47,7 @@ class _Pair(NamedTuple):
     features: Features
 
 
-def distances(question: Question) -> Iterator[Draft]:
+def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
@@ -66,10 +66,10 @@ def distances(question: Question) -> Iterator[Draft]:
             across = second == "each other" and reduce is Reduce.ONE and opposed
             form = Distance(first, second, mode, axis, Reduce.LARGEST if across else reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
-            yield Draft(form, features, used | more | along | extreme | centred | (opposed if across else set()))
+            yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
-                yield Draft(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
+                yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:
@@ -131,7 +131,9 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
             yield _Words(at, scale.end, "centers", set(range(at, scale.end)), level=True)
     elif scale is not None and scale.value.measure is Measure.DEPTH:
-        if below := text.at_words("below", "beneath", "under") & set(range(at + 2, len(text))):  # 'how deep below the rim'
+        if below := text.at_words("below", "beneath", "under") & set(
+            range(at + 2, len(text))
+        ):  # 'how deep below the rim'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
 
 
@@ -254,7 +256,7 @@ def _from_model(spot: Spot) -> Iterator[_Pair]:
                     yield _Pair(without(spot.anchor, place), other, spot.used, {"place_as_anchor": 1.0})
 
 
-def angles(question: Question) -> Iterator[Draft]:
+def angles(question: Question) -> Iterator[Parse]:
     """'What is the angle between the two arms?', 'At which angle does the rib meet the lever?'"""
     text = question.text
     for asked in asked_in(question):
@@ -266,6 +268,6 @@ def angles(question: Question) -> Iterator[Draft]:
             used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
             several = first.plural or text.at_phrases("neighbor")
             if several or any(place.relation == "between" for place in first.part.places):
-                yield Draft(Angle(first.part, None), features, used)
+                yield Parse(Angle(first.part, None), features, used)
             if second is not None:
-                yield Draft(Angle(first.part, second.part), features, used | second.used)
+                yield Parse(Angle(first.part, second.part), features, used | second.used)

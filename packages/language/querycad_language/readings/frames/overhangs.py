@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from querycad_contracts import PartQuery, Side
 from querycad_language.forms import Distance, Plane
 from querycad_language.phrases import places_of
-from querycad_language.readings.drafts import Draft
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 
 from .anchors import planes_of, rimmed, without
@@ -15,7 +15,7 @@ from .anchors import planes_of, rimmed, without
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
-def overhangs(question: Question) -> Iterator[Draft]:
+def overhangs(question: Question) -> Iterator[Parse]:
     """'By how much does the spindle project above the nut?', 'How far below the hub does the lug end?'"""
     text = question.text
     reach = next(iter(text.all("reach")), None)
@@ -31,19 +31,19 @@ def overhangs(question: Question) -> Iterator[Draft]:
     used = {word, *first.used, *(reach.tokens if reach else ())}
     used |= text.at_words("how", "much", "far", "projection", "overhang")
     if plane is not None and isinstance(plane.anchor, Plane):
-        yield Draft(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
+        yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
         base, used = rimmed(other.part) or other.part, used | other.used
         yield from _beyond(first.part, base, side, used)
         around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
-            yield Draft(form, {"overhang": 1.0}, used | around)
+            yield Parse(form, {"overhang": 1.0}, used | around)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         towards = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
         yield from _beyond(without(first.part, place), holder, towards, used)
 
 
-def _beyond(part: PartQuery, other: PartQuery, side: Side, used: set[int]) -> Iterator[Draft]:
-    yield Draft(Distance(Plane(side, part), Plane(side, other)), {"overhang": 1.0, "overhang_side": 1.0}, used)
-    yield Draft(Distance(Plane(None, part), Plane(None, other)), {"overhang": 1.0}, used)
+def _beyond(part: PartQuery, other: PartQuery, side: Side, used: set[int]) -> Iterator[Parse]:
+    yield Parse(Distance(Plane(side, part), Plane(side, other)), {"overhang": 1.0, "overhang_side": 1.0}, used)
+    yield Parse(Distance(Plane(None, part), Plane(None, other)), {"overhang": 1.0}, used)

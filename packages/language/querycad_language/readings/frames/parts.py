@@ -9,7 +9,7 @@ from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import replace_fields
-from querycad_language.readings.drafts import Draft
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
@@ -18,7 +18,7 @@ MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
 
 
-def parts(question: Question) -> Iterator[Draft]:
+def parts(question: Question) -> Iterator[Parse]:
     """'Which ribs are higher than 11 mm?', 'On which side is the keyway?', 'What is the largest rib?'"""
     text = question.text
     start = question.asking[0]
@@ -33,11 +33,11 @@ def parts(question: Question) -> Iterator[Draft]:
         used = {*mention.used, *(range(side - 1, side + 2) if side is not None else ())}
         features = {"which_side": 1.0, "count_far": float(index)}
         if side is not None:
-            yield Draft(Get((Measure.SIDES,), query), features, used)
+            yield Parse(Get((Measure.SIDES,), query), features, used)
         measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
         if (offered or side is not None) and not measured:  # 'which is thicker, the upper or the lower one'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
-            yield Draft(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
+            yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
         lead = range(start, mention.start + 1)
         way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
@@ -46,16 +46,16 @@ def parts(question: Question) -> Iterator[Draft]:
         if (listed or led) and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             shown = float(any(text.find(i, "showing") for i in lead))
-            yield Draft(Parts(query), {"which": 1.0, "shown": shown}, used)
-            yield Draft(Get((Measure.NAME,), query), {"which": 1.0}, used)
+            yield Parse(Parts(query), {"which": 1.0, "shown": shown}, used)
+            yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, used)
         elif index == 0 and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead):
             used = {i for i in lead if not text.is_content(i)} | mention.used
-            yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, used)
+            yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
             if query.ranks:
-                yield Draft(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
+                yield Parse(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
 
 
-def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Draft]:
+def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
     """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
@@ -73,21 +73,21 @@ def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> 
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         used = named | faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
         sides = offered or tuple(Side)
-        yield Draft(Towards(target, sides, "most"), {"which_side": 1.0}, used)
+        yield Parse(Towards(target, sides, "most"), {"which_side": 1.0}, used)
     if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
         target = replace_fields(part.part, plural=True, places=(), count=None)
         used = faces | none | part.used
-        yield Draft(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
+        yield Parse(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
 
 
-def _way_from(question: Question, side: int | None) -> Iterator[Draft]:
+def _way_from(question: Question, side: int | None) -> Iterator[Parse]:
     """'From which side are the lugs pushed in?', 'Which side is it drilled from?'"""
     text = question.text
     verbs = {i for span in text.all("verbs") if span.value is Measure.APPROACH for i in span.tokens}
     if side is not None and verbs and text.has("from") and question.parts:
         part = question.parts[0]
         used = {side, side + 1, *text.at_words("from"), *verbs, *part.used}
-        yield Draft(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
+        yield Parse(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
 
 
 def _named_by(query: PartQuery) -> Measure:
@@ -117,7 +117,7 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
     return (), set()
 
 
-def mating(question: Question) -> Iterator[Draft]:
+def mating(question: Question) -> Iterator[Parse]:
     """'Which shaft does the bore fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
     text = question.text
     nouns = [mention for mention in question.parts if mention.part.known]
@@ -133,13 +133,13 @@ def mating(question: Question) -> Iterator[Draft]:
         fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]
         used = {*range(asked, male.end), *verb.tokens}
         for query, more in fitted:
-            yield Draft(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
+            yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
 
 
-def bare(question: Question) -> Iterator[Draft]:
+def bare(question: Question) -> Iterator[Parse]:
     """No measure is named at all: 'keyways of the spindle?', 'the spindle?'"""
     for mention in question.mentions[:3]:
         if (query := mention.query) is not None:
-            yield Draft(Get((_named_by(query),), query), {"named_only": 1.0}, mention.used)
+            yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, mention.used)
             if query.plural:
-                yield Draft(Count(query), {"named_only": 1.0}, mention.used)
+                yield Parse(Count(query), {"named_only": 1.0}, mention.used)

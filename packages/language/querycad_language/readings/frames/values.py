@@ -7,18 +7,18 @@ from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Place
-from querycad_language.forms import LONGEST, Distance, Get, Reduce, Target
+from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
 from querycad_language.phrases import bare_of, replace_fields
-from querycad_language.readings.asked import EXTREMES, Asked, asked_in
-from querycad_language.readings.drafts import Draft
 from querycad_language.readings.owners import Owner, owners_of
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import EXTREMES, Requested, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .remains import less, material, under_cut
+from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
@@ -36,36 +36,35 @@ _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 
 
-def values(question: Question) -> Iterator[Draft]:
+def values(question: Question) -> Iterator[Parse]:
     """A measure of a part or of the whole: 'How deep is the dovetail?', 'What is the width of the lever?'"""
     shared = (Measure.VOLUME,) if question.text.at_phrases("overlap") else ()
     asked_for = [one for one in asked_in(question) if one.measures != shared]
     within = [one for one in asked_for if question.in_question(one.start)] or asked_for
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
-            draft = _value(question, asked, owner)
-            get = draft.form
+            parse = _value(question, asked, owner)
+            get = parse.form
             assert isinstance(get, Get)
-            yield from _circle(question, asked, get, draft)
-            yield from _surface(get, draft)
-            yield from _extremes(question, get, draft)
-            yield from _with_included(question, get, draft)
+            yield from _circle(question, asked, get, parse)
+            yield from _surface(get, parse)
+            yield from _extremes(question, get, parse)
             if asked not in asked_for:
-                draft.features["asked_together"] = 1.0
+                parse.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
-                draft.features["later_measure"] = 1.0
+                parse.features["later_measure"] = 1.0
             if not under_cut(question, get):
-                yield from _with_axis(question, get, draft)
+                yield from _with_axis(question, get, parse)
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
-                yield Draft(floor, draft.features, draft.used)  # 'the floor thickness of the tray'
+                yield Parse(floor, parse.features, parse.used)  # 'the floor thickness of the tray'
             if get.measures == (Measure.ROOT_DIAMETER,):
-                yield Draft(replace(get, target=PartQuery(noun="gear", definite=True)), draft.features, draft.used)
-            yield from less(question, get, draft.features, draft.used)
-            yield from material(question, get, draft.features, draft.used)
+                yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
+            yield from less(question, get, parse.features, parse.used)
+            yield from material(question, get, parse.features, parse.used)
 
 
-def _together(question: Question, asked_for: Sequence[Asked]) -> Iterator[Asked]:
+def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Requested]:
     """'How deep is the slot, and how wide is it?': measures of one owner that are asked one after the other."""
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
@@ -82,14 +81,14 @@ def _is_place(text: Text, start: int) -> bool:
     for at in range(start - 1, max(-1, start - 5), -1):
         if text.is_word(at, "and", "then"):
             return any(text.find(i, "between") for i in range(max(0, at - 5), at))
-        if ((lead := text.find(at, "place")) and lead.value not in ("of", "in", "with")):
+        if (lead := text.find(at, "place")) and lead.value not in ("of", "in", "with"):
             return True
         if text.tokens[at].kind is Kind.SYMBOL or text.find(at, "place", "ask"):
             break
     return False
 
 
-def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
+def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     """The measures of one owner."""
     text, target = question.text, owner.target
     compound = target is not None and "link_compound" in owner.features
@@ -125,10 +124,10 @@ def _value(question: Question, asked: Asked, owner: Owner) -> Draft:
         overall or counted or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
     )
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
-    return Draft(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
+    return Parse(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
 
 
-def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterator[Draft]:
+def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
     """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
     text = question.text
     leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
@@ -136,7 +135,7 @@ def _circle(question: Question, asked: Asked, get: Get, draft: Draft) -> Iterato
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED)):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
-        yield Draft(form, {**draft.features, "arranged": 1.0}, draft.used | leads | said)
+        yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
@@ -148,7 +147,7 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
 
 
-def _extremes(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
+def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'the diameters of the largest and the smallest hole', 'min and max depth of the slots'."""
     text = question.text
     ends = question.extremes
@@ -157,28 +156,20 @@ def _extremes(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
     named = get.target is not None and get.target.noun and not text.at_phrases("operation")
     if get.target is not None and named and joined and len(get.measures) == 1 and is_length(get.measures[0]):
         both = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
-        yield Draft(both, {**draft.features, "both_extremes": 1.0}, draft.used | set(ends.values()))
+        yield Parse(both, {**parse.features, "both_extremes": 1.0}, parse.used | set(ends.values()))
 
 
-def _with_included(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
-    """'The length of the hub, flange included' goes over both."""
-    if get.target is not None and get.target.noun and len(get.measures) == 1 and get.measures[0] in _ALONG:
-        for other in question.phrases.counted_in:
-            form = Distance(get.target, other, "outsides", 2 if get.measures[0] is Measure.HEIGHT else None)
-            yield Draft(form, {**draft.features, "over_included": 1.0}, draft.used)
-
-
-def _surface(get: Get, draft: Draft) -> Iterator[Draft]:
+def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
     """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
     area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
     if area and get.target is not None and bare_of(get.target, "surface", "face"):
-        yield Draft(Get((Measure.AREA,), None), {**draft.features, "topology": 1.0}, draft.used)
+        yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
 
 
-def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
+def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How long is it in y direction?' is the extent along y."""
     text = question.text
-    axis, used = axis_named(question, draft.used)
+    axis, used = axis_named(question, parse.used)
     axes, listed = axes_listed(question)
     found: list[tuple[tuple[Measure, ...], set[int]]] = []
     if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in (Measure.SIZE, Measure.MAGNITUDE):
@@ -188,14 +179,7 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
             found.append(((EXTENTS[axis],), used))
         elif get.measures[0] is Measure.POSITION:
             found.append(((COORDINATES[axis],), used))
-    over = text.at_words("across", "over", "between")
-    for word, measure in (("flat", Measure.ACROSS_FLATS), ("corner", Measure.ACROSS_CORNERS)):
-        if get.measures == (Measure.WIDTH,) and over and text.has(word):
-            found.append(((measure,), over | text.at_words(word)))
-    if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
-        found.append(((Measure.CENTRE_LENGTH,), centred))  # 'how long is the slot, centre to centre'
-    if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
-        found.append(((Measure.AXIAL_EXTENT,), own))
+    found += _taken_across(question, get)
     against = {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
     if get.measures[0] in (Measure.ANGLE, Measure.INCLINATION) and against:
@@ -206,11 +190,23 @@ def _with_axis(question: Question, get: Get, draft: Draft) -> Iterator[Draft]:
             if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
                 found.append(((measure,), {*range(begin, at + 1), *text.covered("axis")}))
     for measures, said in found:
-        yield Draft(replace(get, measures=measures), {**draft.features, "along_axis": 1.0}, draft.used | said)
-    yield draft
+        yield Parse(replace(get, measures=measures), {**parse.features, "along_axis": 1.0}, parse.used | said)
+    yield parse
 
 
-def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, set[int]]:
+def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure, ...], set[int]]]:
+    """'How wide across the corners', 'how long from centre to centre', 'how thick from face to face'."""
+    text, over = question.text, question.text.at_words("across", "over", "between")
+    for word, measure in (("flat", Measure.ACROSS_FLATS), ("corner", Measure.ACROSS_CORNERS)):
+        if get.measures == (Measure.WIDTH,) and over and text.has(word):
+            yield (measure,), over | text.at_words(word)
+    if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
+        yield (Measure.CENTRE_LENGTH,), centred
+    if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
+        yield (Measure.AXIAL_EXTENT,), own
+
+
+def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduce, set[int]]:
     """What becomes of the values: one each, the shared one, the different ones, their sum, …?"""
     text = question.text
     plural = target is not None and (target.plural or bool(text.at_phrases("sum")))
@@ -242,7 +238,7 @@ def _reduce(question: Question, asked: Asked, target: Target) -> tuple[Reduce, s
     return Reduce.EACH if several else Reduce.ONE, used
 
 
-def wholes(question: Question) -> Iterator[Draft]:
+def wholes(question: Question) -> Iterator[Parse]:
     """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
@@ -254,13 +250,13 @@ def wholes(question: Question) -> Iterator[Draft]:
         around = boxes | named | text.at_phrases("stuff") | text.at_words("much", "volume")
         around |= {i + 1 for i in boxes if text.is_word(i, "bounding")}
         if shares or filling:
-            yield Draft(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
+            yield Parse(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
-            yield Draft(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
+            yield Parse(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
     scales = (span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG)
     longest = {span.start for span in scales}
     axes = text.at_phrases("axis") | text.at_words("axis", "direction")
     asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
     if longest and axes and asks and not question.parts:
         used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
-        yield Draft(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
+        yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)

@@ -10,9 +10,9 @@ from querycad_contracts import Measure, PartQuery, Relation, Side, SizeFilter
 from querycad_language import forms
 from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
 from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
-from querycad_language.readings.asked import Asked, asked_in
-from querycad_language.readings.drafts import Draft
+from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
 from .distances import distances
@@ -20,16 +20,16 @@ from .overhangs import overhangs
 from .values import density_of
 
 
-def yes_no(question: Question) -> Iterator[Draft]:
+def yes_no(question: Question) -> Iterator[Parse]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     start = _verb_start(question)
     yield from _overlapping(question, start)
     yield from (either := list(_either(question)))
     if start is not None and not either:
-        yield from (draft.with_more({"check": 1.0}, {start}) for draft in _claims(question, start))
+        yield from (parse.with_more({"check": 1.0}, {start}) for parse in _claims(question, start))
 
 
-def _claims(question: Question, start: int) -> Iterator[Draft]:
+def _claims(question: Question, start: int) -> Iterator[Parse]:
     """What the clause that begins here asks to confirm."""
     text = question.text
     yield from _apart(question, start)
@@ -46,11 +46,11 @@ def _claims(question: Question, start: int) -> Iterator[Draft]:
         behind = next((m for m in parts if m.start > mention.end), None)
         sized = _sized(question, mention, asked)
         said = _restricted(text, start, mention, behind) if mention.query is not None else ()
-        for draft in (*sized, *_predicates(text, mention, parts[index + 1 :]), *said):
-            yield draft.with_more({"count_far": float(index)}, mention.used)
+        for parse in (*sized, *_predicates(text, mention, parts[index + 1 :]), *said):
+            yield parse.with_more({"count_far": float(index)}, mention.used)
 
 
-def _sized(question: Question, mention: Mention, asked: Sequence[Asked]) -> Iterator[Draft]:
+def _sized(question: Question, mention: Mention, asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Is the 8 mm keyway …?', 'Is the keyway 8 mm wide?', 'Do the holes lie on a circle of 50 mm?'"""
     text, target = question.text, mention.query
     if target is not None and target.sizes:
@@ -62,7 +62,7 @@ def _sized(question: Question, mention: Mention, asked: Sequence[Asked]) -> Iter
             yield _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], ())
 
 
-def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
+def _overlapping(question: Question, start: int | None) -> Iterator[Parse]:
     """'Do the rollers overlap?', 'Is the key in contact with the hub?', 'What volume do they share in overlap?'"""
     bodies = PartQuery(noun="body", words=("body",), plural=True)
     for category in ("overlap", "contact"):
@@ -74,12 +74,12 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Draft]:
         if said and start is not None:
             touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
             form = touching if category == "contact" else Check(shared, Relation.MORE, 0.0)
-            yield Draft(form, {"check": 1.0}, {start, *used})
+            yield Parse(form, {"check": 1.0}, {start, *used})
         elif said and category == "overlap":
-            yield Draft(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
+            yield Parse(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
 
 
-def _either(question: Question) -> Iterator[Draft]:
+def _either(question: Question) -> Iterator[Parse]:
     """'Are the bores blind or through?', 'Is it solid or hollow?'"""
     text = question.text
     for at in text.at_words("or") if question.closed else ():
@@ -94,10 +94,10 @@ def _either(question: Question) -> Iterator[Draft]:
             one, other = (_all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
             said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
             used = {at, *mention.used, *range(first.start, second.end)}
-            yield Draft(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
+            yield Parse(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
 
 
-def within(question: Question) -> Iterator[Draft]:
+def within(question: Question) -> Iterator[Parse]:
     """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
     text = question.text
     verbs, sizes = text.covered("fits", "boxes"), [at for at, token in enumerate(text.tokens) if token.power == 1]
@@ -106,10 +106,10 @@ def within(question: Question) -> Iterator[Draft]:
         low, middle, high = (text.tokens[i].value for i in sizes)
         box = forms.Within(None, (low, middle, high))
         subject = {i for mention in question.mentions[:1] for i in mention.used}
-        yield Draft(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *subject, *range(sizes[0], sizes[-1] + 1)})
+        yield Parse(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *subject, *range(sizes[0], sizes[-1] + 1)})
 
 
-def _fits(question: Question, start: int) -> Iterator[Draft]:
+def _fits(question: Question, start: int) -> Iterator[Parse]:
     """'Does a 12.5 mm gauge enter the small bore?': is it as wide as what is stated?"""
     text = question.text
     verb = next((span for span in text.all("fits") if span.start >= start), None)
@@ -122,23 +122,23 @@ def _fits(question: Question, start: int) -> Iterator[Draft]:
         said = tuple(name for name in hole.part.adjectives if name != "through")  # 'would it go through the lug?'
         wide = Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=(), adjectives=said))
         check = Check(wide, Relation.AT_LEAST, sizes[0][1])
-        yield Draft(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
+        yield Parse(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
 
 
-def _apart(question: Question, start: int) -> Iterator[Draft]:
+def _apart(question: Question, start: int) -> Iterator[Parse]:
     """'Is there at least 10 mm between the slot and the edge?', 'Is there any gap …?', 'Does the pin stick out?'"""
     text = question.text
     asks_gap = text.is_word(start + 1, "there") and bool(text.at_phrases("gap"))
     found, beyond = _size_after(question, start, len(text)), () if text.has("come") else overhangs(question)
     size, used = found or (SizeFilter(relation=Relation.MORE, low=0.0), {start, start + asks_gap})
-    for draft in beyond:
-        if isinstance(draft.form, Distance):
-            signed = Check(replace(draft.form, mode="beyond"), size.relation, size.low, size.high)
-            yield Draft(signed, draft.features, draft.used | used)
-    for draft in distances(question) if found or asks_gap else ():
-        form = mapped(draft.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
+    for parse in beyond:
+        if isinstance(parse.form, Distance):
+            signed = Check(replace(parse.form, mode="beyond"), size.relation, size.low, size.high)
+            yield Parse(signed, parse.features, parse.used | used)
+    for parse in distances(question) if found or asks_gap else ():
+        form = mapped(parse.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
         if isinstance(form, Distance):
-            yield Draft(Check(form, size.relation, size.low, size.high), draft.features, draft.used | used)
+            yield Parse(Check(form, size.relation, size.low, size.high), parse.features, parse.used | used)
 
 
 def _around(query: PartQuery | None) -> Iterator[PartQuery]:
@@ -148,53 +148,53 @@ def _around(query: PartQuery | None) -> Iterator[PartQuery]:
         yield from _around(other)
 
 
-def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Draft]:
+def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
     """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?'"""
     for first, second in pairwise(parts):
         said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
         if said and first.query and second.query:
             every = Every(first.query, replace_fields(second.query, plural=True, sample=True))
-            yield Draft(every, {"predicate": 1.0}, first.used | second.used)
+            yield Parse(every, {"predicate": 1.0}, first.used | second.used)
 
 
-def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Asked]) -> Iterator[Draft]:
+def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Are the holes all the same size?', 'Is there only one size of hole?'"""
     same = {i for i in text.at_phrases("same") if i >= start}
     for mention in parts if same else ():
-        for one in asked or [Asked(0, 0, (Measure.MAGNITUDE,), "noun")]:
+        for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
-                yield Draft(forms.Uniform(get), used=mention.used | same | one.used)
+                yield Parse(forms.Uniform(get), used=mention.used | same | one.used)
 
 
-def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Draft]:
+def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Parse]:
     """'Are the slots parallel?', 'Is the hole on the front threaded?': what restricts the phrase is what is asked."""
     target = mention.part
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
-            yield Draft(forms.Parallel(target, second, square=word == "perpendicular"), used=at | more)
+            yield Parse(forms.Parallel(target, second, square=word == "perpendicular"), used=at | more)
     said = [text.lexicon.adjectives.get(name) for name in (*target.adjectives, *target.lacking)[-1:]]
     restricted, last = any(one and (one.tags or one.order or one.lacks) for one in said), mention.end - 1
     if restricted and _any_of(text, mention):
-        yield Draft(Exists(target), {"predicate": 1.0})
+        yield Parse(Exists(target), {"predicate": 1.0})
     elif restricted and (
         mention.head < last or (text.find(last, "adjective", "trait") and not text.find(last, "noun"))
     ):
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Draft(Every(bare, _all_such(target)))
+        yield Parse(Every(bare, _all_such(target)))
     if target.threads:
-        yield Draft(Every(replace_fields(target, threads=()), _all_such(target)))
+        yield Parse(Every(replace_fields(target, threads=()), _all_such(target)))
     if target.sides:
-        yield Draft(Every(replace_fields(target, sides=()), _all_such(target)), {"check_side": 1.0})
+        yield Parse(Every(replace_fields(target, sides=()), _all_such(target)), {"check_side": 1.0})
     if target.places:  # 'Do the cross holes run into the bore?'
-        yield Draft(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
+        yield Parse(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
     if end > mention.end and text.is_word(end, "through") and not target.threads:  # 'Do they go right through?'
         across = set(more) if other is not None and other.start <= end + 2 else set()
         said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
-        yield Draft(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
+        yield Parse(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
 
 
 def _all_such(query: PartQuery) -> PartQuery:
@@ -208,7 +208,7 @@ def _any_of(text: Text, mention: Mention) -> bool:
     return text.is_word(mention.start, "a", "an") or any(text.is_word(i, "any", "one", "some") for i in before)
 
 
-def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iterator[Draft]:
+def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iterator[Parse]:
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
     named = mention.query
     target = named or PartQuery(noun="object")
@@ -227,7 +227,7 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
         else:
             said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         form = Every(target, _all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
-        yield Draft(form, {"predicate": 1.0}, set(span.tokens))
+        yield Parse(form, {"predicate": 1.0}, set(span.tokens))
         return
 
 
@@ -265,11 +265,11 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
     return None
 
 
-def _checked(text: Text, target: forms.Target, size: SizeFilter, asked: Sequence[Asked]) -> Draft:
+def _checked(text: Text, target: forms.Target, size: SizeFilter, asked: Sequence[Requested]) -> Parse:
     named = asked[0].measures[0] if asked else None
     measure = (named if size.measure in (None, Measure.AREA, Measure.VOLUME) else None) or size.measure
     density, said = density_of(text) if measure is Measure.MASS else (None, set())
     least = size.relation is Relation.EQUAL and text.has("least")
     relation = Relation.AT_LEAST if least else size.relation
     check = Check(Get((measure or Measure.MAGNITUDE,), target, density=density), relation, size.low, size.high)
-    return Draft(check, used=said.union(*(one.used for one in asked)))
+    return Parse(check, used=said.union(*(one.used for one in asked)))

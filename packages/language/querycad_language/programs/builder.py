@@ -55,7 +55,7 @@ class Unwritable(Exception):
     """The form makes no sense of these parts: a distance with one part only, say."""
 
 
-class Draft:
+class Builder:
     """One program. `option`: which meaning of a measure is taken for these parts."""
 
     def __init__(self, grounds: Grounds, whole: Part, option: int, overall: bool) -> None:

@@ -11,16 +11,16 @@ Features = dict[str, float]
 
 
 @dataclass(slots=True)
-class Draft:
+class Parse:
     """A form with the features of its words. `used`: the tokens whose meaning it reflects."""
 
     form: Form
     features: Features = field(default_factory=dict)
     used: AbstractSet[int] = frozenset()
 
-    def with_more(self, features: Features, used: AbstractSet[int]) -> Draft:
+    def with_more(self, features: Features, used: AbstractSet[int]) -> Parse:
         """The same form, for which more speaks, and that reflects more words."""
-        return Draft(self.form, {**features, **self.features}, self.used | used)
+        return Parse(self.form, {**features, **self.features}, self.used | used)
 
 
 @dataclass(frozen=True, slots=True)

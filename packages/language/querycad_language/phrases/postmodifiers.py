@@ -9,7 +9,7 @@ from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import Draft, Mention
+from .mention import Mention, PhraseBuilder
 from .places import along, central, nearest, placed, seen, sideways
 from .sizes import stated_size
 from .words import is_noun, noun_follows, superlative
@@ -22,22 +22,22 @@ _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
 
 
-def modifiers(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def modifiers(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
     """Where the modifiers that begin here end."""
     end = at
-    while (after := _modifier(phrases, end, draft, depth, joined)) > end:
+    while (after := _modifier(phrases, end, build, depth, joined)) > end:
         end = after
     return end
 
 
-def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bool) -> int:
+def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
     """Where a modifier that begins here, or behind words such as 'that are', ends; `start` where none does."""
     text = phrases.text
     relative = False
     for at in range(start, min(len(text), start + 6)):
         to_side = text.find(at + 1, "side_preposition") and not text.is_word(at + 2, "both", "one")
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
-            after = _joins(phrases, at, draft, depth, joined) or _left_out(phrases, at + 1, draft, depth)
+            after = _joins(phrases, at, build, depth, joined) or _left_out(phrases, at + 1, build, depth)
             if after == at + 1 and _opens(text, at):
                 continue
         elif to_side and text.is_word(at, *_OPENING):
@@ -45,10 +45,10 @@ def _modifier(phrases: Phrases, start: int, draft: Draft, depth: int, joined: bo
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         else:
-            after = _one_modifier(phrases, at, draft, depth, joined)
+            after = _one_modifier(phrases, at, build, depth, joined)
         if after > at + text.is_word(at, "(", ","):
             after += text.is_word(after, ")") and "(" in text.words[start:after]
-            draft.used.update(range(start, after))
+            build.used.update(range(start, after))
             return after
         relative = relative or text.is_word(at, "that", "which", "who")
         if not _leads(text, at) and not (relative and _is_verb(text, at)):
@@ -79,29 +79,29 @@ def _leads(text: Text, at: int) -> bool:
     return not verb or text.is_word(at - 1, "that", "which")
 
 
-def _one_modifier(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
     text = phrases.text
-    if (end := seen(phrases, at, draft, depth)) > at:
+    if (end := seen(phrases, at, build, depth)) > at:
         return end
     own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else the noun around it is meant
     restricting = (_through, sideways, along, _colored, _ranked, _fitted, _stated_size)
     for read in restricting if own else (_fitted, _stated_size):
-        if (end := read(text, at, draft)) > at:
+        if (end := read(text, at, build)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
-        if (end := nested(phrases, at, draft, depth)) > at:
+        if (end := nested(phrases, at, build, depth)) > at:
             return end
     negated = text.is_word(at, "not")
     adjective = text.find(at + negated, "adjective")
-    if adjective and not negated and draft.nouns and (face := _shaped(text, adjective, draft.nouns[-1])):
-        draft.nouns[-1] = face
+    if adjective and not negated and build.nouns and (face := _shaped(text, adjective, build.nouns[-1])):
+        build.nouns[-1] = face
         return face.end
     if own and adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
-        (draft.lacking if negated else draft.adjectives).append(adjective.value.name)
+        (build.lacking if negated else build.adjectives).append(adjective.value.name)
         return adjective.end
-    if (end := placed(phrases, at, draft, depth)) > at:
+    if (end := placed(phrases, at, build, depth)) > at:
         return end
-    return _joins(phrases, at, draft, depth, joined) or at
+    return _joins(phrases, at, build, depth, joined) or at
 
 
 def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
@@ -111,7 +111,7 @@ def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
     return Span(noun.start, adjective.end, "noun", found) if found is not None else None
 
 
-def _joins(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) -> int:
+def _joins(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
     text = phrases.text
     comma = text.is_word(at, ",")
@@ -121,29 +121,29 @@ def _joins(phrases: Phrases, at: int, draft: Draft, depth: int, joined: bool) ->
     other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
     if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
         return 0
-    end = _also(text, other, draft, at)
+    end = _also(text, other, build, at)
     return end if end > at else 0
 
 
-def _also(text: Text, other: Mention, draft: Draft, at: int) -> int:
+def _also(text: Text, other: Mention, build: PhraseBuilder, at: int) -> int:
     """'holes and slots': both kinds count; not where a measure of its own follows."""
     query = other.query
-    if query is None or not draft.nouns or not query.known or not query.noun or not query.plural:
+    if query is None or not build.nouns or not query.known or not query.noun or not query.plural:
         return at
     there = text.is_word(other.end + 1, "there")  # 'how many holes and slots are there'
     if (text.find(other.end, "measure", "be", "do") and not there) or not any(
-        text.tokens[i].plural for i in draft.nouns[-1].tokens
+        text.tokens[i].plural for i in build.nouns[-1].tokens
     ):
         return at
-    draft.also.append(query)
+    build.also.append(query)
     return other.end
 
 
-def _through(text: Text, at: int, draft: Draft) -> int:
+def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     """'that go all the way through', 'do not pass through the part', 'are through'."""
     end = text.skip(at, "passing", "do", "negation")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
-    tags = draft.lacking if negated else draft.adjectives
+    tags = build.lacking if negated else build.adjectives
     if text.find(end, "emerging", "stopping"):
         return _ending(text, at, end, tags)
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
@@ -171,16 +171,16 @@ def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
     return at
 
 
-def _colored(text: Text, at: int, draft: Draft) -> int:
+def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
     """'which bodies are red'."""
     color = text.find(at, "color")
     if color is None or not text.find(at - 1, "be") or is_noun(text, color.end):
         return at
-    draft.colors.append(color.value)
+    build.colors.append(color.value)
     return color.end
 
 
-def _stated_size(text: Text, at: int, draft: Draft) -> int:
+def _stated_size(text: Text, at: int, build: PhraseBuilder) -> int:
     """'with a diameter of 5 mm', 'larger than 5 mm', 'from 4 to 6 mm', '5 mm deep', 'Ø8.5'."""
     found = stated_size(text, at)
     if found is None:
@@ -188,11 +188,11 @@ def _stated_size(text: Text, at: int, draft: Draft) -> int:
     noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
     if is_noun(text, found[1]) and (place is None or (noun and noun.end > place.end)):
         return at  # '… around the 13 mm holes', '… 5 mm through holes': the size is another noun's
-    draft.sizes.append(found[0])
+    build.sizes.append(found[0])
     return found[1]
 
 
-def _fitted(text: Text, at: int, draft: Draft) -> int:
+def _fitted(text: Text, at: int, build: PhraseBuilder) -> int:
     """'that are M6', 'that take an M6 bolt', 'would an M6 bolt fit'."""
     begin = text.skip(at, "modal")
     start = text.skip(text.skip(begin, "fits"), "article")
@@ -203,19 +203,19 @@ def _fitted(text: Text, at: int, draft: Draft) -> int:
     behind = text.find(end, "fits")
     if noun is not None and not text.find(begin, "fits") and behind is None:
         return at  # '… are M6 holes': the thread is another noun's
-    draft.threads.append(text.tokens[start].word)
+    build.threads.append(text.tokens[start].word)
     return behind.end if behind is not None else end
 
 
-def _ranked(text: Text, at: int, draft: Draft) -> int:
+def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     """'with the smallest diameter', 'is the largest'."""
     by = text.find(at + 1, "measure") if text.is_word(at, "by", "in") else None
-    if by is not None and draft.ranks and draft.ranks[-1].measure is Measure.MAGNITUDE:  # 'the third largest by volume'
-        draft.ranks[-1] = draft.ranks[-1].model_copy(update={"measure": by.value})
+    if by is not None and build.ranks and build.ranks[-1].measure is Measure.MAGNITUDE:  # 'the third largest by volume'
+        build.ranks[-1] = build.ranks[-1].model_copy(update={"measure": by.value})
         return by.end
     alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
     if alone is not None and not noun_follows(text, alone.end):
-        draft.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
+        build.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
         return alone.end
     place = text.find(at, "place", "have")
     start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have") else len(text)
@@ -224,11 +224,11 @@ def _ranked(text: Text, at: int, draft: Draft) -> int:
     if span is None or measure is None:
         return at
     most = "most" in (span.category, getattr(span.value, "degree", ""))
-    draft.ranks.append(Rank(measure=measure.value, most=most))
+    build.ranks.append(Rank(measure=measure.value, most=most))
     return measure.end
 
 
-def _trait(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def _trait(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
     place = text.find(at, "place")
@@ -246,16 +246,16 @@ def _trait(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     span = text.find(start, "trait")
     longer = text.find(start, "noun")
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
-        (draft.lacking if lacking else draft.adjectives).append(span.value.name)
-        return _further(text, span.end, draft) if lacking else span.end
+        (build.lacking if lacking else build.adjectives).append(span.value.name)
+        return _further(text, span.end, build) if lacking else span.end
     other = phrases.inner(start, depth) if place is not None else None
     if other is None:
         return at
-    draft.places.append(Place(relation="with", what=other.part, negated=lacking))
+    build.places.append(Place(relation="with", what=other.part, negated=lacking))
     return other.end
 
 
-def _further(text: Text, at: int, draft: Draft) -> int:
+def _further(text: Text, at: int, build: PhraseBuilder) -> int:
     """'without thread, or chamfer', '… and without chamfer': the further attributes that parts must not have."""
     end = at
     while text.is_word(end, "nor", "or", "and", ",", "no", "without", "any", "neither"):
@@ -263,21 +263,21 @@ def _further(text: Text, at: int, draft: Draft) -> int:
     span = text.find(text.skip(end, "article"), "trait")
     if end == at or span is None or text.find(span.end, "relation"):
         return at
-    draft.lacking.append(span.value.name)
-    return _further(text, span.end, draft)
+    build.lacking.append(span.value.name)
+    return _further(text, span.end, build)
 
 
-def _left_out(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """', the dowel holes left out'."""
     other = phrases.inner(at, depth) if depth == 0 else None
     span = phrases.text.find(other.end, "left_out") if other is not None else None
     if other is None or span is None:
         return at
-    draft.excluded.append(other.part)
+    build.excluded.append(other.part)
     return span.end
 
 
-def _exception(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
+def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'except the one in the middle'."""
     text = phrases.text
     if depth > 0:
@@ -293,5 +293,5 @@ def _exception(phrases: Phrases, at: int, draft: Draft, depth: int) -> int:
     other = phrases.at(start, depth + 1) if excludes else None
     if other is None or other.query is None:
         return at
-    draft.excluded.append(other.query)
+    build.excluded.append(other.query)
     return other.end

@@ -26,7 +26,7 @@ _REDUCES = {**EXTREMES, "mean": Reduce.MEAN, "different": Reduce.DIFFERENT, "tot
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class Requested:
     """A measure that is named: where, which, and how."""
 
     start: int
@@ -37,10 +37,10 @@ class Asked:
     used: frozenset[int] = frozenset()
 
 
-def asked_in(question: Question) -> list[Asked]:
+def asked_in(question: Question) -> list[Requested]:
     """The measures that are named, from left to right."""
     taken = {i for mention in question.mentions for i in mention.used}
-    found: list[Asked] = []
+    found: list[Requested] = []
     at = 0
     while at < len(question.text):
         asked = _asked_at(question, at, taken)
@@ -50,7 +50,7 @@ def asked_in(question: Question) -> list[Asked]:
     return found or _by_density(question.text) or _by_rest(question.text)
 
 
-def _of_unit(question: Question, asked: Asked) -> Asked:
+def _of_unit(question: Question, asked: Requested) -> Requested:
     """'How large is the window in square millimetres?' asks for an area."""
     unit = question.unit_asked
     if unit is None or asked.measures not in ((Measure.MAGNITUDE,), (Measure.SIZE,)):
@@ -58,22 +58,22 @@ def _of_unit(question: Question, asked: Asked) -> Asked:
     return replace(asked, measures=(UNITS[unit[1]],), used=asked.used | unit[0])
 
 
-def _by_density(text: Text) -> list[Asked]:
+def _by_density(text: Text) -> list[Requested]:
     """Who states a density, and asks for nothing else, asks for the mass."""
     stated = (at for at, token in enumerate(text.tokens) if token.power == DENSITY)
-    return [Asked(at, at + 1, (Measure.MASS,), "verb", used=frozenset((at,))) for at in stated][:1]
+    return [Requested(at, at + 1, (Measure.MASS,), "verb", used=frozenset((at,))) for at in stated][:1]
 
 
-def _by_rest(text: Text) -> list[Asked]:
+def _by_rest(text: Text) -> list[Requested]:
     """'What is left below the slot?' asks how thick it is."""
     said = text.at_phrases("remaining")
     under = text.at_words("under", "below", "beneath", "underneath", "behind", "between")
     if not said or not under or text.at_phrases("distance", "gap", "count"):
         return []
-    return [Asked(min(said), min(said) + 1, (Measure.THICKNESS,), "verb", used=frozenset(said | under))]
+    return [Requested(min(said), min(said) + 1, (Measure.THICKNESS,), "verb", used=frozenset(said | under))]
 
 
-def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:
+def _asked_at(question: Question, at: int, taken: set[int]) -> Requested | None:
     text = question.text
     if text.is_word(at, "how"):
         unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
@@ -81,36 +81,36 @@ def _asked_at(question: Question, at: int, taken: set[int]) -> Asked | None:
     return _said(text, at, taken) or _named(text, at, taken)
 
 
-def _how_many(text: Text, at: int, end: int, power: int) -> Asked | None:
+def _how_many(text: Text, at: int, end: int, power: int) -> Requested | None:
     """'How many millimetres deep is …?', 'How many degrees …?'; without a measure in the question: how large."""
     ahead = (text.find(i, "scale") for i in range(end, end + 6) if power == 1)
     scale = next((span for span in ahead if span and span.value.degree == "positive"), None)
     if power == 1 and scale is None and text.at_phrases("measure", "distance", "reach"):
         return None
     measure = UNITS[power] if scale is None else scale.value.measure
-    return Asked(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
+    return Requested(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
 
 
-def _how(text: Text, at: int) -> Asked | None:
+def _how(text: Text, at: int) -> Requested | None:
     """'How deep is …?', 'How far does … stick out?'"""
     stuff = text.find(at + 2, "stuff") if text.is_word(at + 1, "much") else None
     if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
         near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
         measure = Measure.THICKNESS if near else Measure.VOLUME
-        return Asked(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
+        return Requested(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         return _joined_scales(text, at, scale)
     ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
-        return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
+        return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
     behind = (text.find(i, "reach") for i in range(max(0, at - 3), at) if text.is_word(at + 1, "far", "much"))
     if (reach := next((span for span in behind if span and span.end == at), None)) is not None:  # 'goes in how far'
-        return Asked(at, at + 2, (reach.value,), "reach", used=frozenset((*reach.tokens, at, at + 1)))
+        return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((*reach.tokens, at, at + 1)))
     return None
 
 
-def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
+def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
     """What a verb asks for: 'weigh', 'stick out', 'where'."""
     verb = text.find(at, "verbs")
     named = verb is not None and any((span := text.find(i, "measure")) and span.end > verb.end for i in verb.tokens)
@@ -118,21 +118,23 @@ def _said(text: Text, at: int, taken: set[int]) -> Asked | None:
         ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
-            return Asked(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
+            return Requested(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
     measures = text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure")
     if measures and any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):
-        return Asked(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))  # 'what does the part measure'
+        return Requested(
+            at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,))
+        )  # 'what does the part measure'
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
-        return Asked(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
+        return Requested(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
         span = text.find(text.skip(where.end, "be", "article"), "measure")
         if span and span.start not in taken and answer_type(span.value) is AnswerType.POINT:  # 'where is the tip of …'
-            return Asked(at, span.end, (span.value,), "where", used=frozenset((*where.tokens, *span.tokens)))
-        return Asked(at, where.end, (Measure.POSITION,), "where", used=frozenset(where.tokens))
+            return Requested(at, span.end, (span.value,), "where", used=frozenset((*where.tokens, *span.tokens)))
+        return Requested(at, where.end, (Measure.POSITION,), "where", used=frozenset(where.tokens))
     return None
 
 
-def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
+def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
     """A noun such as 'depth'."""
     span, noun = text.find(at, "measure"), text.find(at, "noun")
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
@@ -145,11 +147,11 @@ def _named(text: Text, at: int, taken: set[int]) -> Asked | None:
     if span.value is Measure.DIRECTION and verbs and all(verb.value is Measure.APPROACH for verb in verbs):
         # 'from which direction is it drilled'
         used = frozenset({*span.tokens, *(i for verb in verbs for i in verb.tokens)})
-        return Asked(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
+        return Requested(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
     return _of_measure(text, span, taken) or _joined_measures(text, span, taken)
 
 
-def _of_measure(text: Text, span: Span, taken: set[int]) -> Asked | None:
+def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
     """'position of the center of mass', 'center of mass position': the narrower of two measures is asked for."""
     of = text.is_word(span.end, "of")
     other = text.find(text.skip(span.end + of, "article") if of else span.end, "measure")
@@ -158,7 +160,7 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Asked | None:
     wide, narrow = (span, other) if of else (other, span)
     if wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value):
         return None
-    return Asked(span.start, other.end, (narrow.value,), "noun", used=frozenset(range(span.start, other.end)))
+    return Requested(span.start, other.end, (narrow.value,), "noun", used=frozenset(range(span.start, other.end)))
 
 
 def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
@@ -171,16 +173,16 @@ def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
     return (second - 2, [measure for measure in found if measure]) if all(found) else None
 
 
-def _joined_scales(text: Text, at: int, scale: Span) -> Asked:
+def _joined_scales(text: Text, at: int, scale: Span) -> Requested:
     """'How long and wide is …?'"""
     measures, end = [scale.value.measure], scale.end
     while text.is_word(end, "and", ",") and (more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")):
         measures.append(more.value.measure)
         end = more.end
-    return Asked(at, end, tuple(measures), "how", used=frozenset(range(at, end)))
+    return Requested(at, end, tuple(measures), "how", used=frozenset(range(at, end)))
 
 
-def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
+def _joined_measures(text: Text, span: Span, taken: set[int]) -> Requested:
     """'length, width and height': several measures of one owner; a word before them may say what becomes of them."""
     measures, end = _listed(text, span)
     start, reduce = span.start, None
@@ -192,7 +194,7 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Asked:
         if meant is None:
             break
         reduce, start = reduce or meant, start - 1
-    return Asked(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)))
+    return Requested(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)))
 
 
 def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import Measure, PartKind
 from querycad_language.forms import Behind, Combine, Distance, Get
 from querycad_language.phrases import places_of, replace_fields
-from querycad_language.readings.drafts import Draft, Features
+from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 
 from .anchors import ends_between, floored
@@ -17,22 +17,22 @@ from .anchors import ends_between, floored
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 
 
-def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:
+def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
     """'How thick is the web between the keyways?', 'What thickness remains under the keyway?'"""
     text = question.text
     if get.measures[0] not in _THICKNESSES:
         return
     for first, second in ends_between(get.target):
-        yield Draft(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
+        yield Parse(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
     for _, other in places_of(get.target, "around", "near"):  # 'the wall around the bore'
-        yield Draft(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
+        yield Parse(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
     under: Features = {**features, "material_under": 1.0, "under_between": float(text.has("between"))}
     said = text.at_phrases("remaining") | text.at_words("under", "below", "beneath", "underneath", "behind")
     cuts = [(other, used) for _, other in places_of(get.target, "below", "behind")]  # 'the web underneath the pocket'
     cuts += [(mention.part, used | said | mention.used) for mention in question.parts if said]
     for cut, owned in cuts:
-        yield Draft(Distance(floored(cut) or cut, Behind(), "surfaces"), under, owned)
-        yield Draft(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
+        yield Parse(Distance(floored(cut) or cut, Behind(), "surfaces"), under, owned)
+        yield Parse(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
 
 
 def under_cut(question: Question, get: Get) -> bool:
@@ -43,7 +43,7 @@ def under_cut(question: Question, get: Get) -> bool:
     return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
 
 
-def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Draft]:
+def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
     """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it under its head?'"""
     text = question.text
     lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)
@@ -63,4 +63,4 @@ def less(question: Question, get: Get, features: Features, used: AbstractSet[int
         owned = used | set(range(span.start, other.end))
         part = Measure.HEIGHT if span.category == "place" else get.measures[0]
         combine = Combine("minus", replace(get, target=target, overall=True), Get((part,), other.query))
-        yield Draft(combine, {**features, "less_part": 1.0}, owned)
+        yield Parse(combine, {**features, "less_part": 1.0}, owned)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from querycad_language.forms import Check, Either, Every, Exists, Parallel, Uniform, Which, Within
 from querycad_language.tokens import Kind
 
-from .drafts import Draft, Reading
+from .parses import Parse, Reading
 from .question import Question
 
 _CLASSES: tuple[tuple[str, set[str]], ...] = (
@@ -53,18 +53,18 @@ def passable(question: Question) -> list[Passable]:
     return found
 
 
-def finished(question: Question, draft: Draft, words: Sequence[Passable]) -> Reading:
+def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Reading:
     """The reading with what it skips, by class. `words` are the passable ones."""
-    features = {**draft.features, **question.hardness}
-    skipped = [word for word in words if word.at not in draft.used]
+    features = {**parse.features, **question.hardness}
+    skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
         features[word.feature] = features.get(word.feature, 0.0) + 1.0
-    if (question.closed or question.chooses) and not isinstance(draft.form, CLOSED):
+    if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
-    edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in draft.used)
+    edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in parse.used)
     if edits:
         features["corrected"] = float(edits)
-    return Reading(draft.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(draft.used))
+    return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
 
 
 def _axis_asides(question: Question) -> set[int]:

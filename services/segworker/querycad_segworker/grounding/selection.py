@@ -11,13 +11,13 @@ from querycad_segworker.relations.nearby import to_nearest
 from querycad_segworker.relations.orders import by_size, extreme, measured, size
 from querycad_segworker.vectors import dot
 
-from .ways import Request, Way
+from .candidates import Candidate, Request
 
 MOST_GROUPS = 8
 """Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
 
 
-def excepted(request: Request, way: Way) -> Iterator[Way]:
+def excepted(request: Request, way: Candidate) -> Iterator[Candidate]:
     """Without those that the words leave out: 'except the one in the middle'."""
     query = request.query
     for other in query.excluded:
@@ -29,7 +29,7 @@ def excepted(request: Request, way: Way) -> Iterator[Way]:
     yield way
 
 
-def joined(request: Request, way: Way) -> Iterator[Way]:
+def joined(request: Request, way: Candidate) -> Iterator[Candidate]:
     """With those of further kinds: 'holes and slots'."""
     parts = list(way.parts)
     for other in request.query.also:
@@ -39,7 +39,7 @@ def joined(request: Request, way: Way) -> Iterator[Way]:
     yield way if not request.query.also else way.to(parts, "joined")
 
 
-def ranked(request: Request, way: Way) -> Iterator[Way]:
+def ranked(request: Request, way: Candidate) -> Iterator[Candidate]:
     """'the largest', 'the second deepest', 'the one nearest to the edge'."""
     for rank in request.query.ranks:
         if len(way.parts) > 1:
@@ -78,7 +78,7 @@ def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
     return [measured(p, "size" if sized else str(rank.measure)) for p in parts]
 
 
-def counted(request: Request, way: Way) -> Sequence[Way]:
+def counted(request: Request, way: Candidate) -> Sequence[Candidate]:
     """As many as are said, or a group of that many alike."""
     count = request.query.count
     if not count or request.query.ranks:
@@ -93,7 +93,7 @@ def counted(request: Request, way: Way) -> Sequence[Way]:
     ]
 
 
-def single(request: Request, way: Way) -> Sequence[Way]:
+def single(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Of 'the hole' where there are several, all or those of one size; of 'the holes' too, which need not be all."""
     query, groups = request.query, by_size(way.parts)
     if not way.parts:
@@ -114,7 +114,7 @@ def single(request: Request, way: Way) -> Sequence[Way]:
     return [way.to(way.parts, "several_for_one"), *_of_groups(query, way, groups)]
 
 
-def _is_loose(query: PartQuery, way: Way) -> bool:
+def _is_loose(query: PartQuery, way: Candidate) -> bool:
     """Is some word of it not checked? Nothing checks the 'vent' of a vent slot; a tag checks a blind hole's 'blind'."""
     if way.unchecked or query.unknown or any(not place.relation for place in query.places):
         return True
@@ -125,7 +125,7 @@ def _is_loose(query: PartQuery, way: Way) -> bool:
     return not (first.kind == ("face",) or any((*first.tags, *first.any)))  # planes are what 'flat face' says
 
 
-def _of_groups(query: PartQuery, way: Way, groups: Sequence[Sequence[Part]]) -> Iterator[Way]:
+def _of_groups(query: PartQuery, way: Candidate, groups: Sequence[Sequence[Part]]) -> Iterator[Candidate]:
     """Those of one kind and size."""
     sizes = [size(group[0]) for group in groups]
     for group, own in zip(groups, sizes, strict=True):
@@ -136,4 +136,5 @@ def _of_groups(query: PartQuery, way: Way, groups: Sequence[Sequence[Part]]) -> 
             "group_largest": own == max(sizes),
             "group_most": len(group) == max(map(len, groups)) > 1,
         }
-        yield Way(tuple(group), way.features | {name: 1.0 for name, holds in features.items() if holds}, way.unchecked)
+        told = way.features | {name: 1.0 for name, holds in features.items() if holds}
+        yield Candidate(tuple(group), told, way.unchecked)

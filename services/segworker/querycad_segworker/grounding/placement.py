@@ -8,16 +8,16 @@ from functools import partial
 from querycad_contracts import Grounded, Part, Place, Side
 from querycad_segworker.relations.related import related
 
+from .candidates import Candidate, Request, pruned, score, through
 from .names import all_words
-from .ways import Request, Way, pruned, score, through
 
 MOST_DEEP = 3
 """Places are looked at in queries that stand in no more others than that."""
 
 
-def placed(request: Request, way: Way) -> Sequence[Way]:
+def placed(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Those that stand so to others: 'in the flange', 'between the lugs'."""
-    ways: Sequence[Way] = [way]
+    ways: Sequence[Candidate] = [way]
     for place in request.query.places:
         if place.what is not None and request.depth <= MOST_DEEP:
             any_of = {"plural": True} if place.relation == "with" and not place.what.definite else {}
@@ -26,7 +26,7 @@ def placed(request: Request, way: Way) -> Sequence[Way]:
     return ways
 
 
-def _at_place(request: Request, way: Way, asked: tuple[Place, Sequence[Grounded]]) -> Sequence[Way]:
+def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Grounded]]) -> Sequence[Candidate]:
     place, holders = asked
     if not way.parts or place.what is None:
         return [way]
@@ -44,7 +44,7 @@ def _at_place(request: Request, way: Way, asked: tuple[Place, Sequence[Grounded]
     return [unknown, way.to(way.parts if place.negated else (), f"{name}_empties")]
 
 
-def _held_by(request: Request, way: Way, place: Place, grounded: Grounded, name: str) -> Sequence[Way]:
+def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded, name: str) -> Sequence[Candidate]:
     """The parts that stand so to one way of grounding the place."""
     if grounded.parts[0].kind == "model":
         whole = way.to(way.parts, f"{name}_whole")
@@ -64,7 +64,7 @@ def _worth(grounded: Grounded) -> float:
     return max(-5.0, min(1.0, score(grounded.features)))
 
 
-def seen(request: Request, way: Way) -> Sequence[Way]:
+def seen(request: Request, way: Candidate) -> Sequence[Candidate]:
     """Those visible from the sides; at that end; facing there. 'The left leg' is the leftmost one."""
     query = request.query
     ways = _at_ends(request, way, query.ends) if query.ends and way.parts else [way]
@@ -76,7 +76,7 @@ def seen(request: Request, way: Way) -> Sequence[Way]:
     return ways
 
 
-def _at_ends(request: Request, way: Way, ends: Sequence[Side]) -> Sequence[Way]:
+def _at_ends(request: Request, way: Candidate, ends: Sequence[Side]) -> Sequence[Candidate]:
     named = [p for p in way.parts if not set(all_words(p.name)).isdisjoint(ends)]
     if named:
         return [way.to(named, "end_named")]
@@ -85,7 +85,7 @@ def _at_ends(request: Request, way: Way, ends: Sequence[Side]) -> Sequence[Way]:
     return [farthest, way.to(seen, "end_seen")] if 0 < len(seen) < len(way.parts) else [farthest]
 
 
-def _from_sides(request: Request, way: Way, sides: Sequence[Side]) -> Sequence[Way]:
+def _from_sides(request: Request, way: Candidate, sides: Sequence[Side]) -> Sequence[Candidate]:
     if not way.parts:
         return [way]
     seen, ends = _seen(way, sides), request.inventory.at_end(way.parts, sides)
@@ -93,5 +93,5 @@ def _from_sides(request: Request, way: Way, sides: Sequence[Side]) -> Sequence[W
     return [first, way.to(ends, "side_end_instead" if seen else "side_end")] if len(ends) < len(way.parts) else [first]
 
 
-def _seen(way: Way, sides: Sequence[Side]) -> list[Part]:
+def _seen(way: Candidate, sides: Sequence[Side]) -> list[Part]:
     return [p for p in way.parts if not set(p.sides).isdisjoint(sides)]

@@ -1,4 +1,4 @@
-"""Ways to ground a query, and what speaks for each."""
+"""Candidates: the part sets that a query can mean, and what speaks for each."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from querycad_language.weights import weights
 from .inventory import Inventory
 
 BEAM = 12
-"""So many ways to ground a query are followed; the rest speaks against itself."""
+"""So many candidates of a query are followed; the rest speaks against itself."""
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
-    """One way to ground the query, as far as it has come."""
+class Candidate:
+    """A set of parts that the query may mean, as far as it has been grounded."""
 
     parts: tuple[Part, ...]
     features: dict[str, float]
     unchecked: tuple[str, ...] = ()
 
-    def to(self, parts: Sequence[Part], feature: str, value: float = 1.0, unchecked: str = "") -> Way:
-        """The way with other parts and one more feature."""
+    def to(self, parts: Sequence[Part], feature: str, value: float = 1.0, unchecked: str = "") -> Candidate:
+        """The candidate with other parts and one more feature."""
         features = {**self.features, feature: self.features.get(feature, 0.0) + value}
-        return Way(tuple(parts), features, (*self.unchecked, unchecked) if unchecked else self.unchecked)
+        return Candidate(tuple(parts), features, (*self.unchecked, unchecked) if unchecked else self.unchecked)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class Request:
     query: PartQuery
     depth: int
     ground: Callable[[PartQuery, int], list[Grounded]]
-    """Grounds a query within this one; gives at most so many ways."""
+    """Grounds a query within this one; gives at most so many candidates."""
 
     def best(self, query: PartQuery) -> Sequence[Part]:
         """The parts that a query within this one means."""
@@ -46,7 +46,7 @@ class Request:
         return found[0].parts if found else ()
 
 
-Step = Callable[[Request, Way], Iterable[Way]]
+Step = Callable[[Request, Candidate], Iterable[Candidate]]
 T = TypeVar("T")
 
 
@@ -56,23 +56,25 @@ def score(features: dict[str, float]) -> float:
     return math.fsum(table.get(name, 0.0) * value for name, value in features.items())
 
 
-def pruned(ways: Sequence[Way]) -> list[Way]:
-    """The best ways, of those to the same parts the best one."""
-    best: dict[tuple[str, ...], Way] = {}
+def pruned(ways: Sequence[Candidate]) -> list[Candidate]:
+    """The best candidates, of those to the same parts the best one."""
+    best: dict[tuple[str, ...], Candidate] = {}
     for way in sorted(ways, key=lambda way: score(way.features), reverse=True):
         key = (*(part.id for part in way.parts), *way.unchecked)
         best.setdefault(key, way)
     return list(best.values())[:BEAM]
 
 
-def through(ways: Sequence[Way], items: Iterable[T], step: Callable[[Way, T], Iterable[Way]]) -> Sequence[Way]:
-    """The ways after a step for each of the items, one after the other."""
+def through(
+    ways: Sequence[Candidate], items: Iterable[T], step: Callable[[Candidate, T], Iterable[Candidate]]
+) -> Sequence[Candidate]:
+    """The candidates after a step for each of the items, one after the other."""
     for item in items:
         ways = [after for way in ways for after in step(way, item)]
     return ways
 
 
-def kept(way: Way, kept: Sequence[Part], name: str, said: str) -> Sequence[Way]:
+def kept(way: Candidate, kept: Sequence[Part], name: str, said: str) -> Sequence[Candidate]:
     """Those that a restriction keeps; where it keeps none: none at all, or all with the restriction unchecked."""
     if kept:
         return [way.to(kept, f"{name}_agrees")]
