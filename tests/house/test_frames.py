@@ -27,7 +27,7 @@ def functions() -> Iterator[Callable[..., Any]]:
         module = import_module(f"{frames.__name__}.{info.name}")
         for name, value in vars(module).items():
             own = inspect.isfunction(value) and value.__module__ == module.__name__ and not name.startswith("_")
-            if own and "Iterator[Draft]" in str(inspect.signature(value).return_annotation):
+            if own and "Iterator[Parse]" in str(inspect.signature(value).return_annotation):
                 yield value
 
 

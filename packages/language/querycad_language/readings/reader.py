@@ -28,7 +28,7 @@ MAX_VIEWS = 2
 MAX_READINGS = 14
 """More are never looked at; those that the words link best come first."""
 MAX_DRAFTS = 150
-"""Drafts of one frame: twice as many as any question that was collected has."""
+"""Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
     counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts, exists,
 )  # fmt: skip
