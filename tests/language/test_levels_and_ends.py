@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import pytest
-from tests.made import body, whole
+from tests.made import body, part, whole
 
 from querycad_contracts import Measure, Part, PartQuery, Side
-from querycad_language.forms import Check, Distance, Form, Get, Plane, Towards
+from querycad_language.forms import LONGEST, SHORTER, Check, Distance, Form, Get, Plane, Several, Towards
+from querycad_language.measures import options
 from querycad_language.programs import write
 from querycad_language.readings.frames.overhangs import overhangs
 from querycad_language.readings.question import Question
@@ -19,7 +20,7 @@ def forms(question: str) -> list[Form]:
 
 def planes(question: str) -> list[tuple[Side | None, str, Side | None, str]]:
     """Sides and nouns of the distances between two outer planes."""
-    found = [draft.form for draft in overhangs(Question(question)) if isinstance(draft.form, Distance)]
+    found = [parse.form for parse in overhangs(Question(question)) if isinstance(parse.form, Distance)]
     return [
         (one.first.side, one.first.of.noun, one.second.side, one.second.of.noun)
         for one in found
@@ -190,3 +191,70 @@ def test_daylight_is_a_gap() -> None:
         form for form in forms("How much daylight is there between the lug and the hub?") if isinstance(form, Distance)
     ]
     assert gaps[0].mode in ("surfaces", "usual")
+
+
+def measures(question: str) -> list[Measure]:
+    """The single measures that its readings ask for."""
+    return [form.measures[0] for form in forms(question) if isinstance(form, Get) and len(form.measures) == 1]
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("What is the included angle of the taper?", Measure.INCLUDED_ANGLE),
+        ("How wide is the lug across the corners?", Measure.ACROSS_CORNERS),
+        ("Width of the lug over two opposite flats?", Measure.ACROSS_FLATS),
+        ("How thick is the spindle, face to face?", Measure.AXIAL_EXTENT),
+        ("How long is the slot, centre to centre?", Measure.CENTRE_LENGTH),
+        ("The lug goes in how far?", Measure.DEPTH),
+        ("What is the dedendum circle diameter?", Measure.ROOT_DIAMETER),
+        ("What is the centreline radius of the tube?", Measure.CENTRELINE_RADIUS),
+        ("What does the lever measure across?", Measure.DIAMETER),
+    ],
+)
+def test_what_a_length_or_an_angle_is_taken_across_names_its_measure(question: str, measure: Measure) -> None:
+    assert measure in measures(question)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How wide is the groove between the lug and the rear diameter?",
+        "How deep is the lug, under the full width of the lever?",
+        "How thick is the lever, across the long side of the lug?",
+    ],
+)
+def test_a_measure_that_only_says_where_is_not_asked_for_as_well(question: str) -> None:
+    assert not [form for form in forms(question) if isinstance(form, Get) and len(form.measures) > 1]
+
+
+def test_two_measures_that_are_both_asked_for_stand_together() -> None:
+    found = [form.measures for form in forms("How wide is the lug, and how deep is it?") if isinstance(form, Get)]
+    assert (Measure.WIDTH, Measure.DEPTH) in found
+
+
+def test_the_floor_of_a_cut_is_its_bottom_plane() -> None:
+    found = [form for form in forms("How far is the spindle from the floor of the slot?") if isinstance(form, Distance)]
+    planes = [end for form in found for end in (form.first, form.second) if isinstance(end, Plane)]
+    assert (Side.BOTTOM, "slot") in [(plane.side, plane.of.noun) for plane in planes]
+
+
+def test_how_deep_below_and_how_high_above_are_distances_of_no_two_alike() -> None:
+    for question in ("How deep below the rim do the two lugs lie?", "How high above the base are the two lugs?"):
+        named = [one.form for one in read(question) if "distance" in one.features and isinstance(one.form, Distance)]
+        assert named
+        assert all(form.second != "each other" for form in named)
+
+
+def test_the_width_across_is_the_shorter_side_and_two_directions_are_named_by_how_they_lie() -> None:
+    across = forms("What is the spacing of the lugs across the width of the lever?")
+    assert any(isinstance(form, Distance) and form.axis == SHORTER for form in across)
+    both = forms("Horizontal and vertical pitch of the lugs?")
+    assert any(isinstance(form, Several) and [one.axis for one in form.of] == [LONGEST, SHORTER] for form in both)
+
+
+def test_a_root_circle_is_that_of_the_gear_and_a_curved_slots_radius_that_of_its_middle_line() -> None:
+    gear = part("gear-1", radii=(0.04, 0.035), radius=0.04, diameter=0.08)
+    assert options(Measure.ROOT_DIAMETER, gear)[0] == ("2 * min({0}.radii)", "own")
+    slot = part("cutout-1", center_length=0.07, angle=1.0)
+    assert options(Measure.CENTRELINE_RADIUS, slot)[0][0] == "{0}.center_length / {0}.angle"

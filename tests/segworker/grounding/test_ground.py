@@ -163,6 +163,24 @@ def test_a_bearing_sits_in_the_wide_step_of_a_bore_else_in_the_largest_bore() ->
     assert ids(best(seat)) == {"hole-2"}
 
 
+def test_a_hub_is_what_stands_out_most_and_a_raised_face_least() -> None:
+    discs = {"flange": (0.15, 0.018), "face": (0.1, 0.002), "hub": (0.08, 0.012)}
+    tags = ("cylindrical", "hollow", "flat", "raised", "central")
+    bosses = [
+        part(f"boss-{n}", tags=(*tags, *["flange"] * (name == "flange")), diameter=across, height=high)
+        for n, (name, (across, high)) in enumerate(discs.items(), 1)
+    ]
+    flange = inventory(*bosses)
+    assert ids(best(PartQuery(noun="hub", words=("hub",), definite=True), flange)) == {"boss-3"}
+    assert ids(best(PartQuery(noun="raised face", words=("raised", "face"), definite=True), flange)) == {"boss-2"}
+
+
+def test_holes_for_oil_are_the_smallest_and_a_bearing_sits_in_a_bore_where_there_is_none() -> None:
+    bored = inventory(hole(1, -20, diameter=0.004), hole(2, 0, diameter=0.03))
+    assert ids(best(PartQuery(noun="grease hole", words=("grease", "hole"), definite=True), bored)) == {"hole-1"}
+    assert ids(best(PartQuery(noun="bearing", words=("bearing",), definite=True), bored)) == {"hole-2"}
+
+
 def test_a_count_agrees_chooses_a_group_or_differs() -> None:
     assert "count_agrees" in best(asked(count=3)).features
     pair = best(asked(count=2))

@@ -192,7 +192,7 @@ def _parts(
         *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
         *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
         *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
-        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if not gussets.issuperset(r.flanks)),
+        *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if gussets.isdisjoint(r.flanks)),
         *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
         *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
         *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),

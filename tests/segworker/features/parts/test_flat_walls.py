@@ -106,6 +106,23 @@ def test_a_triangle_in_the_corner_of_two_plates_is_a_gusset_and_as_large_as_its_
     assert (gusset.thickness, gusset.length, gusset.height) == pytest.approx((4 * MM, along * MM, up * MM))
 
 
+@pytest.mark.parametrize("above", [0.0, 8.0])
+def test_a_gusset_may_end_level_with_the_sides_of_what_it_braces(above: float) -> None:
+    outline = [(6, 0, 8), (46, 0, 8), (46, 0, 8 + above), (6, 0, 48)]
+    outline = outline if above else [outline[0], outline[1], outline[3]]
+    pair = [prism([(x, y, z) for x, _, z in outline], (0, 4, 0)) for y in (0, 36)]
+    wider = fuse(box((80, 60, 8), (0, -10, 0)), box((6, 40, 60)), *pair)  # the base goes on past them
+    for shape in (corner(*pair), wider):
+        gussets = find(shape).of("rib")
+        assert [part.tags.count("gusset") for part in gussets] == [1, 1]
+        assert [(p.thickness, p.length, p.height) for p in gussets] == 2 * [pytest.approx((4 * MM, 40 * MM, 40 * MM))]
+
+
+def test_a_side_of_a_box_that_is_level_with_its_outside_is_no_gusset() -> None:
+    open_box = cut(box((80, 40, 60)), box((74, 32, 52), (6, 4, 8)))
+    assert not [part for part in find(open_box).parts if "gusset" in part.tags]
+
+
 def test_a_plate_that_fills_the_corner_and_a_web_between_two_walls_are_no_gussets() -> None:
     block = corner(box((40, 4, 40), (6, 18, 8)))
     web = cut(box((60, 40, 30)), box((26, 34, 27), (3, 3, 3)), box((25, 34, 27), (32, 3, 3)))

@@ -50,8 +50,7 @@ def anchors_of(question: Question) -> list[Spot]:
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
-        cut = floored(query)
-        others = (cut or rimmed(query), plane_of(query), Plane(Side.BOTTOM, cut) if cut is not None else None)
+        others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     return sorted([*found, *planes_of(question)], key=lambda one: one.at)
@@ -70,10 +69,12 @@ def rimmed(query: PartQuery) -> PartQuery | None:
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
-    """Of 'the top face of the flange', 'the left face', 'the hub's end face': the outer plane that is meant."""
+    """Of 'the top face of the flange', 'the left face', 'the floor of the slot': the plane that is meant."""
     sides = (*query.ends, *query.sides)
     if _is_edge(query):
         return Boundary(None)
+    if (cut := floored(query)) is not None:
+        return Plane(Side.BOTTOM, cut)
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
     holder = next((other for _, other in places_of(query)), None)
