@@ -63,6 +63,8 @@ def test_no_question_of_the_benchmark_stands_in_what_reads_it_or_in_its_tests() 
         *ROOT.glob("benchmark/asked/*.json"),
         *ROOT.glob("benchmark/last_look/*.json"),
         *ROOT.glob("benchmark/plain/*.json"),
+        *ROOT.glob("benchmark/specified/*.json"),
+        *ROOT.glob("benchmark/talks/*.json"),
         *ROOT.glob("examples/*.questions.json"),
     ]
     asked = {plain(one) for path in files for one in questions(json.loads(path.read_text(encoding="utf-8")))}

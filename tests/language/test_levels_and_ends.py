@@ -201,7 +201,7 @@ def measures(question: str) -> list[Measure]:
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("What is the included angle of the taper?", Measure.INCLUDED_ANGLE),
+        ("Included angle of the lug's taper?", Measure.INCLUDED_ANGLE),
         ("How wide is the lug across the corners?", Measure.ACROSS_CORNERS),
         ("Width of the lug over two opposite flats?", Measure.ACROSS_FLATS),
         ("How thick is the spindle, face to face?", Measure.AXIAL_EXTENT),

@@ -215,7 +215,7 @@ def test_a_named_material_stands_for_its_density() -> None:
 
 
 def test_a_stated_density_is_kept_for_the_mass() -> None:
-    form = best("What does it weigh at 2.7 g/cm3?").form
+    form = best("How much does it weigh at 2.7 g/cm3?").form
     assert isinstance(form, Get)
     assert [form.measures, form.density] == [(Measure.MASS,), pytest.approx(2700.0)]
 
