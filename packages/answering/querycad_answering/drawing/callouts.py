@@ -305,8 +305,6 @@ _WRITERS: dict[PartKind, Callable[[Part, LengthUnit, Known], str]] = {
     PartKind.FACE: _face,
 }
 
-__all__ = ["Known", "callout", "callouts", "carried_sections", "ids_text"]
-
 
 def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:
     """What a drawing would say of some of all parts, like ones together; lengths are in `unit`."""

@@ -245,5 +245,3 @@ _OF_KIND: dict[PartKind, tuple[str, Callable[[Part], float | None]]] = {
     PartKind.FILLET: ("What is the radius of the fillet{0}?", lambda part: part.radius),
 }
 """A question on the measure that each kind is known by; {0} is the plural's s, {1} the verb."""
-
-__all__ = ["SURFACES", "describe", "listing", "stands_along"]
