@@ -58,6 +58,7 @@ LOST_S = 10.0
 READ_AGAIN_S = 30.0
 """The same for a file that is being read."""
 AGAIN_S = 60.0
+DUE_AT_ONCE = 100
 LOOKED_AT = 200
 """Who waits behind so many tasks is told no place."""
 OPEN_S = DAY_S
@@ -334,14 +335,14 @@ class State:
         """Is it this process's turn to do what is done once in so many seconds by all processes together?"""
         return bool(await self._redis.set(f"querycad:turn:{name}", 1, nx=True, px=int(seconds * 1e3)))
 
-    async def stalled_jobs(self, waiting: bool, started_s: float, at_most: int = 100) -> list[QuestionTask]:
+    async def stalled_jobs(self, waiting: bool, started_s: float) -> list[QuestionTask]:
         """Which jobs does nobody seem to have? They are not looked at again for a minute.
 
         `waiting`: whether there are questions in the queue; a job may be among them then, for a minute.
         `started_s`: how long a question takes at the longest.
         """
         time = now().timestamp()
-        ids = await self._due(PENDING, time, at_most)
+        ids = await self._due(PENDING, time)
         stalled = []
         for job, fields in zip(ids, await self._hashes([key_of("job", each) for each in ids]), strict=True):
             task = task_of(fields)
@@ -356,11 +357,11 @@ class State:
                 stalled.append(task)
         return stalled
 
-    async def stalled_models(self, at_most: int = 100) -> list[tuple[str, ModelResource]]:
+    async def stalled_models(self) -> list[tuple[str, ModelResource]]:
         """Which files, and whose, have been read for long, or does nobody read? Not looked at again for a while."""
         time = now().timestamp()
         stalled = []
-        for each in await self._due(READING, time, at_most):
+        for each in await self._due(READING, time):
             tenant, _, model = each.partition(":")
             found = await self.model(tenant, model)
             if found is None or found.status is not ModelStatus.READING:
@@ -370,13 +371,13 @@ class State:
             stalled.append((tenant, found))
         return stalled
 
-    async def _due(self, key: str, time: float, at_most: int) -> list[str]:
+    async def _due(self, key: str, time: float) -> list[str]:
         """Members of a sorted set whose time has come, or is further away than any is put: the clock was moved."""
         async with self._redis.pipeline(transaction=False) as pipe:
             for first, last in ((0.0, time), (time + 2 * AGAIN_S, float("inf"))):
-                pipe.zrangebyscore(key, first, last, start=0, num=at_most)
+                pipe.zrangebyscore(key, first, last, start=0, num=DUE_AT_ONCE)
             due, moved = await pipe.execute()
-        return [*due, *moved][:at_most]
+        return [*due, *moved][:DUE_AT_ONCE]
 
     async def _done(self, stream: str, timeout_s: float) -> bool:
         """Is there an entry in a stream whose one entry tells that something is done?"""
