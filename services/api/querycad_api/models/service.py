@@ -9,8 +9,6 @@ from datetime import UTC, datetime
 from typing import BinaryIO, TypeVar
 from uuid import uuid4
 
-from pydantic import TypeAdapter
-
 from querycad_api.dependencies import Application, Services
 from querycad_api.problems import ModelNotReady, QuotaReached, ServiceUnavailable
 from querycad_api.store.keyspace import ModelStale
@@ -83,7 +81,7 @@ async def delete(application: Application, tenant: str, model: str) -> None:
 
 
 async def called(
-    services: Services, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float
+    services: Services, name: TaskName, task: ModelTask, value: type[TaskOutcome[T]], timeout_s: float
 ) -> T:
     """What does a worker say of the model? Raises ModelUnreadable, ServiceUnavailable, and ModelNotReady.
 
