@@ -89,8 +89,8 @@ def answer_question(
     def timed_run(program: Program) -> RunOutcome:
         return clock.timed("run", partial(run, program))
 
-    def judged(program: Program) -> Verdict:
-        return judge(program, timed_run(program), unit, expect)
+    def judged(program: Program, came: RunOutcome) -> Verdict:
+        return judge(program, came, unit, expect)
 
     try:
         writer = llm.chosen(options.llm)
@@ -117,19 +117,18 @@ def answer_question(
         parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         task = Task(
             asked_for,
+            timed_run,
             judged,
             summary,
             expect,
             asked,
-            timed_run,
-            lambda program, came: judge(program, came, unit, expect),
             lambda: understanding.readings,
             lambda: _parsed(parsed()),
             *_tools(writer.settings, seeing),
         )
         outcome = _with_llm(task, codegen, writer, parsed, clock)
     else:
-        both = _compound(understanding, run, view, unit, lambda program: judged(program).answer, least)
+        both = _compound(understanding, run, view, unit, lambda one: judged(one, timed_run(one)).answer, least)
         if both is not None and expect.type is None:
             return both.model_copy(update={"question": question})
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
