@@ -33,6 +33,7 @@ from querycad_contracts import (
     Vector,
 )
 from querycad_contracts.guest_reference import guest_api
+from querycad_contracts.vectors import cross, dot, sub
 
 from .control import RunControl, RunEndedError
 from .measures import (
@@ -360,9 +361,8 @@ class Guest:
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of holes or gears on parallel axes, those axes?"""
         if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
-            apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
-            along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
-            aside = math.sqrt(max(0.0, sum(a * a for a in apart) - along**2))
+            apart = sub(other.center, part.center)
+            aside = math.sqrt(max(0.0, dot(apart, apart) - dot(apart, part.axis) ** 2))
             if self.angle_to(part, other) < _PARALLEL and aside > BOX_SLACK_M:
                 return aside
         return math.dist(part.center, other.center)
@@ -372,9 +372,8 @@ class Guest:
 
         From the cross and the dot product, which loses no digits near 0 and pi/2 as acos and asin do.
         """
-        (ax, ay, az), (bx, by, bz) = self._direction(part), self._direction(other)
-        cross = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
-        return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
+        a, b = self._direction(part), self._direction(other)
+        return math.atan2(math.hypot(*cross(a, b)), abs(dot(a, b)))
 
     def is_in(self, part: Part, other: Part) -> bool:
         """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?
