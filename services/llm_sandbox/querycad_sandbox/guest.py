@@ -265,7 +265,7 @@ class Guest:
         if said not in self._chosen:
             self._count()
             found = self._ask(lambda: self._segcad.find_faces(query))
-            self._takes(len(found.faces), sum(len(face.neighbours) for face in found.faces))
+            self._takes(found.faces)
             if len(found.faces) > FACES:
                 raise ValueError(f"more than {FACES:,} faces are so: say more of those that are meant")
             if found.part is not None:
@@ -281,7 +281,7 @@ class Guest:
         if said not in self._chosen:
             self._count()
             grounding = self._ask(lambda: self._segcad.look(phrase[:SAID_CHARS]))
-            self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
+            self._takes(grounding.parts)
             self.groundings.append(grounding)
             self._chosen[said] = [self._part_view(part) for part in grounding.parts]
         return [view for view in self._chosen[said] if isinstance(view, PartView)]
@@ -321,7 +321,7 @@ class Guest:
         if name == "openings":
             return [self._plain_view(one) for one in openings_of(part)] or None
         faces = self._faces_of(part)
-        self._takes(len(faces), sum(len(face.neighbours) for face in faces))
+        self._takes(faces)
         if name == "faces":
             return [self._face_view(face) for face in faces]
         frame = part_frame(part, faces)
@@ -410,7 +410,7 @@ class Guest:
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         self._count()
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
-        self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
+        self._takes(grounding.parts)
         self.groundings.append(grounding)
         if not grounding.understood:
             nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
@@ -426,7 +426,7 @@ class Guest:
         """All parts of the model, fetched once."""
         if self._parts is None:
             self._parts = self._ask(self._segcad.parts)
-            self._takes(len(self._parts), sum(len(part.faces) for part in self._parts))
+            self._takes(self._parts)
             self._by_id = {part.id: part for part in self._parts}
         return self._parts
 
@@ -453,9 +453,10 @@ class Guest:
             return self._ask(lambda: self._segcad.faces(value.faces)) if value.faces else ()
         raise TypeError("adjacent() takes two parts or faces")
 
-    def _takes(self, objects: int, ids: int) -> None:
+    def _takes(self, kept: Sequence[Part | Face]) -> None:
         """Counts what a reply keeps in this process towards the run's memory."""
-        self._memory_bytes -= objects * OBJECT_BYTES + ids * ID_BYTES
+        ids = sum(len(one.faces if isinstance(one, Part) else one.neighbours) for one in kept)
+        self._memory_bytes -= len(kept) * OBJECT_BYTES + ids * ID_BYTES
         if self._memory_bytes < 0:
             self._end(RunEndedError(RunStatus.OUT_OF_MEMORY, "the program asked for more parts than its memory holds"))
 
