@@ -29,7 +29,7 @@ from tests.api.test_stopping import WITHIN_S, SlowSandbox, segworker, slow, unti
 
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.store.keyspace import job_said_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
 
 __all__ = ["scripted", "segworker", "slow"]  # the fixtures
@@ -155,12 +155,12 @@ def test_an_interrupted_job_goes_on_where_it_was(
     assert worker().answer(task_of(redis, job)) == 0.0
     assert client.get(f"/v1/jobs/{job}").json()["status"] != "done"
     assert len(script.bodies) == 2
-    assert redis.llen(job_said_key(job)) == 2
+    assert redis.llen(key_of("said", job)) == 2
     worker().answer(task_of(redis, job))
     record = client.get(f"/v1/jobs/{job}").json()["record"]
     assert (record["codegen"], record["answer"]["value"], len(record["attempts"])) == ("agent:m", 0, 3)
     assert len(script.bodies) == 3
-    assert not redis.exists(job_said_key(job))
+    assert not redis.exists(key_of("said", job))
     kinds = [kind for _, kind, _ in events(client, job)]
     before, after = ["program", "ran", "program"], ["program", "ran"]
     assert kinds == ["queued", "started", *before, "waiting", *after * 4, "done"]

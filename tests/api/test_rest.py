@@ -12,7 +12,7 @@ from tests.api.fakes import MODEL, STEP, FakeSandbox
 from tests.made import hole
 
 from querycad_api.questions.tasks import Questions
-from querycad_api.store.keyspace import job_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
 from querycad_contracts import Answer, AnswerRecord, AnswerType, QuestionTask, Status, Unit
 
@@ -31,7 +31,7 @@ def problem(response: httpx.Response, status: int) -> dict[str, Any]:
 def answered(client: httpx.Client, model: str, redis: Redis, ledger: Ledger) -> str:
     """The id of a job whose answer rests on 250 holes."""
     job: str = client.post(f"/v1/models/{model}/questions", json=QUESTION).json()["id"]
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     record = AnswerRecord(
         question=task.question,
         status=Status.ANSWERED,
@@ -190,7 +190,7 @@ def test_a_model_of_an_older_version_is_read_anew_before_it_is_asked_about(
 
     sandbox.error = ModelStale("the file has to be read first")
     job = client.post(f"/v1/models/{model}/questions", json=QUESTION).json()["id"]
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     assert worker.answer(task) is not None
     assert client.get(f"/v1/models/{model}").json()["status"] == "reading"
     assert client.get(f"/v1/jobs/{job}").json()["status"] == "queued"

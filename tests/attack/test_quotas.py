@@ -21,7 +21,7 @@ from querycad_api.dependencies import Application
 from querycad_api.models.expiry import drop_failed
 from querycad_api.settings import ApiSettings
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import RECORD_BYTES, UNREAD, answers_key, asked_key, bounded, bytes_key, job_key
+from querycad_api.store.keyspace import RECORD_BYTES, UNREAD, bounded, key_of
 from querycad_api.store.ledger import Ledger
 from querycad_api.store.state import State
 from querycad_contracts import (
@@ -137,17 +137,17 @@ def test_the_oldest_answers_of_a_tenant_go_and_what_is_open_stays(
 
     first = [ask() for _ in range(3)]
     for job in first:
-        redis.hset(job_key(job), "record", AnswerRecord.cancelled("How many?").model_dump_json())
+        redis.hset(key_of("job", job), "record", AnswerRecord.cancelled("How many?").model_dump_json())
     assert [client.get(f"/v1/jobs/{job}").status_code for job in first] == [200] * 3  # as many as are kept: none goes
-    redis.delete(answers_key(NO_ACCOUNTS), asked_key(NO_ACCOUNTS, MODEL))
+    redis.delete(key_of("answers", NO_ACCOUNTS), key_of("asked", NO_ACCOUNTS, MODEL))
     opened = ask()
     done = [ask() for _ in range(4)]
     for job in done:
-        redis.hset(job_key(job), "record", AnswerRecord.cancelled("How many?").model_dump_json())
+        redis.hset(key_of("job", job), "record", AnswerRecord.cancelled("How many?").model_dump_json())
     last = ask()
     kept = [job for job in (opened, *done, last) if client.get(f"/v1/jobs/{job}").status_code == 200]
     assert kept == [opened, *done[-2:], last]  # three, and what is open among the oldest
-    assert redis.zcard(answers_key(NO_ACCOUNTS)) == 4
+    assert redis.zcard(key_of("answers", NO_ACCOUNTS)) == 4
     assert len(client.get(f"/v1/models/{MODEL}/answers").json()["items"]) == 4
 
 
@@ -161,7 +161,7 @@ def test_answers_of_a_tenant_are_bounded_in_bytes_and_the_oldest_go(
         asked = client.post(f"/v1/models/{MODEL}/questions", json={"question": "How many?"})
         job = Job.model_validate_json(asked.content).id
         record = AnswerRecord.cancelled("How many?").model_copy(update={"warnings": ("w" * size,)})
-        task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+        task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
         ledger.finish_job(task, record, 0.1)
         return job
 
@@ -169,13 +169,13 @@ def test_answers_of_a_tenant_are_bounded_in_bytes_and_the_oldest_go(
     assert client.get(f"/v1/jobs/{first}").status_code == 200  # until more is asked
     third = answered(10)
     assert [client.get(f"/v1/jobs/{job}").status_code for job in (first, second, third)] == [404, 200, 200]
-    assert redis.zrange(asked_key(NO_ACCOUNTS, MODEL), 0, -1) == [second, third]  # nothing is left of the first
+    assert redis.zrange(key_of("asked", NO_ACCOUNTS, MODEL), 0, -1) == [second, third]  # nothing is left of the first
     assert not list(redis.scan_iter(f"*{first}*"))
-    kept = redis.hgetall(bytes_key(NO_ACCOUNTS))
+    kept = redis.hgetall(key_of("bytes", NO_ACCOUNTS))
     assert set(kept) == {"sum", second, third}
     assert 600_000 < int(kept["sum"]) == int(kept[second]) + int(kept[third]) < 2**20
     client.delete(f"/v1/models/{MODEL}")
-    assert not redis.exists(bytes_key(NO_ACCOUNTS))
+    assert not redis.exists(key_of("bytes", NO_ACCOUNTS))
 
 
 def test_a_record_is_bounded_in_size() -> None:

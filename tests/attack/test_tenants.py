@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from redis.asyncio import Redis
 
-from querycad_api.store.keyspace import open_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.state import State
 from querycad_contracts import IngestTask, QuestionTask, RunStatus, keep_private
 from querycad_sandbox.outcomes import Ending
@@ -61,11 +61,11 @@ def test_two_requests_for_the_same_questions_do_not_take_them_from_each_other(re
             state = State(redis, 30)
             taken = [await state.reserve([task("1"), task("2")], 2)]
             taken.append(await state.reserve([task("3")], 2))  # the first request
-            await redis.zrem(open_key("k"), task("1").job)
+            await redis.zrem(key_of("open", "k"), task("1").job)
             taken.append(await state.reserve([task("3")], 2))  # the second, of the same idempotency key
             taken.append(await state.reserve([task("3")], 2))  # and once more: it counts once
             taken.append(await state.reserve([task("4")], 2))
-            return taken, sorted(str(job) for job in await redis.zrange(open_key("k"), 0, -1))
+            return taken, sorted(str(job) for job in await redis.zrange(key_of("open", "k"), 0, -1))
 
     taken, counted = asyncio.run(race())
     assert taken == [True, False, True, True, False]

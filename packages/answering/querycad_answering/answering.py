@@ -40,12 +40,13 @@ from .compound import Judged, clauses, together
 from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.asked_units import asked_unit, in_asked_unit, without_asked_unit
 from .drawing.callouts import ids_text, told_parts
+from .drawing.describing import describe
 from .eyes.looking import Place
 from .eyes.seeing import Seeing
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
 from .llm.reference import BY_SIGHT
-from .overview import asks_for_overview, asks_what_parts_are, overview
+from .overview import asks_for_overview, asks_what_parts_are
 from .ranking import SHOWN
 from .typed import Unexpected, as_expected, same_value
 from .understanding import OTHER_CLASS, ModelView, Run, Understanding, Understood
@@ -88,8 +89,8 @@ def answer_question(
     def timed_run(program: Program) -> RunOutcome:
         return clock.timed("run", partial(run, program))
 
-    def judged(program: Program) -> Verdict:
-        return judge(program, timed_run(program), unit, expect)
+    def judged(program: Program, came: RunOutcome) -> Verdict:
+        return judge(program, came, unit, expect)
 
     try:
         writer = llm.chosen(options.llm)
@@ -116,19 +117,18 @@ def answer_question(
         parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
         task = Task(
             asked_for,
+            timed_run,
             judged,
             summary,
             expect,
             asked,
-            timed_run,
-            lambda program, came: judge(program, came, unit, expect),
             lambda: understanding.readings,
             lambda: _parsed(parsed()),
             *_tools(writer.settings, seeing),
         )
         outcome = _with_llm(task, codegen, writer, parsed, clock)
     else:
-        both = _compound(understanding, run, view, unit, lambda program: judged(program).answer, least)
+        both = _compound(understanding, run, view, unit, lambda one: judged(one, timed_run(one)).answer, least)
         if both is not None and expect.type is None:
             return both.model_copy(update={"question": question})
         outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
@@ -145,13 +145,15 @@ def described(run: Run, view: ModelView, unit: LengthUnit = LengthUnit.MM) -> De
 
     Every question that it suggests has been answered, surely and truly, before.
     """
+    if view.contents is None:
+        return None
     by_parser, bare = AnswerOptions(codegen=Codegen.PARSER), replace(view, contents=None)
 
     def ask(question: str) -> Answer | None:
         record = answer_question(question, run, bare, unit, by_parser)
         return record.answer if record.status is Status.ANSWERED else None
 
-    return overview(view, unit, ask)
+    return describe(*view.contents(), unit, ask)
 
 
 def _stands_alone(

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from querycad_contracts import LengthUnit, Measure, ModelSummary, Part, PartKind, Side
+from querycad_contracts.vectors import dot
 from querycad_language.forms import Get
 from querycad_language.text import Text
 
@@ -48,7 +49,7 @@ def beside(candidate: Candidate, unit: LengthUnit) -> Iterator[str]:
 def _side(part: Part) -> Side | None:
     """From which side does one come who goes along the first way in?"""
     into = part.approach[0]
-    return next((s for s in Side if sum(-a * b for a, b in zip(s.outward, into, strict=True)) > _FROM), None)
+    return next((side for side in Side if dot(side.outward, into) < -_FROM), None)
 
 
 def reads_height(candidate: Candidate) -> bool:

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import re
 
-from querycad_contracts import Description, LengthUnit
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .addressing import Addressed
-from .drawing.describing import Ask, describe
-from .understanding import ModelView
 
 _AROUND = (
     "ask", "article", "be", "chatter", "courtesy", "do", "each", "function", "have", "imperative", "modal", "pronoun",
@@ -53,14 +50,3 @@ def asks_what_parts_are(addressed: Addressed) -> bool:
     words = [at for at, token in enumerate(text.tokens) if token.kind is Kind.WORD]
     asked = text.is_word(words[0], "what", "tell", "show") or bool(text.at_phrases("overview")) if words else False
     return asked and all(text.find(at, "overview", *_AROUND) and not text.find(at, "where", "verbs") for at in words)
-
-
-def overview(view: ModelView, unit: LengthUnit, ask: Ask | None = None) -> Description | None:
-    """The description of the model that the view is of, or None where its contents are not known here.
-
-    Questions are suggested where `ask` answers them.
-    """
-    if view.contents is None:
-        return None
-    summary, parts = view.contents()
-    return describe(summary, parts, unit, ask)

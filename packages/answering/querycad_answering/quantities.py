@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 
 from querycad_contracts import AnswerType, Frame
+from querycad_contracts.guest_reference import syntax_of
 
 _SCALARS = {
     "volume": AnswerType.VOLUME,
@@ -71,9 +72,7 @@ def frame(code: str | None, kind: AnswerType) -> Frame | None:
 
 def measures_anything(code: str) -> bool:
     """Does the program read any measure at all, or does it only count and name?"""
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return False
     return any(_read(node, {}) for node in ast.walk(tree) if isinstance(node, ast.expr))
 
@@ -109,9 +108,7 @@ def _result(code: str) -> ast.expr | None:
 
 def _assigned(code: str) -> dict[str, ast.expr]:
     """The last expression that each variable gets."""
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return {}
     found: dict[str, ast.expr] = {}
     for node in ast.walk(tree):

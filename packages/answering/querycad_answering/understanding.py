@@ -405,6 +405,3 @@ def _is_settled(found: Sequence[Value], tried: Sequence[Candidate], untried: Seq
     left = math.fsum(softmax([*runs, *untried])[len(runs) :])
     second = found[1].share if len(found) > 1 else 0.0
     return left <= UNTRIED and found[0].share > second + left
-
-
-__all__ = ["ModelView", "Run", "Understanding", "Understood", "meant", "skipped", "unchecked"]

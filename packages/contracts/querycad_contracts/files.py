@@ -12,6 +12,7 @@ import shutil
 import tempfile
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from datetime import timedelta
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
@@ -125,14 +126,11 @@ class BucketStore:
 
     def exists(self, name: str) -> bool:
         """Is there such a file in the bucket? What is in the cache may have been deleted by another machine."""
-        import obstore
-
         try:
-            obstore.head(self._bucket, name)
+            with _reached():
+                self._bucket.head(name)
         except FileNotFoundError:
             return False
-        except obstore.exceptions.BaseError as error:
-            raise OSError(str(error)) from error
         return True
 
     def keep_folder(self, name: str) -> None:
@@ -167,50 +165,45 @@ class BucketStore:
 
     def remove(self, name: str) -> None:
         """Removes a file or folder from bucket and cache, if it is there."""
-        import obstore
-
-        try:
-            obstore.delete(self._bucket, [*self._names(name), name])
-        except FileNotFoundError:
-            pass
-        except obstore.exceptions.BaseError as error:
-            raise OSError(str(error)) from error
+        with suppress(FileNotFoundError), _reached():
+            self._bucket.delete([*self._names(name), name])
         self._cache.remove(name)
 
     def _names(self, folder: str) -> list[str]:
-        import obstore
-
-        try:
-            pages = _until(time.monotonic() + FETCH_S, obstore.list(self._bucket, prefix=folder))
+        with _reached():
+            pages = _until(time.monotonic() + FETCH_S, self._bucket.list(prefix=folder))
             return [str(each["path"]) for page in pages for each in page]
-        except obstore.exceptions.BaseError as error:
-            raise OSError(str(error)) from error
 
     def _upload(self, name: str, path: Path) -> None:
-        import obstore
-
-        try:
-            obstore.put(self._bucket, name, path)
-        except obstore.exceptions.BaseError as error:
-            raise OSError(str(error)) from error
+        with _reached():
+            self._bucket.put(name, path)
 
     def _download(self, name: str, target: Path, end: float) -> bool:
-        import obstore
-
         target.parent.mkdir(parents=True, exist_ok=True)
         handle, unfinished = tempfile.mkstemp(prefix="unfinished-", dir=target.parent)
         try:
-            with os.fdopen(handle, "wb") as file:
-                for chunk in _until(end, obstore.get(self._bucket, name).stream(min_chunk_size=1)):  # as it comes
+            with os.fdopen(handle, "wb") as file, _reached():
+                for chunk in _until(end, self._bucket.get(name).stream(min_chunk_size=1)):  # as it comes
                     file.write(chunk)
             Path(unfinished).replace(target)
         except FileNotFoundError:
             return False
-        except obstore.exceptions.BaseError as error:
-            raise OSError(str(error)) from error
         finally:
             Path(unfinished).unlink(missing_ok=True)
         return True
+
+
+@contextmanager
+def _reached() -> Iterator[None]:
+    """What a bucket's library raises is an OSError; that there is no such file stays FileNotFoundError."""
+    from obstore.exceptions import BaseError
+
+    try:
+        yield
+    except FileNotFoundError:
+        raise
+    except BaseError as error:
+        raise OSError(str(error)) from error
 
 
 def _until(end: float, pieces: Iterable[T]) -> Iterator[T]:

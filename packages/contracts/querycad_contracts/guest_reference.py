@@ -68,6 +68,14 @@ def guest_api() -> GuestApi:
     )
 
 
+def syntax_of(code: str) -> ast.Module | None:
+    """The syntax tree of a program, whoever wrote it; None for what Python cannot read."""
+    try:
+        return ast.parse(code)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return None
+
+
 def guest_api_prompt() -> str:
     """The guest API as a language model is told of it: the stubs without what only a type checker needs."""
     lines = [line for line in guest_api_text().splitlines() if not line.startswith(("from typing import", "import "))]

@@ -60,12 +60,7 @@ def shut_in(limits: dict[str, int], user: int | None, landlock: int | None, secc
     """
     libc = ctypes.CDLL(None, use_errno=True)
     if user is not None:
-        ends_with_parent = ctypes.c_int()
-        _must(libc.prctl(PR_GET_PDEATHSIG, ctypes.byref(ends_with_parent)))
-        os.setgroups([])
-        os.setresgid(user, user, user)
-        os.setresuid(user, user, user)
-        _must(libc.prctl(PR_SET_PDEATHSIG, ends_with_parent.value, 0, 0, 0))  # a change of user forgets it
+        become(user)
     for name, most in limits.items():
         resource.setrlimit(getattr(resource, name), (most, most))
     _must(libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))
@@ -77,6 +72,16 @@ def shut_in(limits: dict[str, int], user: int | None, landlock: int | None, secc
     if seccomp is not None:
         program = _Program(len(seccomp) // BPF_INSTRUCTION_BYTES, seccomp)
         _must(libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.byref(program), 0, 0))
+
+
+def become(user: int) -> None:
+    """Changes to the user and group of this id, and to no other group. Raises OSError."""
+    libc, ends_with_parent = ctypes.CDLL(None, use_errno=True), ctypes.c_int()
+    _must(libc.prctl(PR_GET_PDEATHSIG, ctypes.byref(ends_with_parent)))
+    os.setgroups([])
+    os.setresgid(user, user, user)
+    os.setresuid(user, user, user)
+    _must(libc.prctl(PR_SET_PDEATHSIG, ends_with_parent.value, 0, 0, 0))  # a change of user forgets it
 
 
 def _must(result: int) -> None:

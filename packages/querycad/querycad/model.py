@@ -18,7 +18,6 @@ from pydantic import PrivateAttr
 from querycad_answering.answering import NO_OPTIONS
 from querycad_answering.drawing.callouts import callouts
 from querycad_answering.drawing.comparing import compare
-from querycad_answering.drawing.numbers import unit_name
 from querycad_answering.typed import WrongAnswerType, typed_answer
 from querycad_contracts import (
     Answer,
@@ -472,9 +471,9 @@ def _image(picture: Picture) -> str:
     return f"<img style='max-width:100%' src='data:image/png;base64,{b64encode(picture).decode()}'>"
 
 
-def _parts_html(parts: Sequence[Part], unit: LengthUnit = LengthUnit.MM) -> str:
+def _parts_html(parts: Sequence[Part]) -> str:
     """A table of like parts, as a drawing would call them out."""
-    groups = callouts(parts, unit, {part.id: part for part in parts})
+    groups = callouts(parts, known={part.id: part for part in parts})
     rows = "".join(
         f"<tr><td style='text-align:left'>{html.escape(group.text)}</td>"
         f"<td style='text-align:left'>{html.escape(', '.join(group.ids[:8]))}"
@@ -482,4 +481,4 @@ def _parts_html(parts: Sequence[Part], unit: LengthUnit = LengthUnit.MM) -> str:
         for group in groups[:PARTS_SHOWN]
     )
     more = f"<tr><td>… and {len(groups) - PARTS_SHOWN} more</td></tr>" if len(groups) > PARTS_SHOWN else ""
-    return f"<table><tr><th>part, in {unit_name(unit)}</th><th>ids</th></tr>{rows}{more}</table>"
+    return f"<table><tr><th>part, in mm</th><th>ids</th></tr>{rows}{more}</table>"

@@ -128,9 +128,9 @@ class Supervisor:
         child.process = None
 
 
-def python(name: str, module: str, environment: Mapping[str, str], *arguments: str) -> Command:
+def python(name: str, module: str, environment: Mapping[str, str]) -> Command:
     """The command that runs a module of this installation."""
-    return Command(name, (sys.executable, "-m", module, *arguments), environment)
+    return Command(name, (sys.executable, "-m", module), environment)
 
 
 def _end(code: int) -> str:

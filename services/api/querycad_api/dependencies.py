@@ -36,13 +36,9 @@ class Application:
 
 
 @dataclass(frozen=True, slots=True)
-class Services:
+class Services(Application):
     """What every endpoint may need, for the one who asks: nothing of another tenant can be reached through it."""
 
-    settings: ApiSettings
-    state: State
-    broker: Broker
-    files: FileStore
     caller: Caller
 
     async def model(self, model: str) -> ModelResource:

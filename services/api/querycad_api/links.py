@@ -36,9 +36,6 @@ def job_links(model: str, job: str, record: AnswerRecord | None) -> dict[str, st
 def link_next(request: Request, response: Response, offset: int, limit: int, total: int) -> None:
     """Tells where the next page is, if there is one (RFC 8288)."""
     if offset + limit < total:
-        query = [(name, value) for name, value in request.query_params.multi_items() if name not in _PLACE]
+        query = [(name, value) for name, value in request.query_params.multi_items() if name not in ("offset", "limit")]
         query += [("offset", str(offset + limit)), ("limit", str(limit))]
         response.headers["Link"] = f'<{request.url.path}?{urlencode(query)}>; rel="next"'
-
-
-_PLACE = ("offset", "limit")

@@ -13,7 +13,7 @@ from typing import Final
 
 from pydantic_monty import Monty, MontyCrashedError, MontyError, MontySession, MontySyntaxError, MontyTypingError
 
-from querycad_contracts.guest_reference import guest_api, guest_api_text
+from querycad_contracts.guest_reference import guest_api, guest_api_text, syntax_of
 
 SCRIPT: Final = "program.py"
 CHECK_TIMEOUT_S: Final = 3.0
@@ -158,9 +158,7 @@ def _apart(code: str) -> str:
 
     The checker takes such a name for the function ever after. What is called is still the function.
     """
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return code
     names = [node for node in ast.walk(tree) if isinstance(node, ast.Name)]
     own = {node.id for node in names if isinstance(node.ctx, ast.Store)} & _FUNCTIONS

@@ -33,6 +33,7 @@ from querycad_contracts import (
     Vector,
 )
 from querycad_contracts.guest_reference import guest_api
+from querycad_contracts.vectors import cross, dot, sub
 
 from .control import RunControl, RunEndedError
 from .measures import (
@@ -264,7 +265,7 @@ class Guest:
         if said not in self._chosen:
             self._count()
             found = self._ask(lambda: self._segcad.find_faces(query))
-            self._takes(len(found.faces), sum(len(face.neighbours) for face in found.faces))
+            self._takes(found.faces)
             if len(found.faces) > FACES:
                 raise ValueError(f"more than {FACES:,} faces are so: say more of those that are meant")
             if found.part is not None:
@@ -280,7 +281,7 @@ class Guest:
         if said not in self._chosen:
             self._count()
             grounding = self._ask(lambda: self._segcad.look(phrase[:SAID_CHARS]))
-            self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
+            self._takes(grounding.parts)
             self.groundings.append(grounding)
             self._chosen[said] = [self._part_view(part) for part in grounding.parts]
         return [view for view in self._chosen[said] if isinstance(view, PartView)]
@@ -320,7 +321,7 @@ class Guest:
         if name == "openings":
             return [self._plain_view(one) for one in openings_of(part)] or None
         faces = self._faces_of(part)
-        self._takes(len(faces), sum(len(face.neighbours) for face in faces))
+        self._takes(faces)
         if name == "faces":
             return [self._face_view(face) for face in faces]
         frame = part_frame(part, faces)
@@ -360,9 +361,8 @@ class Guest:
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of holes or gears on parallel axes, those axes?"""
         if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
-            apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
-            along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
-            aside = math.sqrt(max(0.0, sum(a * a for a in apart) - along**2))
+            apart = sub(other.center, part.center)
+            aside = math.sqrt(max(0.0, dot(apart, apart) - dot(apart, part.axis) ** 2))
             if self.angle_to(part, other) < _PARALLEL and aside > BOX_SLACK_M:
                 return aside
         return math.dist(part.center, other.center)
@@ -372,9 +372,8 @@ class Guest:
 
         From the cross and the dot product, which loses no digits near 0 and pi/2 as acos and asin do.
         """
-        (ax, ay, az), (bx, by, bz) = self._direction(part), self._direction(other)
-        cross = math.hypot(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
-        return math.atan2(cross, abs(ax * bx + ay * by + az * bz))
+        a, b = self._direction(part), self._direction(other)
+        return math.atan2(math.hypot(*cross(a, b)), abs(dot(a, b)))
 
     def is_in(self, part: Part, other: Part) -> bool:
         """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?
@@ -411,7 +410,7 @@ class Guest:
     def _ground(self, description: str | PartQuery, sides: tuple[Side, ...] | None) -> Grounding:
         self._count()
         grounding = self._ask(lambda: self._segcad.find_parts(description, sides))
-        self._takes(len(grounding.parts), sum(len(part.faces) for part in grounding.parts))
+        self._takes(grounding.parts)
         self.groundings.append(grounding)
         if not grounding.understood:
             nearest = f"; the nearest known terms are: {', '.join(grounding.nearest)}" if grounding.nearest else ""
@@ -427,7 +426,7 @@ class Guest:
         """All parts of the model, fetched once."""
         if self._parts is None:
             self._parts = self._ask(self._segcad.parts)
-            self._takes(len(self._parts), sum(len(part.faces) for part in self._parts))
+            self._takes(self._parts)
             self._by_id = {part.id: part for part in self._parts}
         return self._parts
 
@@ -454,9 +453,10 @@ class Guest:
             return self._ask(lambda: self._segcad.faces(value.faces)) if value.faces else ()
         raise TypeError("adjacent() takes two parts or faces")
 
-    def _takes(self, objects: int, ids: int) -> None:
+    def _takes(self, kept: Sequence[Part | Face]) -> None:
         """Counts what a reply keeps in this process towards the run's memory."""
-        self._memory_bytes -= objects * OBJECT_BYTES + ids * ID_BYTES
+        ids = sum(len(one.faces if isinstance(one, Part) else one.neighbours) for one in kept)
+        self._memory_bytes -= len(kept) * OBJECT_BYTES + ids * ID_BYTES
         if self._memory_bytes < 0:
             self._end(RunEndedError(RunStatus.OUT_OF_MEMORY, "the program asked for more parts than its memory holds"))
 

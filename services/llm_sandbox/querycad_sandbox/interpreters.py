@@ -6,7 +6,6 @@ import os
 import signal
 from contextlib import suppress
 from threading import BoundedSemaphore, Lock
-from types import TracebackType
 from typing import Final, Self
 
 from pydantic_monty import Monty, MontySession, OSPolicy, ResourceLimits
@@ -74,9 +73,7 @@ class Lease:
         self.take()
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.give_back()
 
     @property

@@ -6,11 +6,12 @@ Everything is SI: metres, m2, m3, in the frame of the file. A measure that an ob
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
 from querycad_contracts import Body, Face, Outline, Part, PartKind, Shape, Vector
+from querycad_contracts.vectors import add, cross, dot, sub
 
 Measures = dict[str, Any]
 """Attribute of the guest API -> value: str, bool, int, float, a Vector, or a list of these."""
@@ -38,6 +39,24 @@ class Opening:
     outline: Outline
 
 
+_OF_PART: Final = (
+    "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size", "bottom",
+    "pitch", "count", "angle", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
+    "center_length", "chamfer_size", "draft", "bend_radius", "bend_angle", "mouth_length", "mouth_width",
+    "bottom_length", "bottom_width", "opening_area", "bottom_thickness", "minimum_thickness", "wall_distance",
+    "inclination", "developed_length", "volume", "area",
+)  # fmt: skip
+"""What a program sees as the contract has it; and so of a face, a body and the whole model."""
+_OF_FACE: Final = (
+    "id", "center", "extents", "area", "radius", "normal", "axis", "axis_point", "length", "local_size", "body",
+)  # fmt: skip
+_OF_BODY: Final = ("id", "name", "color", "is_solid", "center", "extents", "volume", "area")
+_OF_SHAPE: Final = (
+    "name", "center", "extents", "volume", "area", "thickness", "minimum_thickness", "face_count", "edge_count",
+    "center_of_mass",
+)  # fmt: skip
+
+
 def part_measures(part: Part) -> Measures:
     """What does a program see of a part? Its `faces`, `frame` and `openings` come on demand.
 
@@ -49,20 +68,14 @@ def part_measures(part: Part) -> Measures:
     length, width, _ = part.local_size or (None, None, None)
     radius = part.radius if part.radius is not None or part.diameter is None else part.diameter / 2
     return _present(
+        part,
+        _OF_PART,
         {
-            "id": part.id,
             "kind": part.kind.value,
             "tags": list(part.tags),
-            "label": part.label,
-            "name": part.name,
             "sides": [side.value for side in part.sides],
-            "center": part.center,
-            "opening": part.opening,
-            "tip": part.tip,
             "tips": list(part.tips) or (None if part.tip is None else [part.tip]),
-            "extents": part.extents,
             "half_extents": _half(part.extents),
-            "axis": part.axis,
             "normal": _first(part.normal, part.axis),
             "radius": radius,
             "diameter": _first(part.diameter, None if radius is None else 2 * radius),
@@ -71,104 +84,44 @@ def part_measures(part: Part) -> Measures:
             "height": _first(part.height, z if part.tip is None else None),
             "width": _first(part.width, x if part.kind == "body" else width),
             "length": _first(part.length, part.height if part.kind == "boss" else length),
-            "nominal_length": part.nominal_length,
             "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
-            "local_size": part.local_size,
-            "bottom": part.bottom,
-            "pitch": part.pitch,
-            "count": part.count,
-            "angle": part.angle,
-            "outer_diameter": part.outer_diameter,
-            "inner_diameter": part.inner_diameter,
-            "tube_diameter": part.tube_diameter,
-            "across_flats": part.across_flats,
-            "across_corners": part.across_corners,
-            "center_length": part.center_length,
-            "chamfer_size": part.chamfer_size,
-            "draft": part.draft,
-            "bend_radius": part.bend_radius,
-            "bend_angle": part.bend_angle,
-            "mouth_length": part.mouth_length,
-            "mouth_width": part.mouth_width,
-            "bottom_length": part.bottom_length,
-            "bottom_width": part.bottom_width,
-            "opening_area": part.opening_area,
-            "bottom_thickness": part.bottom_thickness,
-            "minimum_thickness": part.minimum_thickness,
-            "wall_distance": part.wall_distance,
-            "inclination": part.inclination,
-            "developed_length": part.developed_length,
-            "volume": part.volume,
-            "area": part.area,
             **_mass(part),
             "approach": list(part.approach) or None,
-        }
+        },
     )
 
 
 def face_measures(face: Face) -> Measures:
     """What does a program see of a face? Its `neighbours`, `part` and `frame` come on demand."""
-    return _present(
-        {
-            "id": face.id,
-            "kind": face.kind.value,
-            "convexity": face.convexity.value,
-            "center": face.center,
-            "extents": face.extents,
-            "area": face.area,
-            "radius": face.radius,
-            "normal": face.normal,
-            "axis": face.axis,
-            "axis_point": face.axis_point,
-            "length": face.length,
-            "outline": None if face.outline is None else face.outline.value,
-            "local_size": face.local_size,
-            "body": face.body,
-        }
-    )
+    words = {
+        "kind": face.kind.value,
+        "convexity": face.convexity.value,
+        "outline": None if face.outline is None else face.outline.value,
+    }
+    return _present(face, _OF_FACE, words)
 
 
 def body_measures(body: Body) -> Measures:
     """What does a program see of a body?"""
-    return _present(
-        {
-            "id": body.id,
-            "name": body.name,
-            "color": body.color,
-            "is_solid": body.is_solid,
-            "center": body.center,
-            "extents": body.extents,
-            "half_extents": _half(body.extents),
-            "volume": body.volume,
-            "area": body.area,
-        }
-    )
+    return _present(body, _OF_BODY, {"half_extents": _half(body.extents)})
 
 
 def shape_measures(shape: Shape) -> Measures:
     """What does a program see of the whole model? Its `bodies` are added by the caller, who wraps them."""
     width, depth, height = shape.extents
-    (cx, cy, cz), (hx, hy, hz) = shape.center, _half(shape.extents)
+    half = _half(shape.extents)
     return _present(
+        shape,
+        _OF_SHAPE,
         {
-            "name": shape.name,
-            "center": shape.center,
-            "extents": shape.extents,
-            "half_extents": (hx, hy, hz),
-            "min_corner": (cx - hx, cy - hy, cz - hz),
-            "max_corner": (cx + hx, cy + hy, cz + hz),
+            "half_extents": half,
+            "min_corner": sub(shape.center, half),
+            "max_corner": add(shape.center, half),
             "width": width,
             "depth": depth,
             "height": height,
-            "volume": shape.volume,
-            "area": shape.area,
-            "thickness": shape.thickness,
-            "minimum_thickness": shape.minimum_thickness,
-            "face_count": shape.face_count,
-            "edge_count": shape.edge_count,
             "up": None if shape.up is None else shape.up.value,
-            "center_of_mass": shape.center_of_mass,
-        }
+        },
     )
 
 
@@ -193,8 +146,10 @@ def _first(own: Any, otherwise: Any) -> Any:
     return otherwise if own is None else own
 
 
-def _present(measures: Mapping[str, Any]) -> Measures:
-    return {name: value for name, value in measures.items() if value is not None}
+def _present(value: Part | Face | Body | Shape, names: Sequence[str], others: Measures) -> Measures:
+    """The measures of these names as they are, and the others; those that are there."""
+    measures = {name: getattr(value, name) for name in names} | others
+    return {name: measure for name, measure in measures.items() if measure is not None}
 
 
 def frame_measures(frame: LocalFrame) -> dict[str, Any]:
@@ -222,7 +177,7 @@ def part_frame(part: Part, faces: Sequence[Face]) -> LocalFrame | None:
     z = part.axis or part.normal
     if z is None:
         return None
-    across = [face for face in faces if face.along is not None and face.length and abs(_dot(face.along, z)) < _ACROSS]
+    across = [face for face in faces if face.along is not None and face.length and abs(dot(face.along, z)) < _ACROSS]
     longest = max(across, key=lambda face: face.length or 0.0, default=None)
     helper: Vector = (1.0, 0.0, 0.0) if abs(z[0]) < 0.7 else (0.0, 1.0, 0.0)
     return _frame(part.center, z, longest.along if longest is not None and longest.along is not None else helper)
@@ -250,14 +205,9 @@ def _outline(part: Part) -> Outline:
 
 
 def _frame(origin: Vector, z: Vector, toward: Vector) -> LocalFrame:
-    along = _dot(toward, z)
+    along = dot(toward, z)
     x = _unit((toward[0] - along * z[0], toward[1] - along * z[1], toward[2] - along * z[2]))
-    y = (z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0])
-    return LocalFrame(origin, x, y, z)
-
-
-def _dot(a: Vector, b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    return LocalFrame(origin, x, cross(z, x), z)
 
 
 def _unit(a: Vector) -> Vector:

@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Final, Protocol, TypeVar, cast
 from uuid import uuid4
 
-from pydantic import TypeAdapter
 from redis import Redis
 from redis.exceptions import RedisError
 
@@ -63,13 +62,13 @@ CONNECT_S: Final = 2.0
 T = TypeVar("T")
 log = logging.getLogger(__name__)
 
-_SHAPE = TypeAdapter(TaskOutcome[Shape])
-_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
-_GROUNDED = TypeAdapter(TaskOutcome[GroundedParts])
-_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
-_FOUND_FACES = TypeAdapter(TaskOutcome[FoundFaces])
-_PARTS = TypeAdapter(TaskOutcome[PartsPage])
-_FLOAT = TypeAdapter(TaskOutcome[float])
+_SHAPE = TaskOutcome[Shape]
+_GROUNDING = TaskOutcome[Grounding]
+_GROUNDED = TaskOutcome[GroundedParts]
+_FACES = TaskOutcome[tuple[Face, ...]]
+_FOUND_FACES = TaskOutcome[FoundFaces]
+_PARTS = TaskOutcome[PartsPage]
+_FLOAT = TaskOutcome[float]
 
 
 class SegCadUnavailable(Exception):
@@ -219,11 +218,9 @@ class RemoteSegCad:
     def _measure(self, name: TaskName, task: ModelTask) -> float:
         return self._ask(name, task, _FLOAT, self._settings.measure_s)
 
-    def _ask(
-        self, name: TaskName, task: ModelTask, outcome: TypeAdapter[TaskOutcome[T]], timeout_s: float | None = None
-    ) -> T:
+    def _ask(self, name: TaskName, task: ModelTask, outcome: type[TaskOutcome[T]], timeout_s: float | None = None) -> T:
         answer = self._call(name, task, timeout_s or self._settings.call_s, self._control)
-        done = outcome.validate_json(answer)
+        done = outcome.model_validate_json(answer)
         if done.failure is not None and done.failure.kind is TaskFailureKind.UNKNOWN_ID:
             raise KeyError(done.failure.message)
         if done.failure is not None and done.failure.kind is TaskFailureKind.NO_MEASURE:

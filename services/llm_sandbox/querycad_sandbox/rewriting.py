@@ -9,6 +9,8 @@ from __future__ import annotations
 import ast
 from typing import Final
 
+from querycad_contracts.guest_reference import syntax_of
+
 ATTRIBUTES: Final = ("ignored_words", "not_checked")
 WORDS_LEFT: Final = "_words_left"
 """The host function that `_noted` of inside/prelude.py asks right after a find_parts call."""
@@ -19,9 +21,7 @@ def rewritten(code: str) -> str:
     if not any(name in code for name in ATTRIBUTES):
         return code
     code = code.replace("\r\n", "\n").replace("\r", "\n")  # as Python reads lines
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return code
     text = code.encode()
     starts = [0, *(at + 1 for at, byte in enumerate(text) if byte == ord("\n"))]

@@ -218,11 +218,11 @@ class Run:
                 lease.give_back()
                 kept = dump
 
-        self.control.release = release
+        outer, self.control.release = self.control.release, release
         try:
             yield current
         finally:
-            self.control.release = _nothing
+            self.control.release = outer
             if kept and self.guest.ended is None:
                 current[0] = self._restored(lease, kept)
             self._waited_s += perf_counter() - started
@@ -323,7 +323,3 @@ def _walk(value: object, depth: int) -> Iterator[object]:
     if depth:
         for item in inside:
             yield from _walk(item, depth - 1)
-
-
-def _nothing() -> None:
-    """Between calls no interpreter is given back."""

@@ -8,7 +8,6 @@ import re
 from importlib.resources import files
 from threading import Lock
 from time import perf_counter
-from types import TracebackType
 from typing import Final, Self
 
 from pydantic_monty import MontyCrashedError, MontyError
@@ -56,9 +55,7 @@ class Sandbox:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def warm(self) -> None:

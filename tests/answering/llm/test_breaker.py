@@ -10,7 +10,7 @@ from querycad_answering.llm.messages import LlmBusy, LlmRefused, LlmTooSlow, Mes
 from querycad_answering.llm.settings import LlmSettings
 from querycad_answering.llm.task import Task
 from querycad_answering.llm.writer import LlmWriter
-from querycad_contracts import Answer, AnswerType, LlmOptions, Unit
+from querycad_contracts import Answer, AnswerType, LlmOptions, RunOutcome, RunStatus, Unit
 
 
 class Clock:
@@ -69,7 +69,8 @@ def test_questions_share_what_is_known_of_a_model_and_other_models_are_asked_all
     settings = LlmSettings(llm_command="cat", llm_model="m", llm_models="n", llm_failures=2)
     writer = LlmWriter(settings, model)
     answer = Answer(value=1, type=AnswerType.COUNT, unit=Unit.NONE, text="1")
-    task = Task("How many holes are there?", lambda _: Verdict(answer=answer))
+    came = RunOutcome(status=RunStatus.OK)
+    task = Task("How many holes are there?", lambda _: came, lambda _, __: Verdict(answer=answer))
     errors = [str(writer.chosen(None).write(task).error) for _ in range(4)]
     assert (model.asked, errors[:2]) == (2, ["away", "away"])
     assert all("left alone" in error for error in errors[2:])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import pytest
@@ -59,7 +60,7 @@ def write(
         return left.pop(0) if len(left) > 1 else left[0]
 
     expected = expect or Expectation()
-    task = Task(question, lambda p: judge(p, run(p), expect=expected), expect=expected, asked=asked)
+    task = Task(question, run, partial(judge, expect=expected), expect=expected, asked=asked)
     given = {"llm_base_url": "http://127.0.0.1:1/v1", "llm_model": "m", **settings}
     return LlmWriter(LlmSettings.model_validate(given), model).write(task)
 

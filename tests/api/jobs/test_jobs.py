@@ -15,7 +15,7 @@ from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.store.keyspace import job_key, owners_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
 from querycad_contracts import (
     NO_ACCOUNTS,
@@ -41,7 +41,7 @@ def ask_many(client: httpx.Client, model: str, questions: list[str], **headers: 
 
 
 def task_of(redis: Redis, job: str) -> QuestionTask:
-    return QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    return QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
 
 
 def queued(redis: Redis) -> list[str]:
@@ -203,11 +203,11 @@ def test_what_a_dying_process_left_half_done_is_done_when_the_request_comes_agai
 ) -> None:
     key = {"Idempotency-Key": "k"}
     job = ask(client, model, **key).json()["id"]
-    redis.delete("questions", job_key(job))  # it died before it kept the job
+    redis.delete("questions", key_of("job", job))  # it died before it kept the job
     assert ask(client, model, **key).json()["id"] == job
     assert queued(redis) == [job]
     redis.delete("questions")  # it died before it put the job on the queue, a while ago
-    redis.hset(job_key(job), "created", "2026-01-01T00:00:00+00:00")
+    redis.hset(key_of("job", job), "created", "2026-01-01T00:00:00+00:00")
     assert ask(client, model, **key).json()["id"] == job
     assert queued(redis) == [job]
 
@@ -242,7 +242,7 @@ def test_what_a_worker_finds_out_about_a_deleted_model_brings_nothing_back(
     client.delete(f"/v1/models/{MODEL}")
     ledger.finish_model("local", MODEL, TaskOutcome[ModelSummary](value=SUMMARY))
     assert client.get(f"/v1/models/{MODEL}").status_code == 404
-    assert not redis.exists(owners_key(MODEL))
+    assert not redis.exists(key_of("owners", MODEL))
 
 
 def test_models_come_in_pages_the_newest_first(client: httpx.Client) -> None:

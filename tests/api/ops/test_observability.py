@@ -18,7 +18,7 @@ from tests.api.fakes import MODEL, FakeSandbox
 from querycad_api.app import make_app
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.store.keyspace import job_key
+from querycad_api.store.keyspace import key_of
 from querycad_contracts import IngestTask, LogFormat, QuestionTask, current_request, start_logging, working_for
 
 
@@ -33,7 +33,7 @@ def fresh_logging() -> Iterator[None]:
 
 def answered(client: httpx.Client, redis: Redis, worker: Questions, question: str) -> str:
     job: str = client.post(f"/v1/models/{MODEL}/questions", json={"question": question}).json()["id"]
-    worker.answer(QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task"))))
+    worker.answer(QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task"))))
     return job
 
 
@@ -48,7 +48,7 @@ def test_a_request_has_the_id_that_its_client_gives_it(client: httpx.Client, mod
     headers = {"X-Request-ID": "from-metawizard.17"}
     response = client.post(f"/v1/models/{model}/questions", json={"question": "?"}, headers=headers)
     assert response.headers["x-request-id"] == "from-metawizard.17"
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(response.json()["id"]), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", response.json()["id"]), "task")))
     assert task.request == "from-metawizard.17"
 
 

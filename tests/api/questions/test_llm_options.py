@@ -12,7 +12,7 @@ from tests.api.fakes import FakeSandbox, FakeSegcad
 
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.store.keyspace import job_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
 from querycad_contracts import AnswerRecord, AnswerType, Codegen, QuestionTask
 
@@ -27,14 +27,14 @@ def ask(client: httpx.Client, model: str, **options: Any) -> httpx.Response:
 
 def answered(client: httpx.Client, redis: Redis, worker: Questions, response: httpx.Response) -> AnswerRecord:
     job = response.json()["id"]
-    worker.answer(QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task"))))
+    worker.answer(QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task"))))
     return AnswerRecord.model_validate(client.get(f"/v1/jobs/{job}").json()["record"])
 
 
 def test_the_options_of_a_request_reach_the_worker(client: httpx.Client, model: str, redis: Redis) -> None:
     options = {"codegen": "both", "expect": {"type": "count"}, "llm": {"samples": 3}}
     job = ask(client, model, **options).json()["id"]
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     assert task.codegen is Codegen.BOTH
     assert task.expect is not None
     assert task.expect.type is AnswerType.COUNT

@@ -7,14 +7,13 @@ from pathlib import Path
 from typing import TypeVar, cast
 
 import pytest
-from pydantic import TypeAdapter
 from redis import Redis
 from tests.querycad.sidecar_eyes import SidecarEyes
 
 from querycad_answering.eyes.looking import Eyes
 from querycad_answering.llm.messages import TimeLimit
 from querycad_answering.llm.settings import LlmSettings
-from querycad_api.questions.segcad import SegcadClient
+from querycad_api.questions.segcad import LOOK_S, SegcadClient
 from querycad_contracts import FolderStore, ModelTask, PictureRequest, Queue, TaskName, TaskOutcome, queue_of
 from querycad_segworker.settings import SegworkerSettings
 from querycad_segworker.tasks import Tasks, make_tasks
@@ -30,9 +29,9 @@ class Segworker(SegcadClient):
         self._table = tasks.table()
         self.queues: list[tuple[TaskName, Queue]] = []
 
-    def _call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], wait_s: float) -> T:
+    def call(self, name: TaskName, task: ModelTask, value: type[TaskOutcome[T]], wait_s: float = LOOK_S) -> T:
         self.queues.append((name, queue_of(name, task)))
-        outcome = value.validate_json(
+        outcome = value.model_validate_json(
             self._table[name](type(task).model_validate_json(task.model_dump_json()).model_dump())
         )
         assert outcome.failure is None, outcome.failure

@@ -14,7 +14,7 @@ from tests.api.fakes import MODEL, STEP, SUMMARY, FakeSandbox
 from querycad_api.questions.sandbox import RunRefused, SandboxUnavailable
 from querycad_api.questions.tasks import ATTEMPTS, RETRIES, Questions
 from querycad_api.settings import ApiSettings
-from querycad_api.store.keyspace import job_key
+from querycad_api.store.keyspace import key_of
 from querycad_api.store.ledger import Ledger
 from querycad_api.worker import make_app
 from querycad_contracts import (
@@ -39,7 +39,7 @@ def ask(client: httpx.Client, model: str, question: str = "How many holes are th
 
 
 def task_of(redis: Redis, job: str) -> QuestionTask:
-    return QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    return QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
 
 
 def test_a_question_is_accepted_as_a_job(client: httpx.Client, model: str, redis: Redis) -> None:

@@ -21,7 +21,7 @@ from querycad_api.settings import ApiSettings
 from querycad_api.store import keyspace
 from querycad_api.store import state as keeping
 from querycad_api.store.broker import Broker
-from querycad_api.store.keyspace import DAY_S, PENDING, READING, job_key
+from querycad_api.store.keyspace import DAY_S, PENDING, READING, key_of
 from querycad_api.store.redelivery import redeliver_once
 from querycad_api.store.state import AGAIN_S, LOST_S, State
 from querycad_contracts import FolderStore, QuestionTask
@@ -45,9 +45,9 @@ def queued(redis: Redis, queue: str) -> list[str]:
 
 def earlier(redis: Redis, job: str, seconds: float) -> None:
     """Lets time pass for a job."""
-    created = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    created = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     assert created.job == job
-    redis.hset(job_key(job), "touched", float(redis.zscore(PENDING, job) or 0) - LOST_S - seconds)
+    redis.hset(key_of("job", job), "touched", float(redis.zscore(PENDING, job) or 0) - LOST_S - seconds)
     redis.zincrby(PENDING, -seconds, job)
 
 
@@ -68,7 +68,7 @@ def test_a_lost_question_is_sent_again_and_answered_once(
     redelivered(settings)
     redelivered(settings)
     assert queued(redis, "questions") == [job]
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     worker.answer(task)
     worker.answer(task)
     assert sandbox.runs == 1
@@ -94,7 +94,7 @@ def test_a_lost_question_is_found_whatever_becomes_of_the_clock(
         clock(moved_s + passed_s)
         redelivered(settings)
     assert set(queued(redis, "questions")) == {job}
-    task = QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task")))
+    task = QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task")))
     for _ in queued(redis, "questions"):
         worker.answer(task)
     kinds: Any = redis.xrange(f"querycad:events:{job}")
@@ -126,7 +126,7 @@ def test_a_question_that_may_be_in_the_queue_is_given_time(
 
 
 def test_a_question_that_somebody_works_on_is_left_to_them(settings: ApiSettings, redis: Redis, job: str) -> None:
-    redis.hset(job_key(job), "started", "2026-01-01T00:00:00+00:00")
+    redis.hset(key_of("job", job), "started", "2026-01-01T00:00:00+00:00")
     earlier(redis, job, settings.question_s)
     redelivered(settings)
     assert queued(redis, "questions") == []
@@ -148,6 +148,6 @@ def test_a_file_that_nobody_reads_is_sent_again(client: httpx.Client, settings: 
 def test_what_is_done_is_not_looked_at_any_more(
     settings: ApiSettings, redis: Redis, job: str, model: str, worker: Questions
 ) -> None:
-    worker.answer(QuestionTask.model_validate_json(str(redis.hget(job_key(job), "task"))))
+    worker.answer(QuestionTask.model_validate_json(str(redis.hget(key_of("job", job), "task"))))
     assert redis.zcard(PENDING) == 0
     assert redis.zcard(READING) == 0

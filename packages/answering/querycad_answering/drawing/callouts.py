@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from querycad_contracts import Callout, LengthUnit, Part, PartKind
 
-from .numbers import degrees, length, unit_name
+from .numbers import degrees, length, sizes, unit_name
 from .threads import thread_name
 
 AT_45_DEGREES = math.radians(0.5)
@@ -135,7 +135,7 @@ def _opening(part: Part, unit: LengthUnit, _known: Known) -> str:
     if part.across_flats is not None and "rectangular" not in part.tags:
         size = f"{length(part.across_flats, unit)} across flats,"
     elif (sides := _sides(part)) is not None:
-        size = _across(sides, unit)
+        size = sizes(sides, unit)
     elif part.diameter:
         size = f"Ø{length(part.diameter, unit)}"
     else:
@@ -150,10 +150,6 @@ def _sides(part: Part) -> tuple[float, float] | None:
     """The shorter and the longer side of an outline, in the part's own frame where it has one."""
     first, second = part.local_size[:2] if part.local_size else (part.width, part.length)
     return (min(first, second), max(first, second)) if first and second else None
-
-
-def _across(sides: tuple[float, float], unit: LengthUnit) -> str:
-    return " x ".join(length(each, unit) for each in sides)
 
 
 def _groove(part: Part, unit: LengthUnit, known: Known) -> str:
@@ -205,15 +201,14 @@ def _pattern(part: Part, unit: LengthUnit, known: Known) -> str:
     if part.diameter:
         size = f"Ø{length(part.diameter, unit)}"
     elif part.length and part.width:
-        size = _across((min(part.width, part.length), max(part.width, part.length)), unit)
+        size = sizes((min(part.width, part.length), max(part.width, part.length)), unit)
     elif part.pitch:
         size = f"pitch {length(part.pitch, unit)}"
     return f"{_joined(name, size)}: {what}"
 
 
 def _body(part: Part, unit: LengthUnit, _known: Known) -> str:
-    size = " x ".join(length(extent, unit) for extent in part.extents)
-    told = [size]
+    told = [sizes(part.extents, unit)]
     if (long := part.nominal_length) and part.length and long < part.length - SAME:
         told = [f"length {length(long, unit)}", f"overall {length(part.length, unit)}"]
     return f"{part.name or part.label} ({', '.join(told)})"
@@ -222,7 +217,7 @@ def _body(part: Part, unit: LengthUnit, _known: Known) -> str:
 def _face(part: Part, unit: LengthUnit, _known: Known) -> str:
     outline = part.label.split(",")[1].removesuffix(" outline").strip() if part.label.count(",") > 1 else ""
     sides = _sides(part)
-    return _joined(outline, "plane", _across(sides, unit) if sides else "")
+    return _joined(outline, "plane", sizes(sides, unit) if sides else "")
 
 
 def _plate(part: Part, unit: LengthUnit, known: Known) -> str:
@@ -230,7 +225,7 @@ def _plate(part: Part, unit: LengthUnit, known: Known) -> str:
     sides = _sides(part)
     if not part.thickness or sides is None:
         return _rib(part, unit, known)
-    return f"{_noun(part)} {length(part.thickness, unit)} thick, {_across(sides, unit)}"
+    return f"{_noun(part)} {length(part.thickness, unit)} thick, {sizes(sides, unit)}"
 
 
 def _rib(part: Part, unit: LengthUnit, _known: Known) -> str:
@@ -240,7 +235,7 @@ def _rib(part: Part, unit: LengthUnit, _known: Known) -> str:
         told.append(f"{length(part.thickness, unit)} thick")
         told += [f"length {length(part.length, unit)}"] if part.length else []
     elif (sides := _sides(part)) is not None:
-        told.append(_across(sides, unit))
+        told.append(sizes(sides, unit))
     told += [f"height {length(part.height, unit)}"] if part.height else []
     return _joined(_noun(part), ", ".join(told))
 
@@ -255,7 +250,7 @@ def _by_measures(part: Part, unit: LengthUnit, _known: Known) -> str:
         name = "depth" if part.kind.cuts_in else "length" if part.kind is PartKind.CYLINDER else "height"
         told += [f"{name} {length(along, unit)}"] if along else []
     elif (sides := _sides(part)) is not None:
-        told.append(_across(sides, unit))
+        told.append(sizes(sides, unit))
         told += [f"depth {length(part.depth, unit)}"] if part.depth and part.kind.cuts_in else []
     return _joined(_noun(part), ", ".join(told))
 
@@ -304,8 +299,6 @@ _WRITERS: dict[PartKind, Callable[[Part, LengthUnit, Known], str]] = {
     PartKind.MODEL: _body,
     PartKind.FACE: _face,
 }
-
-__all__ = ["Known", "callout", "callouts", "carried_sections", "ids_text"]
 
 
 def told_parts(told: Sequence[Part], parts: Sequence[Part], unit: LengthUnit) -> str:

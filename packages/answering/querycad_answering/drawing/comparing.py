@@ -8,10 +8,11 @@ from collections.abc import Callable, Sequence
 from itertools import groupby
 
 from querycad_contracts import Change, ChangeKind, Comparison, LengthUnit, ModelSummary, Part, Vector
+from querycad_contracts.vectors import ORIGIN, sub
 
 from .callouts import callout, carried_sections, ids_text
 from .describing import featured
-from .numbers import length, significant, unit_name
+from .numbers import length, significant, sizes, unit_name
 
 SAME_PLACE_M = 5e-6
 """Of two files of one part: STEP has six decimals of a millimetre, or fewer; a drawing has two."""
@@ -31,8 +32,8 @@ def compare(before: Side, after: Side, unit: LengthUnit = LengthUnit.MM) -> Comp
     """
     (summary_a, parts_a), (summary_b, parts_b) = before, after
     shift = _shift(summary_a, summary_b)
-    told_a = [_Told(part, parts_a, unit, (0.0, 0.0, 0.0)) for part in _compared(parts_a)]
-    told_b = [_Told(part, parts_b, unit, shift or (0.0, 0.0, 0.0)) for part in _compared(parts_b)]
+    told_a = [_Told(part, parts_a, unit, ORIGIN) for part in _compared(parts_a)]
+    told_b = [_Told(part, parts_b, unit, shift or ORIGIN) for part in _compared(parts_b)]
     pairs = _matched(told_a, told_b, _text, SAME_PLACE_M)
     same = len(pairs)
     left_a, left_b = _left(told_a, told_b, pairs)
@@ -71,12 +72,7 @@ class _Told:
     def __init__(self, part: Part, parts: Sequence[Part], unit: LengthUnit, shift: Vector) -> None:
         self.part = part
         self.text = callout(part, unit, {each.id: each for each in parts})
-        x, y, z = part.center if part.bottom == "through" else part.opening or part.tip or part.center
-        self.place: Vector = (x - shift[0], y - shift[1], z - shift[2])
-
-    def is_at(self, other: _Told) -> float:
-        """How far apart, metres?"""
-        return math.dist(self.place, other.place)
+        self.place = sub(part.center if part.bottom == "through" else part.opening or part.tip or part.center, shift)
 
 
 def _text(told: _Told) -> str:
@@ -103,8 +99,8 @@ def _shift(before: ModelSummary, after: ModelSummary) -> Vector | None:
     a, b = before.shape, after.shape
     if any(abs(p - q) > SAME_PLACE_M for p, q in zip(a.extents, b.extents, strict=True)):
         return None
-    x, y, z = (q - p for p, q in zip(a.center, b.center, strict=True))
-    return (x, y, z) if math.hypot(x, y, z) > SAME_PLACE_M else None
+    shift = sub(b.center, a.center)
+    return shift if math.hypot(*shift) > SAME_PLACE_M else None
 
 
 def _matched(left: Sequence[_Told], right: Sequence[_Told], key: Callable[[_Told], str], within: float) -> list[_Pair]:
@@ -112,7 +108,7 @@ def _matched(left: Sequence[_Told], right: Sequence[_Told], key: Callable[[_Told
     alike = defaultdict[str, list[int]](list)
     for j, b in enumerate(right):
         alike[key(b)].append(j)
-    near = sorted((a.is_at(right[j]), i, j) for i, a in enumerate(left) for j in alike.get(key(a), ()))
+    near = sorted((math.dist(a.place, right[j].place), i, j) for i, a in enumerate(left) for j in alike.get(key(a), ()))
     pairs: list[_Pair] = []
     taken_a, taken_b = set[int](), set[int]()
     for distance, i, j in near:
@@ -141,8 +137,7 @@ def _changes(kind: ChangeKind, pairs: Sequence[_Pair]) -> list[Change]:
         for some in [[each] for each in members] if kind is ChangeKind.MOVED else [members]:
             by = None
             if kind is ChangeKind.MOVED and (a := some[0][0]) is not None and (b := some[0][1]) is not None:
-                x, y, z = (q - p for p, q in zip(a.place, b.place, strict=True))
-                by = (x, y, z)
+                by = sub(b.place, a.place)
             changes.append(
                 Change(
                     kind=kind,
@@ -158,13 +153,9 @@ def _changes(kind: ChangeKind, pairs: Sequence[_Pair]) -> list[Change]:
 
 def _lines(found: Comparison) -> list[str]:
     unit = found.unit
-
-    def size(extents: Vector) -> str:
-        return " x ".join(length(each, unit) for each in extents)
-
     lines = []
     if any(abs(p - q) > SAME_PLACE_M for p, q in zip(found.size_before, found.size_after, strict=True)):
-        lines.append(f"size {size(found.size_before)} -> {size(found.size_after)} {unit}")
+        lines.append(f"size {sizes(found.size_before, unit)} -> {sizes(found.size_after, unit)} {unit}")
     if abs(found.volume_after - found.volume_before) > SAME_VOLUME * max(found.volume_before, found.volume_after):
         before, after = (significant(each / unit.metres**3) for each in (found.volume_before, found.volume_after))
         lines.append(f"volume {before} -> {after} {unit}³")

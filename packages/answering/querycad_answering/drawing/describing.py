@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from querycad_contracts import Answer, Callout, Description, LengthUnit, ModelSummary, Part, PartKind, TableKind
 
 from .callouts import callouts, carried_sections, ids_text
-from .numbers import direction, length, significant, unit_name
+from .numbers import direction, length, significant, sizes, unit_name
 from .tables import alike_bodies, distinct, is_fastener, product_name
 
 FEATURES_SHOWN = 20
@@ -85,9 +85,9 @@ def listing(found: Iterable[Callout], most: int | None = None) -> list[str]:
 
 def _lines(found: Description, parts: Sequence[Part]) -> Iterator[str]:
     unit = found.unit
-    size = " x ".join(length(extent, unit) for extent in found.size)
     bodies = "one body" if found.bodies == 1 else f"{found.bodies} bodies"
-    yield f"{found.name or 'a model without a name'}: {bodies}, {found.faces} faces, {size} {unit.value} (x, y, z)"
+    size = f"{sizes(found.size, unit)} {unit.value} (x, y, z)"
+    yield f"{found.name or 'a model without a name'}: {bodies}, {found.faces} faces, {size}"
     volume = significant(found.volume / unit.metres**3)
     area = significant(found.area / unit.metres**2)
     yield f"volume {volume} {unit.value}³, surface {area} {unit.value}²"
@@ -124,9 +124,8 @@ def _facts(found: Description) -> Iterator[str]:
 
 def _bodies(parts: Sequence[Part], unit: LengthUnit) -> Iterator[Callout]:
     for group in alike_bodies(TableKind.BODIES, parts):
-        size = " x ".join(length(extent, unit) for extent in group[0].extents)
         count = f"{len(group)}x " if len(group) > 1 else ""
-        text = f"{count}{product_name(group) or 'body'} ({size})"
+        text = f"{count}{product_name(group) or 'body'} ({sizes(group[0].extents, unit)})"
         yield Callout(text=text, kind=PartKind.BODY, ids=tuple(part.id for part in group))
 
 
@@ -245,5 +244,3 @@ _OF_KIND: dict[PartKind, tuple[str, Callable[[Part], float | None]]] = {
     PartKind.FILLET: ("What is the radius of the fillet{0}?", lambda part: part.radius),
 }
 """A question on the measure that each kind is known by; {0} is the plural's s, {1} the verb."""
-
-__all__ = ["SURFACES", "describe", "listing", "stands_along"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 
 from querycad_contracts import LengthUnit, Vector
 
@@ -22,6 +23,11 @@ def number(value: float, decimals: int = 3) -> str:
 def length(metres: float, unit: LengthUnit) -> str:
     """The length in that unit, which is not named."""
     return number(metres / unit.metres, _DECIMALS[unit])
+
+
+def sizes(metres: Iterable[float], unit: LengthUnit) -> str:
+    """The lengths in that unit, which is not named: '170 x 170 x 53'."""
+    return " x ".join(length(each, unit) for each in metres)
 
 
 def unit_name(unit: LengthUnit) -> str:

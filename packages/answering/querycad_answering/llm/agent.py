@@ -29,6 +29,7 @@ from querycad_contracts import (
     RunStatus,
     TokenUse,
 )
+from querycad_contracts.guest_reference import syntax_of
 
 from .checks import problems
 from .doubts import doubts, odd, other_measure
@@ -390,9 +391,7 @@ def _is_feature(question: str, part: Part) -> bool:
 
 def _assigns_result(code: str) -> bool:
     """Does the program assign `solution`? One that Python cannot read counts as one that does: it is to be mended."""
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return RESULT in code
     return any(
         isinstance(node, ast.Name) and node.id == RESULT and isinstance(node.ctx, ast.Store) for node in ast.walk(tree)

@@ -7,6 +7,8 @@ import math
 import re
 from collections.abc import Iterator
 
+from querycad_contracts.guest_reference import syntax_of
+
 _TO_SMALLER_UNITS = (1e3, 1e6, 1e9, 25.4, 39.37, 39.3701, 39.37007874)
 """Factors from metres (m2, m3) to millimetres and inches, and from inches to millimetres, taken for such a one."""
 _UNITS_IN_METRES = (0.001, 1e-6, 1e-9, 0.0254)
@@ -33,9 +35,7 @@ _INCH_M = 0.0254
 
 def problems(code: str, question: str = "") -> tuple[str, ...]:
     """What has the writer to repair, a sentence each? What Python cannot read is left to the run, which says why."""
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return ()
     found = [problem for node in ast.walk(tree) if (problem := _problem(node))]
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}

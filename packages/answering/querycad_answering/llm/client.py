@@ -15,7 +15,7 @@ import httpx
 
 from querycad_contracts import TokenUse
 
-from .breaker import Gate, gate_of
+from .breaker import gate_of
 from .forms import Form, as_reply
 from .messages import ChatModel, LlmBusy, LlmError, LlmRefused, LlmTooSlow, Message, Reply, TimeLimit
 from .process import ProcessChatModel
@@ -50,7 +50,7 @@ def open_model(settings: LlmSettings, form: Form | None = None) -> ChatModel:
 
 
 class HttpChatModel:
-    """A language model behind an address. Thread safe; `transport`, `sleep` and `gate` replace network and clock."""
+    """A language model behind an address. Thread safe; `transport` and `sleep` replace network and clock."""
 
     def __init__(
         self,
@@ -58,12 +58,11 @@ class HttpChatModel:
         transport: httpx.BaseTransport | None = None,
         sleep: Callable[[float], None] = time.sleep,
         form: Form | None = None,
-        gate: Gate | None = None,
     ) -> None:
         self._settings = settings
         self._form = form
         self._wire = wire_of(settings, form)
-        self._gate = gate or gate_of(str(self._wire.url()), settings.llm_parallel, settings.llm_per_minute)
+        self._gate = gate_of(str(self._wire.url()), settings.llm_parallel, settings.llm_per_minute)
         self._http = httpx.Client(transport=transport, follow_redirects=False)  # a redirect would take the key along
         self._sleep = sleep
         self._unwanted: set[str] = set()

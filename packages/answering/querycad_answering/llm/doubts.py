@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from querycad_answering.quantities import measures, measures_anything, scalar_type, triple_type
 from querycad_answering.typed import unit_of
 from querycad_contracts import Answer, AnswerType, ModelSummary, Unit
+from querycad_contracts.guest_reference import syntax_of
 
 from .checks import lengths_left_out, literals
 from .files import prompt_data
@@ -45,9 +46,7 @@ def doubts(
 
     `by_words`: also where the program's sides, descriptions, choices and lengths are not the question's own.
     """
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return ()
     asked = _WORD.findall(question.lower())
     found: list[str] = []

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from math import prod
 
-from querycad_contracts import ModelSummary, PartGroup, PartKind, Side, Vector
+from querycad_contracts import ModelSummary, PartGroup, PartKind, Side
 
 BUDGET_CHARS = 800
 """Of all lines: some 240 tokens, so that a prompt stays below 3,000 with the names beside them."""
@@ -103,7 +104,7 @@ def _body_groups(summary: ModelSummary) -> list[tuple[str, str]]:
     if not groups:
         counted = Counter(body.name for body in summary.shape.bodies)
         return [(name, f"{count} alike") for name, count in counted.most_common()]
-    groups.sort(key=lambda group: -_bulk(group.extents))
+    groups.sort(key=lambda group: -prod(group.extents))
     return [(group.name, _body(group)) for group in groups]
 
 
@@ -111,11 +112,6 @@ def _body(group: PartGroup) -> str:
     size = " x ".join(_mm(extent) for extent in group.extents)
     color = f"{_clean(group.color)} " if group.color else ""
     return f"{group.count} x {color}({size} mm)"
-
-
-def _bulk(extents: Vector) -> float:
-    x, y, z = extents
-    return x * y * z
 
 
 def _mm(metres: float) -> str:

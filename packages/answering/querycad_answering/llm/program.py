@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import re
 
+from querycad_contracts.guest_reference import syntax_of
+
 from .reference import attributes, functions
 
 RESULT = "solution"
@@ -37,18 +39,14 @@ def _whole(reply: str, cut: bool) -> str:
 
 
 def _is_program(text: str) -> bool:
-    try:
-        tree = ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(text)) is None:
         return False
     return any(_assigns(node, RESULT) for node in tree.body)
 
 
 def _tidied(code: str) -> str:
     """The program without imports of what is there anyway, and with its last value assigned where nothing is."""
-    try:
-        tree = ast.parse(code)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+    if (tree := syntax_of(code)) is None:
         return code
     body = [node for node in tree.body if not _is_needless(node)]
     if body and not any(_assigns(node, RESULT) for node in ast.walk(tree)):

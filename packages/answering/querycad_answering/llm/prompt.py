@@ -90,9 +90,9 @@ def examples() -> tuple[Example, ...]:
     return _EXAMPLES.validate_python(prompt_data("examples.toml")["example"])
 
 
-def examples_for(question: str, number: int = EXAMPLES) -> tuple[Example, ...]:
+def examples_for(question: str) -> tuple[Example, ...]:
     """The worked examples most like a question, the nearest last: what was read last is followed most."""
-    ranked = _nearest().ranked(question)[:number]
+    ranked = _nearest().ranked(question)[:EXAMPLES]
     return tuple(examples()[i] for i in reversed(ranked))
 
 

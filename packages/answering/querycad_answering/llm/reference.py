@@ -5,7 +5,8 @@ from __future__ import annotations
 import ast
 import re
 from functools import cache
-from importlib.resources import files
+
+from querycad_contracts.guest_reference import guest_api_text
 
 BY_SIGHT = ("look", "picture")
 """Functions that need somebody who takes images."""
@@ -14,8 +15,7 @@ BY_SIGHT = ("look", "picture")
 @cache
 def guest_api() -> ast.Module:
     """The guest API's source, parsed, without the queries that the parser writes: words are shorter."""
-    source = files("querycad_contracts").joinpath("guest_api.pyi").read_text(encoding="utf-8")
-    tree = ast.parse(source.replace("str | PartQuery", "str"))
+    tree = ast.parse(guest_api_text().replace("str | PartQuery", "str"))
     tree.body = [node for node in tree.body if not (isinstance(node, ast.ClassDef) and _is_query(node))]
     return tree
 

@@ -13,20 +13,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Protocol
 
-from pydantic import ValidationError
-
-from querycad_contracts import Frozen, TokenUse
+from pydantic import TypeAdapter, ValidationError
 
 from .messages import ChatModel, Message, Reply, TimeLimit
 from .settings import Constrained, LlmSettings
 
-
-class _Kept(Frozen):
-    """One reply, in a file named by its request."""
-
-    text: str
-    cut: bool
-    tokens: TokenUse
+_REPLY = TypeAdapter(Reply)
+"""As it is kept: JSON."""
 
 
 class KeptReplies:
@@ -42,17 +35,16 @@ class KeptReplies:
         """What did it say to this, or what does it say now? Raises LlmError."""
         path = self._folder / f"{_request(self._settings, conversation, temperature, sample)}.json"
         try:
-            kept = _Kept.model_validate_json(path.read_bytes())
+            return _REPLY.validate_json(path.read_bytes())
         except (OSError, ValidationError):
             reply = self._model.reply(conversation, temperature, sample, deadline)
-            self._keep(path, _Kept(text=reply.text, cut=reply.cut, tokens=reply.tokens))
+            self._keep(path, reply)
             return reply
-        return Reply(kept.text, kept.cut, kept.tokens)
 
-    def _keep(self, path: Path, kept: _Kept) -> None:
+    def _keep(self, path: Path, reply: Reply) -> None:
         self._folder.mkdir(parents=True, exist_ok=True)
         partial = path.with_suffix(".part")
-        partial.write_text(kept.model_dump_json(), encoding="utf-8")
+        partial.write_bytes(_REPLY.dump_json(reply))
         partial.replace(path)
 
 
@@ -86,10 +78,9 @@ class ResumedReplies:
         """What did it say, or what does it say now? Raises LlmError."""
         request = _request(self._settings, conversation, temperature, sample)
         if before := self._before.get(request):
-            kept = _Kept.model_validate_json(before.popleft())
-            return Reply(kept.text, kept.cut, kept.tokens)
+            return _REPLY.validate_json(before.popleft())
         reply = self._model.reply(conversation, temperature, sample, deadline)
-        self._transcript.say(request, _Kept(text=reply.text, cut=reply.cut, tokens=reply.tokens).model_dump_json())
+        self._transcript.say(request, _REPLY.dump_json(reply).decode())
         return reply
 
 

@@ -20,9 +20,6 @@ from querycad_contracts import (
 from .messages import LlmError
 from .settings import PromptExamples
 
-Judge = Callable[[Program], Verdict]
-"""Runs a program and says what comes of it."""
-
 
 @dataclass(frozen=True, slots=True)
 class Limits:
@@ -52,30 +49,22 @@ class Parsed:
     is_sure: bool = False
 
 
-def _no_run(_: Program) -> RunOutcome:
-    raise NotImplementedError("nothing to look with")
-
-
-def _no_verdict(_: Program, __: RunOutcome) -> Verdict:
-    raise NotImplementedError("nothing to look with")
-
-
 @dataclass(frozen=True, slots=True)
 class Task:
     """A question with all that is known when a program is written for it.
 
     `asked` is the type that the parser reads the question as asking for; None where it does not understand it. What
-    follows it is for who looks before he answers: to run a program, to judge what came of it, how the parser reads the
-    question, the likeliest reading first, and what it answers.
+    follows it is for who looks before he answers: how the parser reads the question, the likeliest reading first, and
+    what it answers.
     """
 
     question: str
-    judge: Judge
+    run: Callable[[Program], RunOutcome]
+    judged: Callable[[Program, RunOutcome], Verdict]
+    """What comes of a program that was run so."""
     summary: ModelSummary | None = None
     expect: Expectation = NO_EXPECTATION
     asked: AnswerType | None = None
-    run: Callable[[Program], RunOutcome] = _no_run
-    judged: Callable[[Program, RunOutcome], Verdict] = _no_verdict
     readings: Callable[[], tuple[str, ...]] = tuple
     parsed: Callable[[], Parsed | None] = lambda: None
     tools: tuple[str, ...] = ()
@@ -87,6 +76,10 @@ class Task:
     def wanted(self) -> AnswerType | None:
         """The type that an answer should have."""
         return self.expect.type or self.asked
+
+    def judge(self, program: Program) -> Verdict:
+        """Runs a program and says what comes of it."""
+        return self.judged(program, self.run(program))
 
 
 @dataclass(frozen=True, slots=True)

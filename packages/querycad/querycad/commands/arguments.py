@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import importlib
 import importlib.util
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from importlib.metadata import version
 
 from querycad_contracts import TableFormat, TableKind
@@ -64,10 +64,10 @@ class _Version(argparse.Action):
 
 
 def _runs(module: str, name: str) -> Callable[[argparse.Namespace], int]:
-    """The function of a command's module, which is loaded when the command is run."""
+    """The function of a command's module, which is loaded when the command is run; '.ask' lies beside this one."""
 
     def run(options: argparse.Namespace) -> int:
-        return int(getattr(importlib.import_module(f"{__package__}.{module}"), name)(options))
+        return int(getattr(importlib.import_module(module, __package__), name)(options))
 
     return run
 
@@ -128,7 +128,7 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
         'ask part.step "What is its area?" --select hole-4',
         "ask part.step --questions questions.txt --json",
     )
-    ask.set_defaults(run=_runs("ask", "ask"))
+    ask.set_defaults(run=_runs(".ask", "ask"))
 
 
 def _add_describe(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -138,7 +138,7 @@ def _add_describe(commands: Commands[argparse.ArgumentParser]) -> None:
     _add_server(describe)
     describe.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     with_examples(describe, "describe part.step", "describe part.step --unit in", "describe part.step --json")
-    describe.set_defaults(run=_runs("describe", "describe"))
+    describe.set_defaults(run=_runs(".describe", "describe"))
 
 
 def _add_compare(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -148,7 +148,7 @@ def _add_compare(commands: Commands[argparse.ArgumentParser]) -> None:
     _add_unit(compare)
     compare.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     with_examples(compare, "compare part-v1.step part-v2.step", "compare part.step part.igs --json")
-    compare.set_defaults(run=_runs("describe", "compare"))
+    compare.set_defaults(run=_runs(".describe", "compare"))
 
 
 def _add_table(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -171,7 +171,7 @@ def _add_table(commands: Commands[argparse.ArgumentParser]) -> None:
         "table part.step holes --format csv --unit in > holes.csv",
         "table assembly.step bodies --format markdown",
     )
-    table.set_defaults(run=_runs("table", "table"))
+    table.set_defaults(run=_runs(".table", "table"))
 
 
 def _add_features(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -186,7 +186,7 @@ def _add_features(commands: Commands[argparse.ArgumentParser]) -> None:
     with_examples(
         features, "features part.step", "features part.step --kind hole --all", "features part.step --refused"
     )
-    features.set_defaults(run=_runs("features", "features"))
+    features.set_defaults(run=_runs(".features", "features"))
 
 
 def _add_explain(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -196,7 +196,7 @@ def _add_explain(commands: Commands[argparse.ArgumentParser]) -> None:
     explain.add_argument("--json", action="store_true", help="print one JSON object and nothing else")
     _add_unit(explain)
     with_examples(explain, 'explain part.step "How deep are the counterbores on top?"')
-    explain.set_defaults(run=_runs("explain", "explain"))
+    explain.set_defaults(run=_runs(".explain", "explain"))
 
 
 def _add_prompt(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -205,7 +205,7 @@ def _add_prompt(commands: Commands[argparse.ArgumentParser]) -> None:
     prompt.add_argument("question", metavar="QUESTION", help="the question, in English")
     add_codegen(prompt)
     with_examples(prompt, 'prompt part.step "How deep are the counterbores?"')
-    prompt.set_defaults(run=_runs("ask", "prompt"))
+    prompt.set_defaults(run=_runs(".ask", "prompt"))
 
 
 def _add_run(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -213,7 +213,7 @@ def _add_run(commands: Commands[argparse.ArgumentParser]) -> None:
     add_run_arguments(run)
     run.add_argument("--model", required=True, metavar="FILE.step", help="a STEP file")
     with_examples(run, "run program.py --model part.step", "run - --model part.step --expects length < program.py")
-    run.set_defaults(run=_runs("run", "run"))
+    run.set_defaults(run=_runs(".run", "run"))
 
 
 def _add_mcp(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -223,7 +223,7 @@ def _add_mcp(commands: Commands[argparse.ArgumentParser]) -> None:
         "--folder", metavar="DIR", help="open only files in DIR (default: any; with --http the current folder)"
     )
     with_examples(mcp, "mcp", "mcp --http 8765 --folder models")
-    mcp.set_defaults(run=_runs("mcp", "mcp"))
+    mcp.set_defaults(run=_runs(".mcp", "mcp"))
 
 
 def _add_serve(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -238,31 +238,19 @@ def _add_serve(commands: Commands[argparse.ArgumentParser]) -> None:
         "--workers", type=_positive, default=1, metavar="N", help="processes that find, and as many that draw (1)"
     )
     with_examples(serve, "serve", "serve --port 8080 --workers 4")
-    serve.set_defaults(run=_serve)
-
-
-def _serve(options: argparse.Namespace) -> int:
-    from querycad.serve import serve
-
-    return serve(options)
+    serve.set_defaults(run=_runs("querycad.serve", "serve"))
 
 
 def _add_keys(commands: Commands[argparse.ArgumentParser]) -> None:
     keys = commands.add_parser("keys", help="make, list and revoke API keys of the service on this machine")
-    if importlib.util.find_spec("querycad_api") is None:  # an extra; `_keys` says so
+    if importlib.util.find_spec("querycad_api") is None:  # an extra; running it says so
         keys.add_argument("rest", nargs=argparse.REMAINDER)
     else:
         from querycad_api.accounts.commands import add_arguments
 
         add_arguments(keys)
     with_examples(keys, "keys create --tenant design --name laptop", "keys list", "keys revoke 0123456789ab")
-    keys.set_defaults(run=_keys)
-
-
-def _keys(options: argparse.Namespace) -> int:
-    from querycad_api.accounts.commands import run
-
-    return run(options)
+    keys.set_defaults(run=_runs("querycad_api.accounts.commands", "run"))
 
 
 def _add_completion(commands: Commands[argparse.ArgumentParser]) -> None:
@@ -301,6 +289,3 @@ def _positive(text: str) -> int:
     if number < 1:
         raise argparse.ArgumentTypeError("at least 1")
     return number
-
-
-__all__: Sequence[str] = ("make_parser", "with_examples")

@@ -21,7 +21,7 @@ from querycad_segworker.errors import FileProblem
 
 from .features import listed
 from .llm_arguments import answer_options, llm_settings, not_of_a_service
-from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain, complain_of
+from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, EXIT_FAILED, complain, complain_of, first_of
 from .reading import OpenModel
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def ask(options: argparse.Namespace) -> int:
     try:
         llm = llm_settings(options)
     except ValidationError as error:
-        return complain(_first(error))
+        return complain(first_of(error))
     with EmbeddedRuntime(llm=llm) as runtime:
         return _ask_each(lambda progress: runtime.open(options.file, progress=progress), options, questions)
 
@@ -99,7 +99,7 @@ def _ask_each(open_model: OpenModel, options: argparse.Namespace, questions: lis
     try:
         how = answer_options(options)
     except ValidationError as error:
-        return complain(_first(error))
+        return complain(first_of(error))
     with _ProgressLine(sys.stderr) as progress:
         try:
             model = open_model(progress.stage)
@@ -194,12 +194,6 @@ def _print_program(codegen: str | None, code: str, remark: str = "") -> None:
     writer = "the parser" if codegen == "parser" else f"a language model ({codegen})"
     print(f"  program, written by {writer}{remark}:")
     print("\n".join(f"    {line}" for line in code.splitlines()))
-
-
-def _first(error: ValidationError) -> str:
-    """The first thing that is wrong with options or environment variables, for a person."""
-    first = error.errors()[0]
-    return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
 
 
 def _picture_path(given: str, number: int, count: int) -> Path:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
 from querycad.runtime import EmbeddedRuntime
 from querycad_contracts import Comparison, Description, LengthUnit
@@ -12,17 +11,10 @@ from querycad_segworker.errors import FileProblem
 from .outcomes import EXIT_DONE, complain_of
 from .reading import with_model
 
-if TYPE_CHECKING:
-    from querycad.model import Model
-
 
 def describe(options: argparse.Namespace) -> int:
     """Prints the description; returns the exit code."""
-
-    def told(model: Model) -> int:
-        return _print(model.describe(LengthUnit(options.unit)), options)
-
-    return with_model(options, told)
+    return with_model(options, lambda model: _print(model.describe(LengthUnit(options.unit)), options))
 
 
 def compare(options: argparse.Namespace) -> int:

@@ -34,27 +34,16 @@ from .outcomes import EXIT_DONE, EXIT_FAILED, complain
 def models(options: argparse.Namespace) -> int:
     """Does the command `options.models`; returns its exit code."""
     weights = weights_folder()
-    try:
-        if options.models == "list":
-            return _list(weights)
-        chosen = _chosen(options.names)
-        if options.models == "verify":
-            return _verify(weights, chosen)
-        return _pull(weights, chosen or default_models(), options)
-    except _UnknownModel as error:
-        return complain(str(error))
-
-
-class _UnknownModel(Exception):
-    """A name that is not in the list."""
-
-
-def _chosen(names: Sequence[str]) -> tuple[Model, ...]:
+    if options.models == "list":
+        return _list(weights)
     known = {model.name: model for model in known_models()}
-    unknown = [name for name in names if name not in known]
+    unknown = [name for name in options.names if name not in known]
     if unknown:
-        raise _UnknownModel(f"no model is called {unknown[0]}; there are: {', '.join(known)}")
-    return tuple(known[name] for name in names)
+        return complain(f"no model is called {unknown[0]}; there are: {', '.join(known)}")
+    chosen = tuple(known[name] for name in options.names)
+    if options.models == "verify":
+        return _verify(weights, chosen)
+    return _pull(weights, chosen or default_models(), options)
 
 
 def _list(weights: Path) -> int:

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import sys
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pydantic import ValidationError
 
 EXIT_DONE, EXIT_FAILED, EXIT_BAD_INPUT = 0, 1, 2
 
@@ -11,6 +15,12 @@ def complain(message: str, code: int = EXIT_BAD_INPUT) -> int:
     """Says what is wrong; returns the exit code."""
     print(f"querycad: {message}", file=sys.stderr)
     return code
+
+
+def first_of(error: ValidationError) -> str:
+    """The first thing that is wrong with options or environment variables, for a person."""
+    first = error.errors()[0]
+    return f"{'.'.join(map(str, first['loc']))}: {first['msg']}"
 
 
 def complain_of(file: str, problem: Exception) -> int:

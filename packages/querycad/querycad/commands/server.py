@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from querycad.client import Client, ClientError, ServerProblem
 
-from .outcomes import EXIT_BAD_INPUT, EXIT_FAILED, complain
+from .outcomes import EXIT_BAD_INPUT, EXIT_FAILED, complain, first_of
 
 if TYPE_CHECKING:
     from querycad.model import Model
@@ -41,8 +41,7 @@ def on_server(options: argparse.Namespace, work: Callable[[OpenModel], int]) -> 
     except OSError as error:
         return complain(f"{options.file}: {error.strerror}")
     except ValidationError as error:  # a question that no service would take
-        first = error.errors()[0]
-        return complain(f"{'.'.join(map(str, first['loc']))}: {first['msg']}")
+        return complain(first_of(error))
     except ValueError as error:
         return complain(str(error))
 

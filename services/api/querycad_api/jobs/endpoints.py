@@ -27,6 +27,7 @@ from querycad_api.problems import (
     JobNotFound,
     ModelNotFound,
     ModelUnreadable,
+    NothingMore,
     PictureNotFound,
     ServiceUnavailable,
     TooManyRequests,
@@ -34,7 +35,7 @@ from querycad_api.problems import (
 )
 from querycad_contracts import Job, JobId, JobStatus, ModelId, PartsPage, PictureTask, Queue, TaskName, picture_name
 
-from .service import answered, cancel, followed
+from .service import answered, cancel
 
 RECONNECT_MS = 1000
 JOB_STREAMS, KEY_STREAMS = 8, 128
@@ -65,9 +66,11 @@ async def _followed(
 ) -> AsyncIterator[Job]:
     """The job, looked up before the response begins, while its stream lasts.
 
-    Raises NothingMore to who was told all, and TooManyRequests where too many streams are open.
+    Raises JobNotFound, NothingMore to who was told all, and TooManyRequests where too many streams are open.
     """
-    job = await followed(services, job_id, last_event_id)
+    job = await services.job(job_id)
+    if last_event_id and await services.state.told(job_id, last_event_id):
+        raise NothingMore
     open_streams: Counter[str] = request.app.state.streams
     names = {f"job {job_id}": JOB_STREAMS, f"key {services.caller.key}": KEY_STREAMS}
     if any(open_streams[name] >= most for name, most in names.items()):

@@ -1,18 +1,10 @@
-"""What is done with jobs: they are followed, called off, and their answers looked up."""
+"""What is done with jobs: they are called off, and their answers looked up."""
 
 from __future__ import annotations
 
 from querycad_api.dependencies import Services
-from querycad_api.problems import JobIsDone, JobNotFound, NothingMore, PictureNotFound
+from querycad_api.problems import JobIsDone, JobNotFound, PictureNotFound
 from querycad_contracts import AnswerRecord, Job
-
-
-async def followed(services: Services, job: str, last_event: str) -> Job:
-    """The job whose events are told after the last one. Raises JobNotFound, and NothingMore to who was told all."""
-    found = await services.job(job)
-    if last_event and await services.state.told(job, last_event):
-        raise NothingMore
-    return found
 
 
 async def cancel(services: Services, job: str) -> Job:

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from fastapi.responses import Response, StreamingResponse
-from pydantic import TypeAdapter
 
 from querycad_api.dependencies import Services
 from querycad_api.ops.delivery import matches
@@ -28,7 +27,7 @@ KEPT = "private, max-age=31536000, immutable"
 COMPRESSED = ("model/gltf-binary",)
 """What segworkers write compressed as well; a PNG file is compressed as it is."""
 
-_FILE_NAME = TypeAdapter(TaskOutcome[str])
+_FILE_NAME = TaskOutcome[str]
 _BINARY = {"schema": {"type": "string", "format": "binary"}}
 _RANGE = re.compile(r"bytes=(\d{0,18})-(\d{0,18})")
 

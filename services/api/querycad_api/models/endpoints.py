@@ -94,4 +94,4 @@ async def get_model(model_id: ModelId, services: ServicesDep, wait_s: WaitDep) -
 async def delete_model(model_id: ModelId, services: ServicesDep) -> None:
     """Deletes the model with its file, questions and answers; questions that are under way end as cancelled."""
     await services.must_know(model_id)
-    await delete(services, model_id)
+    await delete(services, services.caller.tenant, model_id)

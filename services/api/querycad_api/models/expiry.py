@@ -18,7 +18,7 @@ from querycad_api.dependencies import Application
 from querycad_api.problems import ServiceUnavailable
 from querycad_api.store.keyspace import DAY_S
 
-from .service import drop
+from .service import delete
 
 UNFINISHED = ("upload-*", "draw-*", "fetch-*")
 """Uploads, drawings and downloads that go under their own name once they are whole; a killed process leaves them."""
@@ -43,7 +43,7 @@ async def drop_failed(application: Application, before: datetime) -> int:
     """How many models that could not be read, and were uploaded before then, are gone now?"""
     found = await application.state.failed_models(before)
     for tenant, model in found:
-        await drop(application.state, application.broker, application.files, tenant, model)
+        await delete(application, tenant, model)
     return len(found)
 
 

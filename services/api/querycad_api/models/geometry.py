@@ -7,7 +7,7 @@ from typing import Annotated
 
 from fastapi import APIRouter, Query, Request
 from fastapi.responses import Response
-from pydantic import Field, TypeAdapter
+from pydantic import Field
 
 from querycad_answering.drawing.tables import table
 from querycad_answering.drawing.writing import written
@@ -45,10 +45,10 @@ CALL_S = 20.0
 DESCRIBE_S = 60.0
 """Suggested questions are answered first, each in some ten milliseconds."""
 IDS = 1000
-_FACES = TypeAdapter(TaskOutcome[tuple[Face, ...]])
-_PARTS = TypeAdapter(TaskOutcome[PartsPage])
-_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
-_DESCRIPTION = TypeAdapter(TaskOutcome[Description])
+_FACES = TaskOutcome[tuple[Face, ...]]
+_PARTS = TaskOutcome[PartsPage]
+_GROUNDING = TaskOutcome[Grounding]
+_DESCRIPTION = TaskOutcome[Description]
 TEXT_MEDIA = {
     TableFormat.TEXT: "text/plain",
     TableFormat.CSV: "text/csv",

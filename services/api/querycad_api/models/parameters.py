@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from fastapi import APIRouter
-from pydantic import TypeAdapter
 
 from querycad_api.dependencies import ServicesDep
 from querycad_api.problems import BODY_PROBLEMS
@@ -13,7 +12,7 @@ from .service import called
 
 FILL_S = 120.0
 """64 parameters of several questions each, some ten milliseconds a question; language models take longer."""
-_SET = TypeAdapter(TaskOutcome[ParameterSet])
+_SET = TaskOutcome[ParameterSet]
 
 router = APIRouter(prefix="/v1/models/{model_id}", tags=["parameters"])
 

@@ -9,13 +9,10 @@ from datetime import UTC, datetime
 from typing import BinaryIO, TypeVar
 from uuid import uuid4
 
-from pydantic import TypeAdapter
-
-from querycad_api.dependencies import Services
+from querycad_api.dependencies import Application, Services
 from querycad_api.problems import ModelNotReady, QuotaReached, ServiceUnavailable
-from querycad_api.store.broker import Broker
 from querycad_api.store.keyspace import ModelStale
-from querycad_api.store.state import State, TooMuchStored
+from querycad_api.store.state import TooMuchStored
 from querycad_contracts import (
     AnswerRecord,
     FileStore,
@@ -65,16 +62,12 @@ async def add(services: Services, file: BinaryIO, file_name: str | None) -> tupl
     return resource.id, new
 
 
-async def delete(services: Services, model: str) -> None:
+async def delete(application: Application, tenant: str, model: str) -> None:
     """Deletes the model with its file, questions and answers.
 
     Questions that are under way end as cancelled; where the file is being read, that is stopped.
     """
-    await drop(services.state, services.broker, services.files, services.caller.tenant, model)
-
-
-async def drop(state: State, broker: Broker, files: FileStore, tenant: str, model: str) -> None:
-    """As `delete`, whoever's it is."""
+    state = application.state
     tasks = await state.tasks_about(tenant, model)
     stopped = [reader] if (reader := await state.ingest_of(tenant, model)) is not None else []
     stopped += [task.job for task in tasks if await state.end_job(task, AnswerRecord.cancelled(task.question))]
@@ -83,12 +76,12 @@ async def drop(state: State, broker: Broker, files: FileStore, tenant: str, mode
         await state.forget_jobs(tasks)
         names = [upload_name(model), models_name(model)] if nobodys else []  # see the segworker's drop_if_deleted
         names += [picture_name(task.job) for task in tasks]
-        await asyncio.to_thread(_remove, files, names)
-    await broker.stop(stopped)
+        await asyncio.to_thread(_remove, application.files, names)
+    await application.broker.stop(stopped)
 
 
 async def called(
-    services: Services, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float
+    services: Services, name: TaskName, task: ModelTask, value: type[TaskOutcome[T]], timeout_s: float
 ) -> T:
     """What does a worker say of the model? Raises ModelUnreadable, ServiceUnavailable, and ModelNotReady.
 

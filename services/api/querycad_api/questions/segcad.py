@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from typing import TypeVar, cast
 from uuid import uuid4
 
-from pydantic import TypeAdapter
 from redis import Redis
 from redis.exceptions import RedisError
 
@@ -46,11 +45,11 @@ from .sandbox import RunRefused, SandboxUnavailable
 CALL_S, LOOK_S = 20.0, 120.0
 VIEWS_KEPT = 256
 """Models whose names and whole are remembered: a few kilobytes each."""
-_OUTCOME = TypeAdapter(TaskOutcome[GroundedParts])
-_PARTS = TypeAdapter(TaskOutcome[PartsPage])
-_GROUNDING = TypeAdapter(TaskOutcome[Grounding])
-_PICTURES = TypeAdapter(TaskOutcome[tuple[MarkedPicture, ...]])
-_KEPT = TypeAdapter(TaskOutcome[bool])
+_OUTCOME = TaskOutcome[GroundedParts]
+_PARTS = TaskOutcome[PartsPage]
+_GROUNDING = TaskOutcome[Grounding]
+_PICTURES = TaskOutcome[tuple[MarkedPicture, ...]]
+_KEPT = TaskOutcome[bool]
 T = TypeVar("T")
 
 
@@ -77,21 +76,18 @@ class SegcadClient:
 
     def parts(self, model: str) -> tuple[Part, ...]:
         """All parts of the model. Raises as `view` does."""
-        return self._call(TaskName.PARTS, PartsTask(model=model), _PARTS, CALL_S).items
+        return self.call(TaskName.PARTS, PartsTask(model=model), _PARTS, CALL_S).items
 
     def place(self, model: str, files: FileStore) -> ModelPlace:
         """The model as eyes need it."""
         return ModelPlace(self, model, files)
 
-    def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]]) -> T:
-        """What comes of a task that may draw. Raises as `view` does."""
-        return self._call(name, task, value, LOOK_S)
-
     def _ask(self, task: GroundTask) -> GroundedParts:
         wait_s = LOOK_S if task.grounding in (GroundedBy.VISION, GroundedBy.FUSED) else CALL_S
-        return self._call(TaskName.GROUND, task, _OUTCOME, wait_s)
+        return self.call(TaskName.GROUND, task, _OUTCOME, wait_s)
 
-    def _call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], wait_s: float) -> T:
+    def call(self, name: TaskName, task: ModelTask, value: type[TaskOutcome[T]], wait_s: float = LOOK_S) -> T:
+        """What comes of a task, which may draw. Raises as `view` does."""
         sent = uuid4().hex
         queue = queue_of(name, task)
         try:
@@ -103,7 +99,7 @@ class SegcadClient:
             raise SandboxUnavailable(str(error)) from error
         if reply is None:
             raise SandboxUnavailable("no segworker answered")
-        outcome = value.validate_json(reply[1])
+        outcome = value.model_validate_json(reply[1])
         if outcome.value is not None:
             return outcome.value
         failure = outcome.failure

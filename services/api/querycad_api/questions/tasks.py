@@ -10,7 +10,7 @@ import logging
 import time
 from collections.abc import Callable
 from dataclasses import replace
-from functools import cache, partial
+from functools import cache, cached_property, partial
 from typing import Any, TypeVar
 
 from celery import Celery, Task
@@ -113,34 +113,26 @@ class Questions:
         self._llm = LlmWriter(settings)
         self._files = file_store(settings)
 
-    @property
+    @cached_property
     def ledger(self) -> Ledger:
         """Where models and jobs are finished."""
-        if self._ledger is None:
-            self._ledger = Ledger(self._redis(), self._settings.answers_days)
-        return self._ledger
+        return self._ledger or Ledger(self._redis(), self._settings.answers_days)
 
     def _redis(self) -> Redis:
         patience = Retry(ExponentialBackoff(cap=STORE_PAUSE_S), STORE_TRIES)
         return Redis.from_url(self._settings.redis_url, decode_responses=True, retry=patience)
 
-    @property
+    @cached_property
     def segcad(self) -> SegcadClient:
         """Who knows what words mean on a model."""
-        if self._segcad is None:
-            self._segcad = SegcadClient(self._redis())
-        return self._segcad
+        return self._segcad or SegcadClient(self._redis())
 
-    @property
+    @cached_property
     def sandbox(self) -> SandboxClient:
         """Where programs run."""
-        if self._sandbox is None:
-            self._sandbox = SandboxClient(
-                self._settings.sandbox_url,
-                self._settings.question_s,
-                self._settings.sandbox_token.get_secret_value(),
-            )
-        return self._sandbox
+        settings = self._settings
+        token = settings.sandbox_token.get_secret_value()
+        return self._sandbox or SandboxClient(settings.sandbox_url, settings.question_s, token)
 
     def answer(self, task: QuestionTask, retries: int = 0) -> float | None:
         """Ends the job with a record; or, where something is not ready, in how many seconds is it to be tried again?"""

@@ -9,7 +9,6 @@ from uuid import uuid4
 
 from celery import Celery, Signature
 from kombu.exceptions import OperationalError
-from pydantic import TypeAdapter
 from redis.asyncio import Redis as AsyncRedis
 from redis.exceptions import RedisError
 
@@ -82,14 +81,14 @@ class Broker:
         except (OperationalError, RedisError):
             return  # what is answered for nothing is passed over when it is done
 
-    async def call(self, name: TaskName, task: ModelTask, value: TypeAdapter[TaskOutcome[T]], timeout_s: float) -> T:
+    async def call(self, name: TaskName, task: ModelTask, value: type[TaskOutcome[T]], timeout_s: float) -> T:
         """What does a worker say to this? Raises ModelUnreadable and ModelStale too."""
         sent = uuid4().hex
         await self._put(queue_of(name, task), task_message(name, task, sent, timeout_s))
         reply = await self._reply(sent, timeout_s)
         if reply is None:
             raise ServiceUnavailable("no worker answered; try again in a moment")
-        outcome = value.validate_json(reply)
+        outcome = value.model_validate_json(reply)
         if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.NOT_READ:
             raise ModelStale(outcome.failure.message)
         if outcome.failure is not None and outcome.failure.kind is TaskFailureKind.FILE:

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from datetime import UTC, datetime
+from typing import Literal
 
 from querycad_api.links import job_links, model_links
 from querycad_contracts import (
@@ -58,74 +59,14 @@ class ModelStale(Exception):
     """What is known of a model is an older version's: its file has to be read anew first."""
 
 
-def model_key(tenant: str, model: str) -> str:
-    """Where is the model's hash?"""
-    return f"querycad:model:{tenant}:{model}"
+Kind = Literal[
+    "model", "models", "sizes", "answers", "bytes", "owners", "job", "asked", "events", "done", "said", "open", "once"
+]
 
 
-def models_key(tenant: str) -> str:
-    """Where are the ids of the tenant's models?"""
-    return f"querycad:models:{tenant}"
-
-
-def sizes_key(tenant: str) -> str:
-    """Where are the sizes of the tenant's models?"""
-    return f"querycad:sizes:{tenant}"
-
-
-def answers_key(tenant: str) -> str:
-    """Where are the ids of all jobs of the tenant?"""
-    return f"querycad:answers:{tenant}"
-
-
-def bytes_key(tenant: str) -> str:
-    """Where are the sizes of the tenant's answers?"""
-    return f"querycad:bytes:{tenant}"
-
-
-def owners_key(model: str) -> str:
-    """Where are the tenants that have a model with this content?"""
-    return f"querycad:owners:{model}"
-
-
-def job_key(job: str) -> str:
-    """Where is the job's hash?"""
-    return f"querycad:job:{job}"
-
-
-def asked_key(tenant: str, model: str) -> str:
-    """Where are the ids of the jobs about a model?"""
-    return f"querycad:asked:{tenant}:{model}"
-
-
-def model_events_key(tenant: str, model: str) -> str:
-    """Where is the stream of what happens to a model?"""
-    return f"querycad:events:{tenant}:{model}"
-
-
-def job_events_key(job: str) -> str:
-    """Where is the stream of what happens to a job?"""
-    return f"querycad:events:{job}"
-
-
-def job_done_key(job: str) -> str:
-    """Where is it told that a job is done?"""
-    return f"querycad:done:{job}"
-
-
-def job_said_key(job: str) -> str:
-    """Where is what a language model said for a job?"""
-    return f"querycad:said:{job}"
-
-
-def open_key(key: str) -> str:
-    """Where are the unanswered jobs of an API key?"""
-    return f"querycad:open:{key}"
-
-
-def once_key(tenant: str, key: str) -> str:
-    """Where is it noted what was done for an idempotency key?"""
-    return f"querycad:once:{tenant}:{key}"
+def key_of(kind: Kind, *whose: str) -> str:
+    """Under which key is this kept of a tenant, a model, a job …? The table above says what follows each kind."""
+    return ":".join(("querycad", kind, *whose))
 
 
 def model_of(fields: dict[str, str]) -> ModelResource | None:
@@ -185,8 +126,8 @@ def finished(
 
     The question is counted by how it ended; `times` are counted beside that.
     """
-    keys = [job_key(task.job), job_events_key(task.job), open_key(task.key), TOTALS, PENDING, job_done_key(task.job)]
-    keys.append(bytes_key(task.tenant))
+    keys = [key_of("job", task.job), key_of("events", task.job), key_of("open", task.key), TOTALS, PENDING]
+    keys += key_of("done", task.job), key_of("bytes", task.tenant)
     told = entry(JobEvent(kind=JobEventKind.DONE, at=now()))["event"]
     kept: list[str | float] = [bounded(record), now().isoformat(), kept_s, told, task.job, TOLD_S]
     category = record.failure.category if record.failure else ""

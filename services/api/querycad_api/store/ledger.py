@@ -24,14 +24,9 @@ from .keyspace import (
     READING,
     entry,
     finished,
-    job_events_key,
-    job_key,
-    job_said_key,
-    model_events_key,
-    model_key,
+    key_of,
     model_of,
     now,
-    sizes_key,
 )
 from .scripts import BEGIN_JOB, FINISH_JOB, FINISH_MODEL, WAIT_JOB
 
@@ -65,7 +60,7 @@ class JobTranscript:
 
     def __init__(self, redis: Redis, job: str) -> None:
         self._redis = redis
-        self._key = job_said_key(job)
+        self._key = key_of("said", job)
 
     def said(self) -> list[tuple[str, str]]:
         """Each request and its reply, in order."""
@@ -93,22 +88,22 @@ class Ledger:
 
     def finish_model(self, tenant: str, model: str, outcome: TaskOutcome[ModelSummary], uploaded: str = "") -> None:
         """Keeps what came of reading the model's file, if it is still the one `uploaded` then; empty: whichever."""
-        keys = [model_key(tenant, model), model_events_key(tenant, model), READING, sizes_key(tenant)]
+        keys = [key_of("model", tenant, model), key_of("events", tenant, model), READING, key_of("sizes", tenant)]
         kept_bytes = outcome.value.kept_bytes if outcome.value is not None else 0
         self._finish_model(keys, [outcome.model_dump_json(), f"{tenant}:{model}", uploaded, model, kept_bytes])
 
     def read_again(self, tenant: str, model: str) -> None:
         """Makes a model unread, whose file an api will have read anew within seconds."""
         with self._redis.pipeline() as pipe:
-            pipe.hdel(model_key(tenant, model), "outcome")
-            pipe.delete(model_events_key(tenant, model))
+            pipe.hdel(key_of("model", tenant, model), "outcome")
+            pipe.delete(key_of("events", tenant, model))
             pipe.zadd(READING, {f"{tenant}:{model}": now().timestamp()})
             pipe.execute()
 
     def begin_job(self, task: QuestionTask) -> Begun | None:
         """Notes that somebody works on it. None: it is done, or not there any more."""
         started = entry(JobEvent(kind=JobEventKind.STARTED, at=now()))["event"]
-        keys = [job_key(task.job), job_events_key(task.job), model_key(task.tenant, task.model)]
+        keys = [key_of("job", task.job), key_of("events", task.job), key_of("model", task.tenant, task.model)]
         begun = self._begin_job(keys, [now().isoformat(), started, now().timestamp()])
         if not begun:
             return None
@@ -119,7 +114,7 @@ class Ledger:
     def wait_job(self, job: str, message: str) -> None:
         """Notes that it waits again, without fault of its own."""
         waiting = entry(JobEvent(kind=JobEventKind.WAITING, at=now(), message=message))["event"]
-        self._wait_job([job_key(job), job_events_key(job)], [waiting, now().timestamp(), message])
+        self._wait_job([key_of("job", job), key_of("events", job)], [waiting, now().timestamp(), message])
 
     def wrote(self, job: str, code: str, codegen: str) -> None:
         """Tells that a program has been written."""
@@ -137,11 +132,11 @@ class Ledger:
         """Keeps the answer, and tells who waits for it. `took_s`: since the question was accepted."""
         self._finish_job(*finished(task, record, self._kept_s, _times(record, took_s)))
         if record.attempts:
-            self._redis.delete(job_said_key(task.job))
+            self._redis.delete(key_of("said", task.job))
 
     def _tell(self, job: str, event: JobEvent) -> None:
         """Adds to the job's stream, if there is one: that of a deleted job is not begun anew."""
-        self._redis.xadd(job_events_key(job), cast("Any", entry(event)), nomkstream=True)
+        self._redis.xadd(key_of("events", job), cast("Any", entry(event)), nomkstream=True)
 
 
 def _times(record: AnswerRecord, took_s: float) -> dict[str, float]:

@@ -39,25 +39,12 @@ from .keyspace import (
     READING,
     TOTALS,
     UNREAD,
-    answers_key,
-    asked_key,
-    bytes_key,
     entry,
     finished,
-    job_done_key,
-    job_events_key,
-    job_key,
     job_of,
-    job_said_key,
-    model_events_key,
-    model_key,
+    key_of,
     model_of,
-    models_key,
     now,
-    once_key,
-    open_key,
-    owners_key,
-    sizes_key,
     task_of,
 )
 from .scripts import ADD_JOBS, ADD_MODEL, FINISH_JOB, FORGET_BYTES, RESERVE
@@ -71,6 +58,7 @@ LOST_S = 10.0
 READ_AGAIN_S = 30.0
 """The same for a file that is being read."""
 AGAIN_S = 60.0
+DUE_AT_ONCE = 100
 LOOKED_AT = 200
 """Who waits behind so many tasks is told no place."""
 OPEN_S = DAY_S
@@ -134,7 +122,12 @@ class State:
 
     async def add_model(self, tenant: str, resource: ModelResource) -> bool:
         """Keeps a new model; False when it was there already. Raises TooMuchStored."""
-        keys = [model_key(tenant, resource.id), models_key(tenant), owners_key(resource.id), sizes_key(tenant)]
+        keys = [
+            key_of("model", tenant, resource.id),
+            key_of("models", tenant),
+            key_of("owners", resource.id),
+            key_of("sizes", tenant),
+        ]
         time, size = resource.created.timestamp(), UNREAD * resource.size_bytes
         added = await self._add_model(
             keys, [resource.model_dump_json(), resource.id, time, size, tenant, self._stored_bytes]
@@ -145,43 +138,45 @@ class State:
 
     async def owned(self, model: str) -> bool:
         """Has any tenant a model with this content?"""
-        return bool(await self._redis.exists(owners_key(model)))
+        return bool(await self._redis.exists(key_of("owners", model)))
 
     async def failed_models(self, before: datetime) -> list[tuple[str, str]]:
         """Which models, and whose, were uploaded before then and could not be read? Tenant and id."""
         found = []
-        async for key in self._redis.scan_iter(f"{models_key('')}*", count=1000):
-            tenant = str(key).removeprefix(models_key(""))
+        async for key in self._redis.scan_iter(key_of("models", "*"), count=1000):
+            tenant = str(key).removeprefix(key_of("models", ""))
             ids = cast("list[str]", await self._redis.zrangebyscore(key, 0, before.timestamp()))
             for model in ids:
-                outcome = await cast("Awaitable[str | None]", self._redis.hget(model_key(tenant, model), "outcome"))
+                outcome = await cast(
+                    "Awaitable[str | None]", self._redis.hget(key_of("model", tenant, model), "outcome")
+                )
                 if outcome and json.loads(outcome).get("failure"):
                     found.append((tenant, model))
         return found
 
     async def forget_outcome(self, tenant: str, model: str) -> None:
         """Makes a model unread again, before its file is read anew."""
-        await self._redis.hdel(model_key(tenant, model), "outcome")
-        await self._redis.delete(model_events_key(tenant, model))
+        await self._redis.hdel(key_of("model", tenant, model), "outcome")
+        await self._redis.delete(key_of("events", tenant, model))
 
     async def forget_model(self, tenant: str, model: str) -> bool:
         """Drops a model; is it now nobody's, so that its files may go?"""
         async with self._redis.pipeline() as pipe:
-            pipe.delete(model_key(tenant, model), model_events_key(tenant, model), asked_key(tenant, model))
-            pipe.zrem(models_key(tenant), model)
-            pipe.hdel(sizes_key(tenant), model)
+            pipe.delete(key_of("model", tenant, model), key_of("events", tenant, model), key_of("asked", tenant, model))
+            pipe.zrem(key_of("models", tenant), model)
+            pipe.hdel(key_of("sizes", tenant), model)
             pipe.zrem(READING, f"{tenant}:{model}")
-            pipe.srem(owners_key(model), tenant)
-            pipe.scard(owners_key(model))
+            pipe.srem(key_of("owners", model), tenant)
+            pipe.scard(key_of("owners", model))
             return not (await pipe.execute())[-1]
 
     async def knows_model(self, tenant: str, model: str) -> bool:
         """Did the tenant upload it? Without reading all that is known of it."""
-        return bool(await self._redis.hexists(model_key(tenant, model), "resource"))
+        return bool(await self._redis.hexists(key_of("model", tenant, model), "resource"))
 
     async def model(self, tenant: str, model: str) -> ModelResource | None:
         """What is known of the model? None when the tenant never uploaded it."""
-        return model_of(await self._hash(model_key(tenant, model)))
+        return model_of(await self._hash(key_of("model", tenant, model)))
 
     async def progress(self, model: str) -> tuple[ReadingStage | None, int | None]:
         """Of a file that is not read yet: the stage that it is at, and how many are before it in the queue."""
@@ -200,13 +195,13 @@ class State:
 
     async def models(self, tenant: str, offset: int, limit: int) -> ModelsPage:
         """Which models has the tenant? The newest first."""
-        ids, total = await self._page(models_key(tenant), offset, limit)
-        found = [model_of(fields) for fields in await self._hashes([model_key(tenant, each) for each in ids])]
+        ids, total = await self._page(key_of("models", tenant), offset, limit)
+        found = [model_of(fields) for fields in await self._hashes([key_of("model", tenant, each) for each in ids])]
         return ModelsPage(items=tuple(each for each in found if each is not None), total=total)
 
     async def model_done(self, tenant: str, model: str, timeout_s: float) -> bool:
         """Has the model's file been read, after at most so many seconds?"""
-        return await self._done(model_events_key(tenant, model), timeout_s)
+        return await self._done(key_of("events", tenant, model), timeout_s)
 
     # Jobs
 
@@ -214,7 +209,9 @@ class State:
         """Counts the tasks as open questions of their API key; False, and nothing counted, when that is too many."""
         time = now().timestamp()
         return bool(
-            await self._reserve([open_key(tasks[0].key)], [time, time - OPEN_S, at_most, *(task.job for task in tasks)])
+            await self._reserve(
+                [key_of("open", tasks[0].key)], [time, time - OPEN_S, at_most, *(task.job for task in tasks)]
+            )
         )
 
     async def add_jobs(self, tasks: Sequence[QuestionTask]) -> tuple[Job, ...]:
@@ -223,12 +220,12 @@ class State:
         number = time.timestamp()
         queued = entry(JobEvent(kind=JobEventKind.QUEUED, at=time))["event"]
         texts = [task.model_dump_json() for task in tasks]
-        keys = [model_key(tenant, model), asked_key(tenant, model), PENDING, TaskName.QUESTION.queue.value]
-        keys += answers_key(tenant), bytes_key(tenant)
+        keys = [key_of("model", tenant, model), key_of("asked", tenant, model), PENDING, TaskName.QUESTION.queue.value]
+        keys += key_of("answers", tenant), key_of("bytes", tenant)
         times = (time.isoformat(), number, number + LOST_S, self._kept_s, number - self._kept_s)
         arguments: list[str | float] = [*times, queued, self._answers, self._answer_bytes]
         for task, text in zip(tasks, texts, strict=True):
-            keys += job_key(task.job), job_events_key(task.job)
+            keys += key_of("job", task.job), key_of("events", task.job)
             arguments += task.job, text, task_message(TaskName.QUESTION, task, task.job)
         if not await self._add(keys, arguments):
             return ()
@@ -238,40 +235,41 @@ class State:
         """Drops jobs: of a deleted model, or because they could not be put on the queue."""
         async with self._redis.pipeline() as pipe:
             for task in tasks:
-                pipe.delete(*(key(task.job) for key in (job_key, job_events_key, job_done_key, job_said_key)))
-                pipe.zrem(asked_key(task.tenant, task.model), task.job)
-                pipe.zrem(answers_key(task.tenant), task.job)
-                pipe.zrem(open_key(task.key), task.job)
+                pipe.delete(key_of("job", task.job), key_of("events", task.job))
+                pipe.delete(key_of("done", task.job), key_of("said", task.job))
+                pipe.zrem(key_of("asked", task.tenant, task.model), task.job)
+                pipe.zrem(key_of("answers", task.tenant), task.job)
+                pipe.zrem(key_of("open", task.key), task.job)
                 pipe.zrem(PENDING, task.job)
-                await self._forget_bytes([bytes_key(task.tenant)], [task.job], client=pipe)
+                await self._forget_bytes([key_of("bytes", task.tenant)], [task.job], client=pipe)
             await pipe.execute()
 
     async def job(self, tenant: str, job: str) -> Job | None:
         """What is known of the job? None when the tenant has none of this id, or not any more."""
-        fields = await self._hash(job_key(job))
+        fields = await self._hash(key_of("job", job))
         task = task_of(fields)
         return job_of(fields) if task is not None and task.tenant == tenant else None
 
     async def task(self, job: str) -> QuestionTask | None:
         """What was asked? None when it is not known any more."""
-        return task_of(await self._hash(job_key(job)))
+        return task_of(await self._hash(key_of("job", job)))
 
     async def jobs(self, tenant: str, model: str, offset: int, limit: int) -> JobsPage:
         """What was asked about the model? The newest first."""
-        ids, total = await self._page(asked_key(tenant, model), offset, limit)
-        hashes = await self._hashes([job_key(each) for each in ids])
+        ids, total = await self._page(key_of("asked", tenant, model), offset, limit)
+        hashes = await self._hashes([key_of("job", each) for each in ids])
         found = await asyncio.to_thread(lambda: [job_of(fields) for fields in hashes])  # a page may have 100 MB
         return JobsPage(items=tuple(each for each in found if each is not None), total=total)
 
     async def tasks_about(self, tenant: str, model: str) -> tuple[QuestionTask, ...]:
         """All that was asked about the model."""
-        ids, _ = await self._page(asked_key(tenant, model), 0, 0)
-        found = [task_of(fields) for fields in await self._hashes([job_key(each) for each in ids])]
+        ids, _ = await self._page(key_of("asked", tenant, model), 0, 0)
+        found = [task_of(fields) for fields in await self._hashes([key_of("job", each) for each in ids])]
         return tuple(each for each in found if each is not None)
 
     async def record(self, job: str) -> str | None:
         """The job's AnswerRecord as it was written; None while there is none."""
-        return await cast("Awaitable[str | None]", self._redis.hget(job_key(job), "record"))
+        return await cast("Awaitable[str | None]", self._redis.hget(key_of("job", job), "record"))
 
     async def end_job(self, task: QuestionTask, record: AnswerRecord) -> bool:
         """Ends a job from outside; False when it was done already."""
@@ -279,11 +277,11 @@ class State:
 
     async def job_done(self, job: str, timeout_s: float) -> bool:
         """Is the job done, after at most so many seconds?"""
-        return await self._done(job_done_key(job), timeout_s)
+        return await self._done(key_of("done", job), timeout_s)
 
     async def events(self, job: str, after: str) -> AsyncIterator[tuple[str, JobEvent]]:
         """What happens to the job, as it happens, after the event of that id ('0': from the start), up to `done`."""
-        key, last = job_events_key(job), after
+        key, last = key_of("events", job), after
         while True:
             entries = await self._read(key, last, READ_S)
             for last, fields in entries:
@@ -301,7 +299,7 @@ class State:
 
     async def told(self, job: str, after: str) -> bool:
         """Is there nothing more to tell of the job after the event of that id, now or later?"""
-        newest = cast("list[tuple[str, dict[str, str]]]", await self._redis.xrevrange(job_events_key(job), count=1))
+        newest = cast("list[tuple[str, dict[str, str]]]", await self._redis.xrevrange(key_of("events", job), count=1))
         if not newest:  # its model was deleted
             return True
         number, fields = newest[0]
@@ -310,9 +308,9 @@ class State:
     async def once(self, tenant: str, key: str, wanted: Once) -> Once:
         """What is done for this idempotency key? `wanted` itself, unless the key was used within the last day."""
         data = json.dumps([wanted.fingerprint, wanted.jobs])
-        if await self._redis.set(once_key(tenant, key), data, nx=True, ex=DAY_S):
+        if await self._redis.set(key_of("once", tenant, key), data, nx=True, ex=DAY_S):
             return wanted
-        kept = await self._redis.get(once_key(tenant, key))
+        kept = await self._redis.get(key_of("once", tenant, key))
         if kept is None:  # it ended between the two
             return wanted
         fingerprint, jobs = json.loads(kept)
@@ -325,28 +323,28 @@ class State:
         async with self._redis.pipeline() as pipe:
             pipe.zadd(READING, {f"{tenant}:{model}": now().timestamp() + READ_AGAIN_S})
             pipe.delete(stage_key(model))
-            pipe.hset(model_key(tenant, model), "ingest", task)
+            pipe.hset(key_of("model", tenant, model), "ingest", task)
             await pipe.execute()
 
     async def ingest_of(self, tenant: str, model: str) -> str | None:
         """The id of the task that reads the model's file, while it does."""
-        fields = await self._hash(model_key(tenant, model))
+        fields = await self._hash(key_of("model", tenant, model))
         return fields.get("ingest") if "outcome" not in fields else None
 
     async def turn(self, name: str, seconds: float) -> bool:
         """Is it this process's turn to do what is done once in so many seconds by all processes together?"""
         return bool(await self._redis.set(f"querycad:turn:{name}", 1, nx=True, px=int(seconds * 1e3)))
 
-    async def stalled_jobs(self, waiting: bool, started_s: float, at_most: int = 100) -> list[QuestionTask]:
+    async def stalled_jobs(self, waiting: bool, started_s: float) -> list[QuestionTask]:
         """Which jobs does nobody seem to have? They are not looked at again for a minute.
 
         `waiting`: whether there are questions in the queue; a job may be among them then, for a minute.
         `started_s`: how long a question takes at the longest.
         """
         time = now().timestamp()
-        ids = await self._due(PENDING, time, at_most)
+        ids = await self._due(PENDING, time)
         stalled = []
-        for job, fields in zip(ids, await self._hashes([job_key(each) for each in ids]), strict=True):
+        for job, fields in zip(ids, await self._hashes([key_of("job", each) for each in ids]), strict=True):
             task = task_of(fields)
             if task is None or "record" in fields:
                 await self._redis.zrem(PENDING, job)
@@ -359,11 +357,11 @@ class State:
                 stalled.append(task)
         return stalled
 
-    async def stalled_models(self, at_most: int = 100) -> list[tuple[str, ModelResource]]:
+    async def stalled_models(self) -> list[tuple[str, ModelResource]]:
         """Which files, and whose, have been read for long, or does nobody read? Not looked at again for a while."""
         time = now().timestamp()
         stalled = []
-        for each in await self._due(READING, time, at_most):
+        for each in await self._due(READING, time):
             tenant, _, model = each.partition(":")
             found = await self.model(tenant, model)
             if found is None or found.status is not ModelStatus.READING:
@@ -373,13 +371,13 @@ class State:
             stalled.append((tenant, found))
         return stalled
 
-    async def _due(self, key: str, time: float, at_most: int) -> list[str]:
+    async def _due(self, key: str, time: float) -> list[str]:
         """Members of a sorted set whose time has come, or is further away than any is put: the clock was moved."""
         async with self._redis.pipeline(transaction=False) as pipe:
             for first, last in ((0.0, time), (time + 2 * AGAIN_S, float("inf"))):
-                pipe.zrangebyscore(key, first, last, start=0, num=at_most)
+                pipe.zrangebyscore(key, first, last, start=0, num=DUE_AT_ONCE)
             due, moved = await pipe.execute()
-        return [*due, *moved][:at_most]
+        return [*due, *moved][:DUE_AT_ONCE]
 
     async def _done(self, stream: str, timeout_s: float) -> bool:
         """Is there an entry in a stream whose one entry tells that something is done?"""

@@ -18,7 +18,7 @@ from typing import Final
 from urllib.parse import urlsplit
 
 import querycad_contracts
-from querycad_contracts.walls import SYSTEM_FOLDERS
+from querycad_contracts.walls import SYSTEM_FOLDERS, become
 from querycad_sandbox.settings import SandboxSettings
 
 from .confinement import NOBODY, interpreter
@@ -34,7 +34,7 @@ TRACING_PORTS: Final = (4317, 4318)
 SYSTEM_FILES: Final = ("hosts", "resolv.conf", "nsswitch.conf", "host.conf", "gai.conf", "localtime", "ld.so.cache")
 CONTRACTS: Final = Path(querycad_contracts.__file__).parent
 DEVICES: Final = ("/dev/null", "/dev/urandom")
-PR_SET_PDEATHSIG, PR_GET_PDEATHSIG, PR_SET_DUMPABLE = 1, 2, 4
+PR_SET_DUMPABLE: Final = 4
 
 log = logging.getLogger(__name__)
 
@@ -77,13 +77,8 @@ def _leave_root() -> bool:
     if not all(_open_to_all(Path(path)) for path in needed):
         log.warning("this runs as root: another user could not read %s", sys.prefix)
         return False
-    libc, ends_with_parent = ctypes.CDLL(None), ctypes.c_int()
-    libc.prctl(PR_GET_PDEATHSIG, ctypes.byref(ends_with_parent))
-    os.setgroups([])
-    os.setresgid(NOBODY, NOBODY, NOBODY)
-    os.setresuid(NOBODY, NOBODY, NOBODY)
-    libc.prctl(PR_SET_DUMPABLE, 1)  # else its interpreters could not be started from its own memory
-    libc.prctl(PR_SET_PDEATHSIG, ends_with_parent.value)  # a change of user forgets it
+    become(NOBODY)
+    ctypes.CDLL(None).prctl(PR_SET_DUMPABLE, 1)  # else its interpreters could not be started from its own memory
     return True
 
 
