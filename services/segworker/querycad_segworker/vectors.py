@@ -49,6 +49,24 @@ def parallel(a: Vector, b: Vector, tolerance_rad: float) -> bool:
     return norm(cross(a, b)) <= tolerance_rad
 
 
+def points_up(direction: Vector) -> bool:
+    """Of the two ways along a line, is it the one to the top, else to the front, else to the right?"""
+    x, y, z = direction
+    return next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True)
+
+
+def upwards(direction: Vector) -> Vector:
+    """Which of the two ways along a line points up, as `points_up` has it?"""
+    return direction if points_up(direction) else scale(direction, -1.0)
+
+
+def span(points: Iterable[Vector], direction: Vector) -> tuple[float, float]:
+    """From where to where do points reach along a direction? (0, 0) without points."""
+    x, y, z = direction
+    along = [p[0] * x + p[1] * y + p[2] * z for p in points]
+    return min(along, default=0.0), max(along, default=0.0)
+
+
 OFF_ROUND = 1.0003717
 """Drawings have round numbers, and halves of them: without this factor those would lie on the borders between bins,
 where the kernel's noise decides."""

@@ -20,7 +20,17 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Wire
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop, Moments
+from querycad_segworker.topology import (
+    BodyRecord,
+    Brep,
+    EdgeConvexity,
+    EdgeKind,
+    EdgeRecord,
+    FaceRecord,
+    Loop,
+    Moments,
+    parted,
+)
 from querycad_segworker.vectors import (
     Box,
     angle_covered,
@@ -306,18 +316,7 @@ class FaceTable:
             members = [use.face for use in data.uses if use.face in neighbours]
             for a in members:
                 neighbours[a].update(members)
-        groups, seen = [], set[int]()
-        for start in ids:
-            if start in seen:
-                continue
-            group, stack = {start}, [start]
-            while stack:
-                new = neighbours[stack.pop()] - group
-                group |= new
-                stack.extend(new)
-            seen |= group
-            groups.append(sorted(group))
-        return groups
+        return [sorted(group) for group in parted(ids, neighbours.__getitem__)]
 
     def is_closed(self, ids: Sequence[int]) -> bool:
         """Do these faces leave no free edge?"""

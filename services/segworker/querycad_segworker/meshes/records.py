@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.topology import (
+    REVOLVED,
     BodyRecord,
     Brep,
     EdgeConvexity,
@@ -30,7 +31,6 @@ from .triangles import Array, Ints, Named, Triangles, grouped, vector_of
 
 SMOOTH_RAD = math.radians(2.0)
 """As `Tolerances.smooth`."""
-_REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,7 +113,6 @@ class _Builder:
         self.chains = chains
         self.near = near
         self.boxes: list[Box] = []
-        self.sags: dict[int, list[tuple[int, Array, Array, float, float]]] = defaultdict(list)
 
     def edge(self, number: int, chain: _Chain) -> EdgeRecord:
         """The line, circle or other curve that a chain follows."""
@@ -173,7 +172,7 @@ class _Builder:
     def _circle(self, points: Array, surfaces: Sequence[Fitted | None]) -> tuple[Array, Array, float] | None:
         """About the axis of a round face, if the points are; else through them, if four or more lie on one."""
         for surface in surfaces:
-            if surface is None or surface.kind not in _REVOLVED:
+            if surface is None or surface.kind not in REVOLVED:
                 continue
             to = points - surface.origin
             along = to @ surface.axis
@@ -298,7 +297,7 @@ class _Builder:
             np.concatenate([self.mesh.vertices[self.chains[i].places][:: 1 if forward else -1] for i, forward in ring])
             for ring in rings
         ]
-        if surface is not None and surface.kind in _REVOLVED:
+        if surface is not None and surface.kind in REVOLVED:
             turns = [abs(float(_turns(outline, surface.origin, surface.axis)[-1])) > math.pi for outline in outlines]
             if any(turns):
                 joined = [i for ring, turned in zip(rings, turns, strict=True) if turned for i, _ in ring]

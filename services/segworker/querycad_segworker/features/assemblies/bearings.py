@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import edge_points
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, FaceRecord
+from querycad_segworker.topology import REVOLVED, BodyRecord, Brep, FaceRecord
 from querycad_segworker.vectors import Box, box_center, box_union, parallel
 
 REVOLVED_SHARE = 0.9
@@ -249,16 +249,13 @@ def _by_axis(rings: Sequence[_Ring], tolerances: Tolerances) -> list[list[_Ring]
     return [line for line in lines if len(line) > 1]
 
 
-_REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
-
-
 def _ring(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> _Ring | None:
     """The body as a ring: all of it turns about one axis, and a concave wall leaves that axis free."""
     faces = [brep.faces[f] for f in record.faces]
-    lead = max((f for f in faces if f.kind in _REVOLVED), key=lambda f: f.area, default=None)
+    lead = max((f for f in faces if f.kind in REVOLVED), key=lambda f: f.area, default=None)
     if lead is None or not any(f.outward < 0 for f in faces):
         return None
-    axis = Axis(lead.origin, lead.axis)
+    axis = Axis.of(lead)
     own = [f for f in faces if _turns_about(f, axis, tolerances)]
     if sum(f.area for f in own) < REVOLVED_SHARE * record.area:
         return None
@@ -287,20 +284,20 @@ def _turns_about(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
         return parallel(face.axis, axis.direction, 3 * tolerances.angle)
     if face.kind is SurfaceKind.SPHERE:
         return axis.radius_of(face.origin) <= 3 * tolerances.length
-    return face.kind in _REVOLVED and axis.same_line(Axis(face.origin, face.axis), tolerances)
+    return face.kind in REVOLVED and axis.same_line(Axis.of(face), tolerances)
 
 
 def _roller(brep: Brep, record: BodyRecord, center: Vector) -> _Roller | None:
     """The body as a ball or roller: nothing of it is concave, and its largest face is round."""
     faces = [brep.faces[f] for f in record.faces]
-    round_faces = [f for f in faces if f.kind in (*_REVOLVED, SurfaceKind.SPHERE)]
+    round_faces = [f for f in faces if f.kind in (*REVOLVED, SurfaceKind.SPHERE)]
     lead = max(round_faces, key=lambda f: f.area, default=None)
     if lead is None or any(f.outward < 0 for f in faces) or not record.is_solid:
         return None
     if any(f.kind is SurfaceKind.FREEFORM for f in faces):
         return None
     ball = all(f.kind is SurfaceKind.SPHERE for f in faces)
-    axis = Axis(lead.origin, lead.axis)
+    axis = Axis.of(lead)
     if not ball and sum(f.area for f in faces if f.kind is SurfaceKind.PLANE or _coaxial(f, axis)) < 0.99 * record.area:
         return None
     return _Roller(record.id, lead.origin if ball else center, (lead.radius, record.area), ball)

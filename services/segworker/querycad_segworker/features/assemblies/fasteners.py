@@ -143,7 +143,7 @@ def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep
     assert shank.radius is not None
     away = unit(sub(shank.center, head.center))
     axis = scale(shank.axis, 1.0 if dot(shank.axis, away) > 0 else -1.0)
-    edges = {e for face in body.faces for e in brep.face_edges[face]}
+    edges = brep.edges_of(body.faces)
     points = [point for e in edges for point in edge_points(brep, e)] + [brep.faces[face].point for face in body.faces]
     ends = [step.tip for step in (head, shank) if step.tip is not None]
     reach = [dot(sub(point, shank.center), axis) for point in (*points, *ends)]

@@ -13,13 +13,12 @@ from querycad_segworker.features.shared.extruded_walls import (
     Tunnel,
     first_of_surface,
     tunnel_of,
-    upwards,
 )
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit
+from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
@@ -106,8 +105,8 @@ def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
     """
     if abs(dot(pair[0].axis, pair[1].axis)) > SQUARE or dot(pair[0].axis, floor.axis) < BEVEL:
         return False
-    beside = [[n for e, n in brep.neighbours(w.id) if e.convexity is EdgeConvexity.CONVEX] for w in pair]
-    return not any(dot(brep.faces[n].axis, floor.axis) > LEVEL for side in beside for n in side)
+    beside = [brep.faces[i] for wall in pair for i in brep.beside(wall.id, EdgeConvexity.CONVEX)]
+    return not any(dot(face.axis, floor.axis) > LEVEL for face in beside)
 
 
 def _between_bevels(

@@ -138,14 +138,8 @@ def _on_one(a: FaceRecord, b: FaceRecord) -> bool:
 
 def _rim(brep: Brep, found: Depression) -> FaceRecord | None:
     """The widest outer cylinder that a depression opens to: the outside of a tube that is part of a larger body."""
-    outer = [
-        brep.faces[other]
-        for face in found.faces
-        for edge, other in brep.neighbours(face)
-        if edge.convexity is EdgeConvexity.CONVEX
-        and brep.faces[other].kind is SurfaceKind.CYLINDER
-        and brep.faces[other].outward > 0
-    ]
+    beside = (brep.faces[other] for face in found.faces for other in brep.beside(face, EdgeConvexity.CONVEX))
+    outer = [face for face in beside if face.kind is SurfaceKind.CYLINDER and face.outward > 0]
     return max(outer, key=lambda face: face.radius, default=None)
 
 

@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, span, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
@@ -138,7 +138,7 @@ def _behind_rim(
 
 def _holds(brep: Brep, host: FaceRecord, piece: set[int]) -> bool:
     """Do the walls of a piece turn so far that it is still closed in, though others break into it?"""
-    around = tunnel_of(brep, {f for f in piece if abs(dot(_facing(brep, f), host.axis)) < UPRIGHT})
+    around = tunnel_of(brep, {f for f in piece if abs(dot(brep.faces[f].facing, host.axis)) < UPRIGHT})
     return around is not None and (around.closed or around.turn > MORE_THAN_HALF)
 
 
@@ -153,11 +153,11 @@ def _closed(
         normal = scale(tunnel.axis, math.copysign(1.0, dot(tunnel.axis, normal)))
         outline = tunnel.outline
     inside = {f for f in group - graph.bevels if brep.faces[f].outward <= 0}
-    walls = [f for f in group - graph.bevels if abs(dot(_facing(brep, f), normal)) < UPRIGHT]
+    walls = [f for f in group - graph.bevels if abs(dot(brep.faces[f].facing, normal)) < UPRIGHT]
     if not walls:
         refuse("pocket", group, "no wall runs into the material: a shallow hollow")
         return None
-    floors = {f for f in inside if dot(_facing(brep, f), normal) >= UPRIGHT} or _shared_floor(
+    floors = {f for f in inside if dot(brep.faces[f].facing, normal) >= UPRIGHT} or _shared_floor(
         brep, graph, walls, normal
     )
     group = group | floors
@@ -191,10 +191,8 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
     sizes = []
     for loop in (floor.loops[0], inner[0]):
         points = [p for e in loop.edges for p in edge_points(brep, e)]
-        across = cross(floor.axis, pocket.direction)
-        sizes.append(
-            [max(dot(p, d) for p in points) - min(dot(p, d) for p in points) for d in (pocket.direction, across)]
-        )
+        ranges = [span(points, way) for way in (pocket.direction, cross(floor.axis, pocket.direction))]
+        sizes.append([high - low for low, high in ranges])
     gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]
     if min(gaps) <= 0:
         return None
@@ -229,8 +227,3 @@ def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:
     if facing:
         return max(facing, key=lambda f: f.area).axis
     return unit(sub(rim_center, mean([brep.faces[f].point for f in group])))
-
-
-def _facing(brep: Brep, face_id: int) -> Vector:
-    face = brep.faces[face_id]
-    return face.axis if face.kind is SurfaceKind.PLANE else face.point_normal

@@ -97,11 +97,7 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
         return Undercut("dovetail", neck, frozenset(), math.acos(min(1.0, -leans[0])))
     lips = []
     for wall in pair:
-        above = [
-            brep.faces[other]
-            for edge, other in brep.neighbours(wall.id)
-            if other in group and edge.convexity is EdgeConvexity.CONCAVE
-        ]
+        above = [brep.faces[i] for i in brep.beside(wall.id, EdgeConvexity.CONCAVE) if i in group]
         above = [face for face in above if dot(face.axis, floor.axis) < -math.cos(DRAFT_RAD)]
         if not above:
             return None
@@ -140,9 +136,7 @@ def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
     """The two walls between the lips of a T slot and its mouth."""
     found = []
     for lip, wall in zip(lips, pair, strict=True):
-        beside = [
-            brep.faces[other] for edge, other in brep.neighbours(lip.id) if edge.convexity is EdgeConvexity.CONVEX
-        ]
+        beside = [brep.faces[i] for i in brep.beside(lip.id, EdgeConvexity.CONVEX)]
         beside = [face for face in beside if dot(face.axis, wall.axis) > math.cos(DRAFT_RAD)]
         if not beside:
             return None

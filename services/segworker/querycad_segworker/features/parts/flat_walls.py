@@ -154,8 +154,7 @@ def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
         if edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].kind is SurfaceKind.PLANE:
             found[other] += edge.length
         elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
-            beyond = {n for e, n in brep.neighbours(other) if e.convexity is EdgeConvexity.SMOOTH} - {side.id}
-            for face in beyond:
+            for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
                 if brep.faces[face].kind is SurfaceKind.PLANE and brep.faces[other].outward < 0:
                     found[face] += edge.length
     return sorted(found.items())
@@ -231,8 +230,8 @@ def _is_disc(brep: Brep, face: FaceRecord) -> bool:
 
 
 def _frame(brep: Brep, side: Sequence[FaceRecord]) -> LocalFrame:
-    rims = _rims(side)
-    return frame_of_edges(brep, rims or {e for face in side for e in brep.face_edges[face.id]}, side[0].axis, None)
+    edges = _rims(side) or brep.edges_of(face.id for face in side)
+    return frame_of_edges(brep, edges, side[0].axis, None)
 
 
 def _rims(side: Sequence[FaceRecord]) -> set[int]:

@@ -127,7 +127,7 @@ def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
 
 def _reach(brep: Brep, flank: FaceRecord, along: Vector, out: Vector, foot: float) -> tuple[float, float]:
     """From where to where along the rib does a flank go above the foot?"""
-    paths = [(edge.start, edge.mid, edge.end) for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
+    paths = [edge.points for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
     highest = max(dot(p, out) for path in paths for p in path)
     level = foot - NEAR_FOOT * (highest - foot)
     above = []

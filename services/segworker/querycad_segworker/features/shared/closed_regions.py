@@ -152,7 +152,7 @@ class _Graph:
     def _facing_in(self, region: Region) -> float:
         """How much do the walls look at the middle of the region, from -1 to 1? Of all faces, where none is a wall."""
         faces = sorted(region.faces)
-        towards = self._towards(faces, self._middle({e for face in faces for e in self._brep.face_edges[face]}))
+        towards = self._towards(faces, self._middle(self._brep.edges_of(faces)))
         if region.opening is not None:
             sizes = np.array([self._brep.faces[face].area for face in faces])
             walls = np.abs(self._moments.area_m2[faces] @ np.array(region.opening)) < UPRIGHT * sizes

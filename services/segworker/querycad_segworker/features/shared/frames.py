@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
-from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, perpendicular, scale, span, sub, unit
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
@@ -38,7 +38,7 @@ def frame_of(
     brep: Brep, faces: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
 ) -> LocalFrame:
     """The box of some faces along `normal` and the direction of their longest straight edge across it."""
-    return frame_of_edges(brep, {e for f in faces for e in brep.face_edges[f]}, normal, rim, along)
+    return frame_of_edges(brep, brep.edges_of(faces), normal, rim, along)
 
 
 def frame_of_edges(
@@ -62,19 +62,13 @@ def frame_of_edges(
     u = unit(sub(u, scale(normal, dot(u, normal))))
     v = cross(normal, u)
     points = [p for e in edges for p in edge_points(brep, e)]
-    ranges = [_range(points, d) for d in (u, v, normal)]
+    ranges = [span(points, d) for d in (u, v, normal)]
     if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
         ranges[:2] = [ranges[1], (-ranges[0][1], -ranges[0][0])]
     low = (ranges[0][0], ranges[1][0], ranges[2][0])
     size = tuple(b - a for a, b in ranges)
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
-
-
-def _range(points: Sequence[Vector], direction: Vector) -> tuple[float, float]:
-    x, y, z = direction
-    along = [p[0] * x + p[1] * y + p[2] * z for p in points]
-    return min(along), max(along)
 
 
 def edge_points(brep: Brep, e: int) -> list[Vector]:

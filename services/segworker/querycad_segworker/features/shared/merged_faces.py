@@ -19,7 +19,7 @@ from querycad_segworker.topology import (
     Loop,
     together,
 )
-from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub
 
 from .axes import Axis
 from .coaxial_stacks import winding
@@ -142,7 +142,7 @@ def _meet(a: EdgeRecord, b: EdgeRecord, tolerances: Tolerances) -> bool:
 def _same_curve(a: EdgeRecord, b: EdgeRecord, tolerances: Tolerances) -> bool:
     near = 3 * tolerances.length
     if a.kind is EdgeKind.LINE:
-        return parallel(unit(sub(a.end, a.start)), unit(sub(b.end, b.start)), 10 * tolerances.angle)
+        return parallel(a.direction, b.direction, 10 * tolerances.angle)
     if a.center is None or b.center is None or a.radius is None or b.radius is None:
         return False
     return dist(a.center, b.center) <= near and abs(a.radius - b.radius) <= near
@@ -224,12 +224,12 @@ def _middle(pieces: Sequence[FaceRecord], outline: Sequence[EdgeRecord]) -> tupl
         return (sum(p[0] for p in points), sum(p[1] for p in points), sum(p[2] for p in points)), largest.axis, 0.0
     if largest.kind not in REVOLVED:
         return largest.point, largest.point_normal, max(piece.sweep for piece in pieces)
-    axis = Axis(largest.origin, largest.axis)
+    axis = Axis.of(largest)
     middle, sweep = _covered([(axis.angle_of(piece.point), piece.sweep) for piece in pieces])
     turn = middle - axis.angle_of(largest.point)
     foot = axis.at(axis.position(largest.point))
     if largest.kind is SurfaceKind.CYLINDER:
-        ends = [axis.position(p) for edge in outline for p in (edge.start, edge.mid, edge.end)]
+        ends = [axis.position(p) for edge in outline for p in edge.points]
         middle_foot = axis.at((min(ends) + max(ends)) / 2) if ends else foot
     else:
         middle_foot = foot
@@ -279,7 +279,7 @@ def _loops(face: FaceRecord, edges: Sequence[EdgeRecord], tolerances: Tolerances
         chains.sort(key=_size, reverse=True)
         outer, inner = chains[:1], chains[1:]
     else:
-        axis = Axis(face.origin, face.axis)
+        axis = Axis.of(face)
         around = [_winds(face, axis, chain) for chain in chains]
         outer = [chain for chain, goes in zip(chains, around, strict=True) if goes]
         inner = [chain for chain, goes in zip(chains, around, strict=True) if not goes]
@@ -306,7 +306,7 @@ def _winds(face: FaceRecord, axis: Axis, chain: Sequence[EdgeRecord]) -> bool:
 
 
 def _size(chain: Sequence[EdgeRecord]) -> float:
-    points = [p for edge in chain for p in (edge.start, edge.mid, edge.end)]
+    points = [p for edge in chain for p in edge.points]
     points += [add(e.center, scale(sub(e.mid, e.center), -1.0)) for e in chain if e.closed and e.center is not None]
     return sum((max(p[i] for p in points) - min(p[i] for p in points)) ** 2 for i in range(3))
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import REVOLVED, Brep, EdgeConvexity, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import angle_covered, cross, dot, foot, norm, sub
 
 from .axes import Axis, Wall
@@ -16,8 +16,6 @@ from .interrupted_walls import with_interrupted
 from .modelled_threads import with_threads
 
 __all__ = ["REVOLVED", "Axis", "Wall", "same_surface", "walls"]
-
-REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 
 
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
@@ -40,7 +38,7 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     """Do two faces of revolution lie on one surface, on the same side of the material?"""
     if a.kind is not b.kind or a.outward != b.outward or a.body != b.body:
         return False
-    if not Axis(a.origin, a.axis).same_line(Axis(b.origin, b.axis), tolerances):
+    if not Axis.of(a).same_line(Axis.of(b), tolerances):
         return False
     near = 3 * tolerances.length
     if a.kind is SurfaceKind.CYLINDER:
@@ -76,13 +74,8 @@ class Groups:
 
 def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
     first = faces[0]
-    axis = Axis(first.origin, first.axis)
-    points = [
-        p
-        for face in faces
-        for e in brep.face_edges[face.id]
-        for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)
-    ]
+    axis = Axis.of(first)
+    points = [p for face in faces for e in brep.face_edges[face.id] for p in brep.edges[e].points]
     positions = [axis.position(p) for p in points] or [axis.position(first.point)]
     if first.kind is SurfaceKind.TORUS:
         positions.extend(axis.position(f.point) for f in faces)

@@ -268,7 +268,7 @@ def period(group: Sequence[float]) -> int:
 
 
 def _is_coaxial(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
-    return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis(face.origin, face.axis), tolerances)
+    return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis.of(face), tolerances)
 
 
 def _pointed_teeth(brep: Brep, faces: Sequence[int], axis: Axis, tip_radius: float) -> tuple[Tooth, ...]:

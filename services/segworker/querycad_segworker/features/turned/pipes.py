@@ -140,7 +140,7 @@ def _bend(brep: Brep, face: FaceRecord) -> Bend | None:
     """Is the face a pipe's bend? Part of a torus that is bounded by whole cross-sections."""
     if face.kind is not SurfaceKind.TORUS or face.sweep > WHOLE_TURN or face.minor_radius >= face.radius:
         return None
-    bend = Bend(face.id, Axis(face.origin, face.axis), face.radius, face.minor_radius, face.sweep, face.outward)
+    bend = Bend(face.id, Axis.of(face), face.radius, face.minor_radius, face.sweep, face.outward)
     turns: dict[Vector, float] = defaultdict(float)
     for e in set(brep.face_edges[face.id]):
         edge = brep.edges[e]
