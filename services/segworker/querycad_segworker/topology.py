@@ -218,6 +218,10 @@ class Brep:
         """Which faces meet this face in edges of this convexity? One entry an edge."""
         return [other for edge, other in self.neighbours(face) if edge.convexity is convexity]
 
+    def of_kind(self, kind: SurfaceKind, faces: Iterable[int]) -> list[FaceRecord]:
+        """Which of these faces are of this kind? In the order given."""
+        return [self.faces[face] for face in faces if self.faces[face].kind is kind]
+
     def edges_of(self, faces: Iterable[int]) -> set[int]:
         """Which edges bound these faces?"""
         return {edge for face in faces for edge in self.face_edges[face]}
@@ -241,3 +245,12 @@ def parted(faces: Iterable[int], onwards: Callable[[int], Iterable[int]]) -> Ite
             group = spread((face,), onwards)
             seen |= group
             yield group
+
+
+def linked(faces: Iterable[int], pairs: Iterable[Sequence[int]]) -> list[list[int]]:
+    """Which of the faces hang together by these pairs of them? Each group sorted, in order of the lowest of each."""
+    links: dict[int, list[int]] = {face: [] for face in sorted(faces)}
+    for a, b in pairs:
+        links[a].append(b)
+        links[b].append(a)
+    return [sorted(group) for group in parted(links, links.__getitem__)]

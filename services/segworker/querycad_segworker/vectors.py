@@ -87,6 +87,11 @@ Box = tuple[Vector, Vector]
 """Lower and upper corner of an axis-aligned box."""
 
 
+def wrapped(angle: float) -> float:
+    """Which angle from -pi to pi is the same?"""
+    return (angle + math.pi) % (2 * math.pi) - math.pi
+
+
 def angle_covered(ranges: Iterable[tuple[float, float]]) -> float:
     """Which angle do these ranges cover together, in radians? Each ends no more than 2 pi after its start."""
     parts: list[tuple[float, float]] = []

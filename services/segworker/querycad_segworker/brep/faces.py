@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
@@ -29,7 +30,7 @@ from querycad_segworker.topology import (
     FaceRecord,
     Loop,
     Moments,
-    parted,
+    linked,
 )
 from querycad_segworker.vectors import (
     Box,
@@ -44,6 +45,7 @@ from querycad_segworker.vectors import (
     scale,
     sub,
     unit,
+    wrapped,
 )
 
 from .boxes import arc_box, curve_box, face_box
@@ -286,7 +288,7 @@ class FaceTable:
         ranges = [(angle(point), angle(point))]
         for edge in edges:
             start, middle, end = (angle(p) for p in edge.points)
-            first, second = _wrapped(middle - start), _wrapped(end - middle)
+            first, second = wrapped(middle - start), wrapped(end - middle)
             closed = dist(edge.points[0], edge.points[2]) <= self.tolerances.length
             if closed and abs(first) > ONCE_AROUND:
                 return 2 * math.pi
@@ -311,12 +313,9 @@ class FaceTable:
 
     def connected(self, ids: Sequence[int]) -> list[list[int]]:
         """Which of these faces hang together by shared edges? Groups in order of their lowest id."""
-        neighbours: dict[int, set[int]] = {i: set() for i in ids}
-        for data in self.edges:
-            members = [use.face for use in data.uses if use.face in neighbours]
-            for a in members:
-                neighbours[a].update(members)
-        return [sorted(group) for group in parted(ids, neighbours.__getitem__)]
+        own = set(ids)
+        uses = ([use.face for use in data.uses if use.face in own] for data in self.edges)
+        return linked(own, (pair for faces in uses for pair in pairwise(faces)))
 
     def is_closed(self, ids: Sequence[int]) -> bool:
         """Do these faces leave no free edge?"""
@@ -401,10 +400,6 @@ def _natural_normal(adaptor: BRepAdaptor_Surface, u: float, v: float) -> tuple[V
         if norm(normal) > 1e-12 * max(norm(vector(du)) * norm(vector(dv)), 1e-30):
             return vector(point), unit(normal)
     return vector(point), (0.0, 0.0, 1.0)
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 def _is_ring(edge: _EdgeData, surface: Surface, tolerance: float) -> bool:

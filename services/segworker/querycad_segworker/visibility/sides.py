@@ -122,8 +122,7 @@ def _over_floors(parts: Sequence[Part], scene: Scene) -> dict[int, set[Side]]:
 
 def _walls_around(part: Part, brep: Brep) -> set[int]:
     """The curved faces that the part meets in convex edges."""
-    edges = [brep.edges[e] for f in part.faces for e in brep.face_edges[f]]
-    others = {f for edge in edges if edge.convexity is EdgeConvexity.CONVEX for f in edge.faces} - set(part.faces)
+    others = {i for f in part.faces for i in brep.beside(f, EdgeConvexity.CONVEX)} - set(part.faces)
     return {f for f in others if brep.faces[f].kind is not SurfaceKind.PLANE}
 
 
@@ -140,14 +139,11 @@ def end_faces(part: Part, brep: Brep) -> set[int]:
         turned = round_face and part.kind in _ROUND and axis is not None
         if not turned and not (part.kind in _RUNNING_OUT and part.normal is not None):
             continue
-        for edge in (brep.edges[e] for e in brep.face_edges[index]):
-            if edge.convexity is not EdgeConvexity.CONVEX:
-                continue
-            for other in (brep.faces[f] for f in edge.faces if f not in part.faces):
-                along = abs(dot(other.axis, (axis if turned else part.normal) or face.axis))
-                square = along > _SQUARE if turned else along < 1.0 - _SQUARE
-                if other.kind is SurfaceKind.PLANE and square:
-                    found.add(other.id)
+        beside = set(brep.beside(index, EdgeConvexity.CONVEX)) - set(part.faces)
+        for other in brep.of_kind(SurfaceKind.PLANE, beside):
+            along = abs(dot(other.axis, (axis if turned else part.normal) or face.axis))
+            if along > _SQUARE if turned else along < 1.0 - _SQUARE:
+                found.add(other.id)
     return found
 
 

@@ -9,10 +9,11 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import edge_points
+from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import REVOLVED, BodyRecord, Brep, FaceRecord
-from querycad_segworker.vectors import Box, box_center, box_union, parallel
+from querycad_segworker.vectors import box_center, parallel
 
 REVOLVED_SHARE = 0.9
 """Of a ring's surface: what turns about its axis. Marks, lubrication holes and slots take the rest."""
@@ -93,7 +94,7 @@ def recognise_bearings(brep: Brep, tolerances: Tolerances) -> list[Bearing]:
     rings = [ring for record in brep.bodies if (ring := _ring(brep, record, tolerances)) is not None]
     if len(rings) < 2:
         return []
-    centers = [box_center(_box(brep, record)) for record in brep.bodies]
+    centers = [box_center(faces_box(brep, record.faces)) for record in brep.bodies]
     rollers = [roller for record in brep.bodies if (roller := _roller(brep, record, centers[record.id])) is not None]
     found: list[Bearing] = []
     for line in _by_axis(rings, tolerances):
@@ -229,12 +230,6 @@ def _within(
         ):
             found.append(record.id)
     return tuple(found)
-
-
-def _box(brep: Brep, record: BodyRecord) -> Box:
-    box = box_union(brep.faces[f].box for f in record.faces)
-    assert box is not None
-    return box
 
 
 def _by_axis(rings: Sequence[_Ring], tolerances: Tolerances) -> list[list[_Ring]]:

@@ -9,10 +9,11 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
-from querycad_segworker.vectors import Box, box_center, box_union, cross, dot, parallel, sub
+from querycad_segworker.vectors import Box, box_center, cross, dot, parallel, sub
 
 from .rolling_balls import RolledFace, rolled_face
 
@@ -44,7 +45,6 @@ class Blend:
     center: Vector
     box: Box
     faces: tuple[int, ...]
-    body: int
     angle: float | None = None
     """Radians, of a chamfer: to the larger of the two faces that it joins; 45 degrees as a rule."""
     radii: tuple[float, ...] = ()
@@ -108,8 +108,7 @@ def _chain(brep: Brep, start: int, kinds: Mapping[int, tuple[str, float]], toler
 
 
 def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
-    box = box_union(brep.faces[f].box for f in chain)
-    assert box is not None
+    box = faces_box(brep, chain)
     return Blend(
         kind=kind,
         radius=0.0 if kind == "chamfer" else size,
@@ -117,7 +116,6 @@ def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
         center=box_center(box),
         box=box,
         faces=tuple(sorted(chain)),
-        body=brep.faces[min(chain)].body,
         angle=_angle(brep, min(chain)) if kind == "chamfer" else None,
     )
 

@@ -50,7 +50,7 @@ def _cavity(brep: Brep, shell: Collection[int], body: int) -> Depression:
 
 def _upright_frame(brep: Brep, shell: Collection[int]) -> LocalFrame:
     low, high = faces_box(brep, shell)
-    planes = [brep.faces[face] for face in shell if brep.faces[face].kind is SurfaceKind.PLANE]
+    planes = brep.of_kind(SurfaceKind.PLANE, shell)
     if planes:
         largest = max(face.area for face in planes)
         floor = max(planes, key=lambda face: (round(face.area / largest, 3), face.axis[2]))

@@ -22,7 +22,6 @@ class Dimple:
     bottom: Vector
     normal: Vector
     faces: tuple[int, ...]
-    body: int
 
 
 def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
@@ -63,7 +62,6 @@ def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
                 bottom=bottom,
                 normal=out,
                 faces=tuple(sorted(group)),
-                body=face.body,
             )
         )
     return found

@@ -216,7 +216,7 @@ def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:
     """The direction out of the opening: the host's normal where it is plane; else away from the floor, or the axis."""
     if host.kind is SurfaceKind.PLANE:
         return host.axis
-    planes = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.PLANE]
+    planes = brep.of_kind(SurfaceKind.PLANE, group)
     rim_center = mean([brep.edges[e].mid for e in rim.edges])
     facing = [f for f in planes if dot(sub(rim_center, f.point), f.axis) > 0.9 * norm(sub(rim_center, f.point))]
     from_axis = sub(rim_center, foot(rim_center, host.origin, host.axis))

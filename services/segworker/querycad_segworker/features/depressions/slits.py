@@ -37,7 +37,7 @@ def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterat
                 if any(not _is_open(brep, flank) for flank in (a, b)):
                     refuse("slot", group, "two walls at a bore that stand on a floor between them")
                     continue
-                out = unit(sub(a.point, bore.axis.at(bore.axis.position(a.point))))
+                out = bore.axis.out_to(a.point)
                 way = unit(sub(out, scale(a.axis, dot(out, a.axis))))
                 frame = frame_of(brep, group, upwards(bore.axis.direction), None, way)
                 if frame.size[0] > gap:

@@ -192,7 +192,7 @@ def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depressio
     The slot is narrower than the flanks: else those are what breaks its edges.
     """
     for slot in found:
-        walls = [brep.faces[i] for i in slot.faces if brep.faces[i].kind is SurfaceKind.PLANE and i not in slot.floor]
+        walls = [face for face in brep.of_kind(SurfaceKind.PLANE, slot.faces) if face.id not in slot.floor]
         pair = facing_pair(walls, None) if slot.kind is DepressionKind.SLOT and slot.is_open else None
         flanks = [_flank(brep, wall, slot) for wall in pair or ()]
         a, b = (*flanks, None, None)[:2]
@@ -233,7 +233,7 @@ def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[F
 
 def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:
     """Two parallel walls on a floor that is part of a cylinder across them: cut by a disc, as for a Woodruff key."""
-    rounds = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    rounds = brep.of_kind(SurfaceKind.CYLINDER, group)
     if len(planes) != 2 or len(rounds) != 1 or not parallel(rounds[0].axis, planes[0].axis, 1e-2):
         return None
     bottom = rounds[0]

@@ -139,18 +139,14 @@ class _Axes:
     """Round features by their direction, to ask quickly which of them stand square on a plane; the widest ones only."""
 
     def __init__(self, parts: Sequence[Part]) -> None:
-        self._by_direction: dict[tuple[float, ...], list[Vector]] = defaultdict(list)
+        self._by_direction: dict[Vector, list[Vector]] = defaultdict(list)
         for part in sorted(parts, key=lambda part: -(part.diameter or 0.0)):
-            if part.axis is not None and len(known := self._by_direction[self._key(part.axis)]) < MAX_AXES:
+            if part.axis is not None and len(known := self._by_direction[line_key(part.axis)]) < MAX_AXES:
                 known.append(part.center)
-
-    @staticmethod
-    def _key(direction: Vector) -> tuple[float, ...]:
-        return line_key(direction)
 
     def along(self, direction: Vector) -> list[Vector]:
         """Through which points do axes of this direction run?"""
-        return self._by_direction[self._key(direction)]
+        return self._by_direction[line_key(direction)]
 
 
 def _circles(points: dict[int, Vector], normal: Vector, centers: Sequence[Vector], needed: int) -> list[Pattern]:

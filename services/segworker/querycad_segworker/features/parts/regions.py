@@ -103,9 +103,7 @@ class _Maker:
             length=length,
             width=width,
             height=height,
-            direction=frame.u,
             faces=tuple(sorted(region.faces)),
-            body=self.brep.faces[min(region.faces)].body,
             tags=tags_of(length, width, height),
         )
         part = protrusion_part(self.brep, found, number, self.volumes, PartKind.ELEVATION)

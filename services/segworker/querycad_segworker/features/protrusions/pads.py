@@ -120,8 +120,6 @@ def _protrusion(brep: Brep, top: FaceRecord, faces: set[int], level: float, tole
         length=length,
         width=width,
         height=height,
-        direction=frame.u,
         faces=tuple(sorted(faces)),
-        body=top.body,
         tags=tags_of(length, width, height),
     )

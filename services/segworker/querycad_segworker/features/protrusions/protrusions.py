@@ -30,9 +30,7 @@ class Protrusion:
     length: float
     width: float
     height: float
-    direction: Vector
     faces: tuple[int, ...]
-    body: int
     tags: tuple[str, ...]
 
 
@@ -123,9 +121,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         length=length,
         width=width,
         height=height,
-        direction=frame.u,
         faces=tuple(sorted(group)),
-        body=host.body,
         tags=tags_of(length, width, height),
     )
 

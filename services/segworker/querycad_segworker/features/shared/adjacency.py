@@ -192,7 +192,7 @@ def is_blend(brep: Brep, face: FaceRecord) -> bool:
     smooth = _smooth(brep, face.id)
     if face.kind is not SurfaceKind.CYLINDER:
         return len(smooth) >= 2
-    pieces = {face.id, *(other for other in smooth if _same_cylinder(face, brep.faces[other]))}
+    pieces = {face.id, *(other for other in smooth if same_cylinder(face, brep.faces[other]))}
     if sum(brep.faces[piece].sweep for piece in pieces) > HALF_CYLINDER_RAD:
         return False
     around = {other: edge for piece in pieces for other, edge in _smooth(brep, piece).items() if other not in pieces}
@@ -206,7 +206,10 @@ def _smooth(brep: Brep, face: int) -> dict[int, EdgeRecord]:
     return {other: edge for edge, other in brep.neighbours(face) if edge.convexity is EdgeConvexity.SMOOTH}
 
 
-def _same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:
-    if b.kind is not SurfaceKind.CYLINDER or a.outward != b.outward or abs(a.radius - b.radius) > 1e-3 * a.radius:
+def same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:
+    """Are these pieces of one cylinder?"""
+    near = 1e-3 * a.radius
+    if a.kind is not SurfaceKind.CYLINDER or b.kind is not a.kind or a.outward != b.outward:
         return False
-    return parallel(a.axis, b.axis, 1e-3) and line_distance(b.origin, a.origin, a.axis) < 1e-3 * a.radius
+    alike = abs(a.radius - b.radius) <= near and parallel(a.axis, b.axis, 1e-3)
+    return alike and line_distance(b.origin, a.origin, a.axis) < near

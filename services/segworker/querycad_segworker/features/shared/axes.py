@@ -39,6 +39,14 @@ class Axis:
         """Which point lies at this position?"""
         return add(self.origin, scale(self.direction, position))
 
+    def foot(self, point: Vector) -> Vector:
+        """Which point of the axis is nearest to `point`?"""
+        return self.at(self.position(point))
+
+    def out_to(self, point: Vector) -> Vector:
+        """Which unit vector points from the axis straight to `point`?"""
+        return unit(sub(point, self.foot(point)))
+
     def radius_of(self, point: Vector) -> float:
         """How far is `point` from the axis?"""
         return line_distance(point, self.origin, self.direction)
@@ -108,7 +116,7 @@ def by_line(
     The foot of one `fixed` point on the line is much the same for all of them, to within `reach` metres: sorted by it,
     only few need comparing.
     """
-    feet = (line(item).at(line(item).position(fixed)) for item in items)
+    feet = (line(item).foot(fixed) for item in items)
     order = sorted((dot(foot, SWEEP), i) for i, foot in enumerate(feet))
     groups, taken = [], set[int]()
     for rank, (key, i) in enumerate(order):

@@ -7,11 +7,12 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import pairwise
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop, parted
-from querycad_segworker.vectors import cross, dot, norm, parallel
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop, linked
+from querycad_segworker.vectors import cross, dot, norm, parallel, wrapped
 
 from .walls import Axis, Wall
 
@@ -99,24 +100,23 @@ def stacks(
     owner = {face: i for i, wall in enumerate(members) for face in wall.faces}
     if over_roundings:
         owner |= _roundings(brep, members, owner, tolerances)
-    links: dict[int, set[int]] = defaultdict(set)
+    pairs: list[tuple[int, int]] = []
     shoulders: dict[int, set[int]] = defaultdict(set)
     for edge in brep.edges:
         if len(edge.faces) == 2:
             a, b = owner.get(edge.faces[0]), owner.get(edge.faces[1])
             if a is not None and b is not None and a != b and members[a].axis.same_line(members[b].axis, tolerances):
-                links[a].add(b)
-                links[b].add(a)
+                pairs.append((a, b))
     for face in brep.faces:
         if face.kind is SurfaceKind.PLANE:
             joined = _joined_by(face, brep, members, owner, tolerances)
+            pairs += pairwise(joined)
             for i in joined:
-                links[i].update(j for j in joined if j != i)
                 shoulders[i].add(face.id)
     result = []
-    for group in parted(range(len(members)), lambda i: links[i]):
+    for group in linked(range(len(members)), pairs):
         rings = {face for i in group for face in shoulders[i]}
-        result.append(_stack(brep, [members[i] for i in sorted(group)], rings))
+        result.append(_stack(brep, [members[i] for i in group], rings))
     return result
 
 
@@ -234,12 +234,8 @@ def winding(axis: Axis, edge: EdgeRecord) -> float:
         on_axis = axis.radius_of(edge.center) <= 0.05 * edge.radius and norm(cross(edge.axis, axis.direction)) < 0.1
         if on_axis:
             return min(edge.length / edge.radius, 2 * math.pi)
-    first = _wrapped(axis.angle_of(edge.mid) - axis.angle_of(edge.start))
-    second = _wrapped(axis.angle_of(edge.end) - axis.angle_of(edge.mid))
+    first = wrapped(axis.angle_of(edge.mid) - axis.angle_of(edge.start))
+    second = wrapped(axis.angle_of(edge.end) - axis.angle_of(edge.mid))
     if edge.closed:
         return 2 * math.pi if abs(first) > math.radians(120) else 0.0
     return abs(first + second)
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi

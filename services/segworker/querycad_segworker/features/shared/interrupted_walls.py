@@ -11,7 +11,7 @@ from functools import partial
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord, spread
-from querycad_segworker.vectors import ORIGIN, binned, dot, parallel, sub, unit
+from querycad_segworker.vectors import ORIGIN, binned, dot, parallel
 
 from .axes import Axis, Wall, by_line
 
@@ -140,15 +140,13 @@ def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:
 
 def _is_steep(axis: Axis, edge: EdgeRecord, face: FaceRecord) -> bool:
     """Does a face leave a rim around the axis, at this edge, rather towards the axis than along the rim?"""
-    out = unit(sub(edge.mid, axis.at(axis.position(edge.mid))))
     if face.kind is SurfaceKind.PLANE:
         normal = face.axis
     elif face.kind is SurfaceKind.CYLINDER:
-        around = Axis.of(face)
-        normal = unit(sub(edge.mid, around.at(around.position(edge.mid))))
+        normal = Axis.of(face).out_to(edge.mid)
     else:
         normal = face.point_normal
-    return abs(dot(normal, out)) < STEEP
+    return abs(dot(normal, axis.out_to(edge.mid))) < STEEP
 
 
 def _one(pieces: Sequence[Wall], sweep: float) -> Wall:

@@ -17,13 +17,14 @@ from querycad_segworker.topology import (
     EdgeRecord,
     FaceRecord,
     Loop,
+    linked,
     together,
 )
 from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub
 
 from .axes import Axis
 from .coaxial_stacks import winding
-from .walls import REVOLVED, Groups, same_surface
+from .walls import REVOLVED, same_surface
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,17 +51,15 @@ def united(brep: Brep, tolerances: Tolerances) -> United | None:
     Edges between two such pieces are gone; edges that follow each other on one line or circle between the same two
     faces are one edge.
     """
-    groups = Groups(face.id for face in brep.faces)
-    split = False
+    pairs = []
     for edge in brep.edges:
         if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.id != b.id and _is_one(a, b, tolerances):
-                groups.unite(a.id, b.id)
-                split = True
-    if not split:
+                pairs.append((a.id, b.id))
+    if not pairs:
         return None
-    pieces = sorted(groups.all())
+    pieces = linked((face.id for face in brep.faces), pairs)
     owner = {i: new for new, ids in enumerate(pieces) for i in ids}
     edges, loops_edges = _edges(brep, owner, tolerances)
     faces: list[FaceRecord] = []
@@ -227,7 +226,7 @@ def _middle(pieces: Sequence[FaceRecord], outline: Sequence[EdgeRecord]) -> tupl
     axis = Axis.of(largest)
     middle, sweep = _covered([(axis.angle_of(piece.point), piece.sweep) for piece in pieces])
     turn = middle - axis.angle_of(largest.point)
-    foot = axis.at(axis.position(largest.point))
+    foot = axis.foot(largest.point)
     if largest.kind is SurfaceKind.CYLINDER:
         ends = [axis.position(p) for edge in outline for p in edge.points]
         middle_foot = axis.at((min(ends) + max(ends)) / 2) if ends else foot

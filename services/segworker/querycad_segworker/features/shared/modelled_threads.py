@@ -140,7 +140,7 @@ def _helix(edge: EdgeRecord, axis: Axis) -> _Helix | None:
 
 def _is_inner(brep: Brep, faces: set[int], axis: Axis) -> bool:
     """Does the thread look at its axis? Its cylinders tell; without any, its flanks, which lean that way."""
-    cylinders = [brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    cylinders = brep.of_kind(SurfaceKind.CYLINDER, faces)
     if cylinders:
         return sum(face.outward * face.area for face in cylinders) < 0
     outwards = 0.0

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import REVOLVED, Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import REVOLVED, Brep, EdgeConvexity, EdgeRecord, FaceRecord, linked
 from querycad_segworker.vectors import angle_covered, cross, dot, foot, norm, sub
 
 from .axes import Axis, Wall
@@ -23,14 +22,14 @@ def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
 
     The faces of a modelled thread are one wall.
     """
-    faces = [face for face in brep.faces if face.kind in REVOLVED]
-    groups = Groups(face.id for face in faces)
+    faces = [face.id for face in brep.faces if face.kind in REVOLVED]
+    pairs = []
     for edge in brep.edges:
         if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.kind in REVOLVED and same_surface(a, b, tolerances):
-                groups.unite(a.id, b.id)
-    found = [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
+                pairs.append((a.id, b.id))
+    found = [_wall([brep.faces[i] for i in ids], brep) for ids in linked(faces, pairs)]
     return with_interrupted(brep, with_threads(brep, found, tolerances), tolerances)
 
 
@@ -47,29 +46,6 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     if a.kind is SurfaceKind.CONE:
         return along and abs(a.half_angle - b.half_angle) <= 10 * tolerances.angle
     return along and abs(a.radius - b.radius) <= near and abs(a.minor_radius - b.minor_radius) <= near
-
-
-class Groups:
-    """Disjoint sets of face ids."""
-
-    def __init__(self, ids: Iterable[int]) -> None:
-        self.parent = {i: i for i in ids}
-
-    def root(self, i: int) -> int:
-        while self.parent[i] != i:
-            self.parent[i] = self.parent[self.parent[i]]
-            i = self.parent[i]
-        return i
-
-    def unite(self, a: int, b: int) -> None:
-        first, second = sorted((self.root(a), self.root(b)))
-        self.parent[second] = first
-
-    def all(self) -> list[list[int]]:
-        found: dict[int, list[int]] = defaultdict(list)
-        for i in sorted(self.parent):
-            found[self.root(i)].append(i)
-        return list(found.values())
 
 
 def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:

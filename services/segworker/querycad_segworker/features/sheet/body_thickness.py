@@ -73,7 +73,7 @@ def _of_plates(record: BodyRecord, prisms: Sequence[Prism]) -> float | None:
 
 def largest_plane(brep: Brep, record: BodyRecord) -> FaceRecord | None:
     """Which is the largest plane face of a body?"""
-    planes = [brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE and brep.faces[f].loops]
+    planes = [face for face in brep.of_kind(SurfaceKind.PLANE, record.faces) if face.loops]
     return max(planes, key=lambda face: face.area, default=None)
 
 
@@ -113,7 +113,7 @@ def _between_largest(brep: Brep, record: BodyRecord) -> float | None:
     largest = largest_plane(brep, record)
     if largest is None:
         return None
-    planes = (brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE)
+    planes = brep.of_kind(SurfaceKind.PLANE, record.faces)
     others = [face for face in planes if dot(face.axis, largest.axis) < SAME - 1]
     other = max(others, key=lambda face: face.area, default=None)
     if other is None:

@@ -38,7 +38,6 @@ class HollowSection:
     wall: float
     outside: tuple[int, ...]
     faces: tuple[int, ...]
-    body: int
 
     @property
     def extents(self) -> Vector:
@@ -126,7 +125,6 @@ def _section(brep: Brep, planes: _Planes, inside: Depression) -> HollowSection |
         wall=wall,
         outside=tuple(sorted(sides)),
         faces=tuple(sorted({*inside.faces, *sides} - set(inside.floor))),
-        body=inside.body,
     )
 
 

@@ -37,7 +37,7 @@ FLANGE_RATIO = 1.2
 class Boss:
     """One step that stands out. Metres, frame of the file.
 
-    `normal` points from `base` to `tip` along the axis. `radius` is the widest, `tip_radius` that at the tip.
+    `normal` points from `base` to `tip` along the axis. `radius` is the widest.
     `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
     runs through the step. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
     """
@@ -46,7 +46,6 @@ class Boss:
     tip: Vector
     normal: Vector
     radius: float
-    tip_radius: float
     height: float
     tags: tuple[str, ...]
     faces: tuple[int, ...]
@@ -194,7 +193,6 @@ def _boss(
         tip=tip,
         normal=axis.direction if tip_high else scale(axis.direction, -1.0),
         radius=wall.radius,
-        tip_radius=radius_at(axis, wall, tip_high),
         height=high - low,
         tags=_tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own)),
         faces=tuple(sorted(faces)),

@@ -42,7 +42,6 @@ class TurnedGroove:
     inner: bool
     angle: float | None
     faces: tuple[int, ...]
-    body: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +165,6 @@ def _groove(
         inner=outward < 0,
         angle=angle,
         faces=tuple(sorted(faces)),
-        body=members[0].body,
     )
 
 

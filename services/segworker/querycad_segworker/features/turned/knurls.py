@@ -35,7 +35,6 @@ class Knurl:
     width: float
     center: Vector
     faces: tuple[int, ...]
-    body: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +61,7 @@ def recognise_knurls(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
             rows = _rows(brep, body.faces, axis)
             counts = {face: count for count, row in rows for face in row}
             for patch in _touching(brep, counts):
-                knurl = _knurl(brep, axis, patch, counts, body.id)
+                knurl = _knurl(brep, axis, patch, counts)
                 if knurl is not None and not any(set(knurl.faces) & set(other.faces) for other in found):
                     found.append(knurl)
     return sorted(found, key=lambda knurl: knurl.faces[0])
@@ -104,7 +103,7 @@ def _touching(brep: Brep, counts: dict[int, int]) -> list[list[int]]:
     return [sorted(patch) for patch in patches if len(patch) >= MIN_FACES]
 
 
-def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int], body: int) -> Knurl | None:
+def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int]) -> Knurl | None:
     corners = {i: [p for e in brep.face_edges[i] for p in (brep.edges[e].start, brep.edges[e].end)] for i in patch}
     radii = [axis.radius_of(p) for points in corners.values() for p in points]
     positions = {i: [axis.position(p) for p in points] for i, points in corners.items()}
@@ -123,5 +122,4 @@ def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int],
         width=high - low,
         center=axis.at((low + high) / 2),
         faces=tuple(patch),
-        body=body,
     )

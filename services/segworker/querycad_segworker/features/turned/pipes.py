@@ -6,14 +6,14 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.holes.hole import Bottom, Hole
 from querycad_segworker.features.shared.axes import Axis, Wall
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.walls import Groups
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, linked
 from querycad_segworker.vectors import dist
 
 from .bosses import Boss
@@ -117,21 +117,19 @@ def _goes_along(bore: _Run, outer: _Run, tolerances: Tolerances) -> bool:
 def _runs(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> Iterator[_Run]:
     bends = {face.id: bend for face in brep.faces if (bend := _bend(brep, face)) is not None}
     wall_of = {face: i for i, wall in enumerate(walls) if wall.kind is SurfaceKind.CYLINDER for face in wall.faces}
-    groups = Groups(bends)
+    pairs: list[tuple[int, int]] = []
     beside: dict[int, set[int]] = defaultdict(set)
     for bend in bends.values():
         for edge, other in brep.neighbours(bend.face):
             if edge.convexity is not EdgeConvexity.SMOOTH or not _is_rim(edge, bend):
                 continue
             if other in bends and abs(bends[other].section - bend.section) <= 3 * tolerances.length:
-                groups.unite(bend.face, other)
+                pairs.append((bend.face, other))
             elif other in wall_of and abs(walls[wall_of[other]].radius - bend.section) <= 3 * tolerances.length:
                 beside[wall_of[other]].add(bend.face)
     for members in beside.values():  # a straight length between two bends
-        first = min(members)
-        for other in members:
-            groups.unite(first, other)
-    for group in groups.all():
+        pairs += pairwise(members)
+    for group in linked(bends, pairs):
         straight = sorted(i for i, members in beside.items() if not members.isdisjoint(group))
         yield _Run(tuple(bends[face] for face in group), tuple(walls[i] for i in straight))
 
