@@ -131,7 +131,8 @@ def reduced(looked: Looked) -> Looked:
     smaller = replace(camera, width=width, height=height, pixel_m=camera.pixel_m / min(across, down))
     ids = replace(view.ids, camera=smaller)
     masks = [
-        cv2.resize(mask.view(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST) for mask in _each(looked)
+        cv2.resize(np.ascontiguousarray(mask).view(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST)
+        for mask in looked.masks.masks
     ]
     return replace(
         looked,
@@ -142,10 +143,6 @@ def reduced(looked: Looked) -> Looked:
         ),
         masks=Masks(np.array(masks, dtype=np.bool_).reshape(-1, height, width), looked.masks.scores),
     )
-
-
-def _each(looked: Looked) -> list[NDArray[np.bool_]]:
-    return [np.ascontiguousarray(mask) for mask in looked.masks.masks]
 
 
 def _resized(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
