@@ -34,6 +34,20 @@ def perpendicular(a: Vector) -> Vector:
     return unit(cross(a, helper))
 
 
+def across(direction: Vector) -> tuple[Vector, Vector]:
+    """Which two unit vectors stand at right angles to a unit vector, and to each other? The same for the same input."""
+    x = perpendicular(direction)
+    return x, cross(direction, x)
+
+
+def around(center: Vector, axis: Vector, radius: float, count: int) -> list[Vector]:
+    """Which points lie at equal angles on a circle?"""
+    x, y = across(axis)
+    angles = [2 * math.pi * i / count for i in range(count)]
+    offsets = (add(scale(x, radius * math.cos(a)), scale(y, radius * math.sin(a))) for a in angles)
+    return [add(center, offset) for offset in offsets]
+
+
 def line_distance(point: Vector, origin: Vector, direction: Vector) -> float:
     """How far is a point from the line through `origin` along the unit vector `direction`?"""
     return norm(cross(sub(point, origin), direction))

@@ -238,28 +238,24 @@ class _Builder:
         if surface is not None and surface.kind in (SurfaceKind.SPHERE, SurfaceKind.TORUS) and box is not None:
             box = self._bulged(surface, members, box)
         assert box is not None
-        kind = SurfaceKind.FREEFORM if surface is None else surface.kind
-        origin = np.zeros(3) if surface is None else surface.origin
-        axis = np.zeros(3) if surface is None else surface.axis
-        large, small, half = (
-            (0.0, 0.0, 0.0) if surface is None else (surface.radius, surface.minor_radius, surface.half_angle)
-        )
-        if surface is not None and kind is SurfaceKind.CONE:
-            to = points - origin
-            radial = np.linalg.norm(to - (to @ axis)[:, None] * axis, axis=1)
+        form = surface or Fitted(SurfaceKind.FREEFORM, np.zeros(3), np.zeros(3))
+        large, small = form.radius, form.minor_radius
+        if form.kind is SurfaceKind.CONE:
+            to = points - form.origin
+            radial = np.linalg.norm(to - (to @ form.axis)[:, None] * form.axis, axis=1)
             small, large = float(radial.min()), float(radial.max())
         return FaceRecord(
             id=number,
             body=0,
-            kind=kind,
-            origin=vector_of(origin),
-            axis=vector_of(axis),
+            kind=form.kind,
+            origin=vector_of(form.origin),
+            axis=vector_of(form.axis),
             area=area,
             box=box,
             loops=loops,
             radius=large,
             minor_radius=small,
-            half_angle=half,
+            half_angle=form.half_angle,
             outward=outward,
             sweep=self._sweep(surface, points, around) if outward and surface is not None else 0.0,
             point=vector_of(point),

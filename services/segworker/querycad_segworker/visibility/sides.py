@@ -12,7 +12,7 @@ from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, sub
+from querycad_segworker.vectors import around, dot, scale, sub
 
 from .faces import FaceVisibility
 from .raycast import Scene
@@ -240,12 +240,5 @@ def _openings(parts: Sequence[Part]) -> list[_Opening]:
             ends.append((far, scale(part.normal, -1.0)))
         reach = part.radius or min(part.width or 0.0, part.length or part.width or 0.0) / 2
         for center, normal in ends:
-            x = perpendicular(normal)
-            y = cross(normal, x)
-            disc = [center]
-            for i in range(6):
-                angle = i * math.pi / 3
-                offset = add(scale(x, math.cos(angle)), scale(y, math.sin(angle)))
-                disc.append(add(center, scale(offset, 0.7 * reach)))
-            found.append((index, center, normal, disc))
+            found.append((index, center, normal, [center, *around(center, normal, 0.7 * reach, 6)]))
     return found

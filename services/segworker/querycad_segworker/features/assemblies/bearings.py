@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
-from querycad_segworker.features.shared.frames import edge_points
+from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
@@ -222,7 +222,7 @@ def _within(
         beside = not along[0] - slack <= axis.position(center) <= along[1] + slack
         if record.id in taken or beside or axis.radius_of(center) > between[1]:
             continue
-        points = [p for f in record.faces for e in brep.face_edges[f] for p in edge_points(brep, e)]
+        points = face_points(brep, record.faces)
         if points and all(
             between[0] - slack_r <= axis.radius_of(p) <= between[1] + slack_r
             and along[0] - slack <= axis.position(p) <= along[1] + slack
@@ -255,8 +255,8 @@ def _ring(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> _Ring | Non
     if sum(f.area for f in own) < REVOLVED_SHARE * record.area:
         return None
     bores = [f for f in own if f.kind is not SurfaceKind.PLANE and f.outward < 0]
-    rims = [p for f in bores for e in brep.face_edges[f.id] for p in edge_points(brep, e)]
-    points = [p for f in own for e in brep.face_edges[f.id] for p in edge_points(brep, e)]
+    rims = face_points(brep, (f.id for f in bores))
+    points = face_points(brep, (f.id for f in own))
     ends = [axis.position(p) for p in points]
     covers = [axis.position(p) for p in rims]
     if not rims or max(covers) - min(covers) < 0.5 * (max(ends) - min(ends)):
@@ -270,7 +270,7 @@ def _closes(brep: Brep, face: FaceRecord, axis: Axis) -> bool:
     """Does a plane reach across the axis, as the bottom of a cup does? Its boundary is one circle then."""
     if face.kind is not SurfaceKind.PLANE or len(face.loops) > 1:
         return False
-    radii = [axis.radius_of(p) for e in brep.face_edges[face.id] for p in edge_points(brep, e)]
+    radii = [axis.radius_of(p) for p in face_points(brep, (face.id,))]
     return max(radii) <= 1.001 * min(radii)
 
 

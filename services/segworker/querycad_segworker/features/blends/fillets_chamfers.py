@@ -62,11 +62,8 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         if face.id in taken:
             continue
         if is_blend(brep, face):
-            if _is_wall(face):
-                refuse(_kind(face), (face.id,), "it turns by half a circle: a wall of its own")
-                continue
             radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
-            kinds[face.id] = (_kind(face), radius)
+            kinds[face.id] = ("fillet" if face.outward < 0 else "round", radius)
         elif (rolled := rolled_face(brep, face)) is not None:
             kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
             balls[face.id] = rolled
@@ -83,15 +80,6 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         blend = _blend(brep, kind, size, chain)
         found.append(replace(blend, radii=(min(radii), max(radii))) if radii else blend)
     return found
-
-
-def _kind(face: FaceRecord) -> str:
-    return "fillet" if face.outward < 0 else "round"
-
-
-def _is_wall(face: FaceRecord) -> bool:
-    """A face that turns by more than half a circle around its axis is a wall of its own."""
-    return face.kind is SurfaceKind.CYLINDER and face.sweep > math.radians(179.0)
 
 
 def _chain(brep: Brep, start: int, kinds: Mapping[int, tuple[str, float]], tolerances: Tolerances) -> set[int]:

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.clearance import IsClear
-from querycad_segworker.features.shared.frames import edge_points, frame_of
+from querycad_segworker.features.shared.frames import face_points, frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, FaceRecord
@@ -56,9 +56,7 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
     gap = dot(sub(second.point, first.point), first.axis)
     middle = scale(add(first.point, second.point), 0.5)
     for direction in (rib.direction, rib.normal):
-        (low, high), (other_low, other_high) = (
-            span((p for e in brep.face_edges[flank.id] for p in edge_points(brep, e)), direction) for flank in flanks
-        )
+        (low, high), (other_low, other_high) = (span(face_points(brep, (flank.id,)), direction) for flank in flanks)
         size = min(high, other_high) - max(low, other_low)
         if size < OVERLAP * min(high - low, other_high - other_low):
             return None

@@ -96,9 +96,9 @@ def _place(brep: Brep, found: Depression, axis: FaceRecord | None, in_ring: bool
 
 def _may_point(found: Depression) -> bool:
     """Has it a direction of its own: a slot, a channel, what is long?"""
-    return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) or (
-        found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE) and _is_long(found)
-    )
+    if found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE):
+        return found.length >= ELONGATED * found.width
+    return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL)
 
 
 def _points_at(found: Depression, axis: FaceRecord) -> bool:
@@ -107,10 +107,6 @@ def _points_at(found: Depression, axis: FaceRecord) -> bool:
     if abs(dot(found.direction, axis.axis)) >= 1e-2 or dist(found.center, on_axis) <= 0.45 * found.length:
         return False
     return norm(cross(sub(found.center, on_axis), found.direction)) < SAME_LINE * found.width
-
-
-def _is_long(found: Depression) -> bool:
-    return found.length >= ELONGATED * found.width
 
 
 def _host(brep: Brep, found: Depression) -> FaceRecord | None:

@@ -11,7 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_HALF, tunnel_of
-from querycad_segworker.features.shared.frames import bow_of, edge_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import bow_of, edge_points, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances
@@ -185,7 +185,7 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
     if len(inner) != 1:
         return None
     island = {i for e in inner[0].edges for i in brep.edges[e].faces} - {floor.id}
-    rise = max(dot(p, floor.axis) for i in island for e in brep.face_edges[i] for p in edge_points(brep, e))
+    rise = max(dot(p, floor.axis) for p in face_points(brep, island))
     if abs(rise - dot(floor.point, floor.axis) - pocket.depth) > 0.01 * pocket.depth:
         return None
     sizes = []

@@ -34,7 +34,7 @@ def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterat
                 if dot(a.axis, b.axis) > -FACING.parallel or not 0 < gap < 2 * bore.radius:
                     continue
                 group = {a.id, b.id}
-                if any(not _is_open(brep, flank) for flank in (a, b)):
+                if any(brep.beside(flank.id, EdgeConvexity.CONCAVE) for flank in (a, b)):
                     refuse("slot", group, "two walls at a bore that stand on a floor between them")
                     continue
                 out = bore.axis.out_to(a.point)
@@ -58,8 +58,3 @@ def _flanks(brep: Brep, bore: Wall, used: set[int]) -> list[FaceRecord]:
         and parallel(edge.direction, bore.axis.direction, ALONG)
     }
     return [brep.faces[i] for i in sorted(found - used)]
-
-
-def _is_open(brep: Brep, flank: FaceRecord) -> bool:
-    """Does the wall end nowhere in a concave corner?"""
-    return not brep.beside(flank.id, EdgeConvexity.CONCAVE)

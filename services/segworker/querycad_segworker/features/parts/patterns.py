@@ -11,7 +11,7 @@ from enum import StrEnum
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.vectors import binned, cross, dist, dot, line_key, mean, norm, perpendicular, sub, unit
+from querycad_segworker.vectors import across, binned, cross, dist, dot, line_key, mean, norm, sub, unit
 
 MIN_MEMBERS = 3
 """Two like holes are a pair; three in a line or on a circle around a feature are laid out."""
@@ -131,8 +131,8 @@ def _of_level(parts: Sequence[Part], level: Sequence[int], axes: _Axes) -> list[
 
 def _flat(point: Vector, normal: Vector) -> tuple[float, float]:
     """The point in the plane at right angles to the normal."""
-    x = perpendicular(normal)
-    return dot(point, x), dot(point, cross(normal, x))
+    x, y = across(normal)
+    return dot(point, x), dot(point, y)
 
 
 class _Axes:
@@ -151,8 +151,7 @@ class _Axes:
 
 def _circles(points: dict[int, Vector], normal: Vector, centers: Sequence[Vector], needed: int) -> list[Pattern]:
     """Members at one distance and equal angles around one of the centres, `needed` of them at least; largest first."""
-    x = perpendicular(normal)
-    y = cross(normal, x)
+    x, y = across(normal)
     flat = {i: (dot(p, x), dot(p, y)) for i, p in points.items()}
     level = dot(next(iter(points.values())), normal)
     candidates = dict.fromkeys((round(dot(p, x), 9), round(dot(p, y), 9)) for p in centers)

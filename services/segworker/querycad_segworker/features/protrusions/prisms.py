@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, polygon_name
+from querycad_segworker.features.shared.frames import edge_points, face_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import across_flats_and_corners
@@ -183,7 +183,7 @@ def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector)
     """Does a side reach further across than the corners at its two ends?"""
     across = cross(axis, brep.faces[side].axis)
     first, last = span((p for edge in corners if side in edge.faces for p in (edge.start, edge.end)), across)
-    low, high = span((p for e in brep.face_edges[side] for p in edge_points(brep, e)), across)
+    low, high = span(face_points(brep, (side,)), across)
     return high - low > ALIKE * (last - first)
 
 

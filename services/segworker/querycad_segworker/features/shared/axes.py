@@ -11,7 +11,7 @@ from typing import TypeVar
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import FaceRecord
-from querycad_segworker.vectors import Box, add, cross, dot, line_distance, parallel, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import Box, across, add, dot, line_distance, parallel, scale, sub, unit
 
 SWEEP = unit((0.8317, 0.4561, 0.3163))
 """Lines are sorted by where their foot lies along this direction and compared with near ones only. No common
@@ -58,8 +58,7 @@ class Axis:
 
     def angle_of(self, point: Vector) -> float:
         """At which angle around the axis is `point`? Radians, -pi to pi, from an arbitrary but fixed zero."""
-        x = perpendicular(self.direction)
-        y = cross(self.direction, x)
+        x, y = across(self.direction)
         offset = sub(point, self.origin)
         return math.atan2(dot(offset, y), dot(offset, x))
 

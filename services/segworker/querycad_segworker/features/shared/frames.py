@@ -4,13 +4,26 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
-from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, perpendicular, scale, span, sub, unit
+from querycad_segworker.vectors import (
+    add,
+    around,
+    cross,
+    dist,
+    dot,
+    norm,
+    parallel,
+    perpendicular,
+    scale,
+    span,
+    sub,
+    unit,
+)
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
@@ -74,15 +87,15 @@ def frame_of_edges(
 def edge_points(brep: Brep, e: int) -> list[Vector]:
     """Which points span an edge? Its ends and middle; of a full circle, sixteen around it."""
     edge = brep.edges[e]
-    points = [edge.start, edge.mid, edge.end]
+    points = [*edge.points]
     if edge.center is not None and edge.axis is not None and edge.radius is not None and edge.closed:
-        x = perpendicular(edge.axis)
-        y = cross(edge.axis, x)
-        for i in range(16):
-            angle = i * math.pi / 8
-            offset = add(scale(x, edge.radius * math.cos(angle)), scale(y, edge.radius * math.sin(angle)))
-            points.append(add(edge.center, offset))
+        points += around(edge.center, edge.axis, edge.radius, 16)
     return points
+
+
+def face_points(brep: Brep, faces: Iterable[int]) -> list[Vector]:
+    """Which points span some faces: those of all their edges?"""
+    return [p for face in faces for e in brep.face_edges[face] for p in edge_points(brep, e)]
 
 
 @dataclass(frozen=True, slots=True)

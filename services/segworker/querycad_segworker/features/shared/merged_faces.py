@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import (
-    BodyRecord,
     Brep,
     EdgeConvexity,
     EdgeKind,
@@ -66,7 +65,7 @@ def united(brep: Brep, tolerances: Tolerances) -> United | None:
     for new, ids in enumerate(pieces):
         members = [brep.faces[i] for i in ids]
         faces.append(_face(members, new, edges, loops_edges, tolerances))
-    bodies = [_body(record, owner) for record in brep.bodies]
+    bodies = [replace(one, faces=tuple(sorted({owner[i] for i in one.faces}))) for one in brep.bodies]
     made = Brep(brep.name, tuple(faces), tuple(edges), tuple(bodies), brep.warnings)
     return United(made, tuple(tuple(ids) for ids in pieces))
 
@@ -82,10 +81,6 @@ def _is_one(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
         return dist(a.origin, b.origin) <= near and abs(a.radius - b.radius) <= near
     level = abs(dot(sub(b.point, a.point), a.axis)) <= near
     return a.kind is SurfaceKind.PLANE and level and parallel(a.axis, b.axis, 3 * tolerances.angle)
-
-
-def _body(record: BodyRecord, owner: dict[int, int]) -> BodyRecord:
-    return replace(record, faces=tuple(sorted({owner[i] for i in record.faces})))
 
 
 def _edges(brep: Brep, owner: dict[int, int], tolerances: Tolerances) -> tuple[list[EdgeRecord], dict[int, int]]:

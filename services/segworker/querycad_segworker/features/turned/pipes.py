@@ -174,7 +174,9 @@ def bent_measures(pipe: Pipe) -> dict[str, object]:
 def ending_in_bends(holes: Sequence[Hole], pipes: Sequence[Pipe]) -> list[Hole]:
     """The same holes; one that runs on into the bend of a bore has no bottom there."""
     bores = {face for pipe in pipes if pipe.inner is not None for face in pipe.faces}
-    return [_opened(hole) if _runs_on(hole, bores) else hole for hole in holes]
+    return [
+        _opened(hole) if hole.bottom is Bottom.FLAT and not bores.isdisjoint(hole.faces) else hole for hole in holes
+    ]
 
 
 def beside_pipes(brep: Brep, bosses: Sequence[Boss], pipes: Sequence[Pipe]) -> list[Boss]:
@@ -185,10 +187,6 @@ def beside_pipes(brep: Brep, bosses: Sequence[Boss], pipes: Sequence[Pipe]) -> l
         return [face for face in boss.faces if brep.faces[face].kind is SurfaceKind.CYLINDER]
 
     return [boss for boss in bosses if not walls(boss) or not own.issuperset(walls(boss))]
-
-
-def _runs_on(hole: Hole, bores: set[int]) -> bool:
-    return hole.bottom is Bottom.FLAT and not bores.isdisjoint(hole.faces)
 
 
 def _opened(hole: Hole) -> Hole:
