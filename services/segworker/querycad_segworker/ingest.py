@@ -9,8 +9,8 @@ import shutil
 import signal
 import tempfile
 import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -98,7 +98,9 @@ def _run_child(
         progress("read")
     with tempfile.TemporaryFile() as log:
         arguments = (str(source), str(scratch), limits.memory_bytes, sha256, file_name, " ".join(host_missing()))
-        with _given(scratch), KernelProcess("ingest", *arguments, errors=log.fileno()) as child:
+        with ExitStack() as after:
+            after.callback(take_back, scratch)  # it may be given to the kernel's user while his process runs
+            child = after.enter_context(KernelProcess("ingest", *arguments, errors=log.fileno()))
             timer = threading.Timer(limits.duration_s, child.kill)
             timer.start()
             try:
@@ -128,15 +130,6 @@ def _run_child(
             _log.debug("it said: %s", said)
         kind = getattr(errors, result["problem"], FileProblem)
         raise kind(result["message"])
-
-
-@contextmanager
-def _given(scratch: Path) -> Iterator[None]:
-    """The folder may be given to the kernel's user; it is taken back when his process has ended."""
-    try:
-        yield
-    finally:
-        take_back(scratch)
 
 
 def _death(code: int, timed_out: bool, said: str, source: Path, limits: IngestLimits) -> str:

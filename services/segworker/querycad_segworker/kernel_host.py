@@ -24,20 +24,39 @@ import socket
 import sys
 import traceback
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import Final
+from typing import Any, BinaryIO, Final
 
 from querycad_contracts import end_with_parent
 
 from . import ingest_child
 from .brep import measure
+from .errors import UnreadableFile
 from .kernel_process import Reach, missing_walls, shut_in, user_of_work
 from .meshes import measure as mesh_measure
 
+
+def _answer(measurer: Callable[[BinaryIO], Callable[[dict[str, Any]], float]], kept: BinaryIO, *_: str) -> None:
+    """Answers requests about what is kept, which is open, one JSON object a line, until standard input ends.
+
+    {"what": "distance" | "overlap" | "edge_distance" | "extent", "first": [face ids], "second": [face ids],
+    "direction": [x, y, z]} is answered by {"value": number} or {"problem": sentence}.
+    """
+    measure = measurer(kept)
+    for line in sys.stdin:
+        try:
+            answer: dict[str, float | str] = {"value": measure(json.loads(line))}
+        except UnreadableFile as problem:
+            answer = {"problem": str(problem)}
+        sys.stdout.write(json.dumps(answer) + "\n")
+        sys.stdout.flush()
+
+
 WORK: Final[dict[str, Callable[..., None]]] = {
     "ingest": ingest_child.work,
-    "measure": measure.work,
-    "measure_mesh": mesh_measure.work,
+    "measure": partial(_answer, measure.measurer),
+    "measure_mesh": partial(_answer, mesh_measure.measurer),
 }
 """By name: what is done with an open file and with arguments, which begin with those of `Reach`."""
 

@@ -23,8 +23,6 @@ class Tolerances:
     smooth: float = math.radians(2.0)
     """Faces that meet with less than this between their normals are tangent: blends of converted files are off by
     up to one degree, while a real draft or chamfer edge is rarely below three."""
-    ratio: float = 1e-3
-    """Two measures of one feature agree when they differ by less than this share."""
 
     @classmethod
     def for_diagonal(cls, diagonal_m: float) -> Tolerances:
@@ -42,8 +40,6 @@ class Facing:
 
     viewer: float = 0.5
     """A plane face is turned to the viewer up to 60 degrees: beyond, it shows less than half of itself."""
-    side: float = 0.7
-    """A part points to a side within 45 degrees: it is nearer to it than to any other."""
     along_view: float = 0.9
     """One looks along the axis of an arc within 26 degrees: its mouth is seen."""
     opposed: float = 0.99

@@ -5,7 +5,7 @@ Metres and radians; frame of the file. Face ids are positions in file order, edg
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
@@ -13,7 +13,10 @@ from itertools import combinations
 
 from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
-from .vectors import Box, box_union, scale, sub
+from .vectors import Box, box_union, scale, sub, unit
+
+REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
+"""Surfaces that turn about an axis."""
 
 
 class EdgeKind(StrEnum):
@@ -52,6 +55,16 @@ class EdgeRecord:
     axis: Vector | None = None
     radius: float | None = None
     closed: bool = False
+
+    @property
+    def points(self) -> tuple[Vector, Vector, Vector]:
+        """Where does it start, pass its middle, and end?"""
+        return self.start, self.mid, self.end
+
+    @property
+    def direction(self) -> Vector:
+        """Which unit vector points from its start to its end? Zero where it is closed."""
+        return unit(sub(self.end, self.start))
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,6 +156,11 @@ class FaceRecord:
             return Convexity.MIXED
         return Convexity.CONVEX if self.outward > 0 else Convexity.CONCAVE
 
+    @property
+    def facing(self) -> Vector:
+        """Where to does it look? Its exact normal where it is plane, else that near its middle."""
+        return self.axis if self.kind is SurfaceKind.PLANE else self.point_normal
+
 
 @dataclass(frozen=True, slots=True)
 class BodyRecord:
@@ -195,3 +213,44 @@ class Brep:
             edge = self.edges[edge_id]
             found.extend((edge, other) for other in edge.faces if other != face)
         return found
+
+    def beside(self, face: int, convexity: EdgeConvexity) -> list[int]:
+        """Which faces meet this face in edges of this convexity? One entry an edge."""
+        return [other for edge, other in self.neighbours(face) if edge.convexity is convexity]
+
+    def of_kind(self, kind: SurfaceKind, faces: Iterable[int]) -> list[FaceRecord]:
+        """Which of these faces are of this kind? In the order given."""
+        return [self.faces[face] for face in faces if self.faces[face].kind is kind]
+
+    def edges_of(self, faces: Iterable[int]) -> set[int]:
+        """Which edges bound these faces?"""
+        return {edge for face in faces for edge in self.face_edges[face]}
+
+
+def spread(start: Iterable[int], onwards: Callable[[int], Iterable[int]]) -> set[int]:
+    """Which faces does one come to from these, themselves among them, when `onwards` leads from each to the next?"""
+    reached, todo = set(start), list(start)
+    while todo:
+        new = set(onwards(todo.pop())) - reached
+        reached |= new
+        todo.extend(new)
+    return reached
+
+
+def parted(faces: Iterable[int], onwards: Callable[[int], Iterable[int]]) -> Iterator[set[int]]:
+    """Those of the faces together that `onwards` links, in order of the first of each."""
+    seen: set[int] = set()
+    for face in faces:
+        if face not in seen:
+            group = spread((face,), onwards)
+            seen |= group
+            yield group
+
+
+def linked(faces: Iterable[int], pairs: Iterable[Sequence[int]]) -> list[list[int]]:
+    """Which of the faces hang together by these pairs of them? Each group sorted, in order of the lowest of each."""
+    links: dict[int, list[int]] = {face: [] for face in sorted(faces)}
+    for a, b in pairs:
+        links[a].append(b)
+        links[b].append(a)
+    return [sorted(group) for group in parted(links, links.__getitem__)]

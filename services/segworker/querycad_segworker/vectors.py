@@ -34,6 +34,20 @@ def perpendicular(a: Vector) -> Vector:
     return unit(cross(a, helper))
 
 
+def across(direction: Vector) -> tuple[Vector, Vector]:
+    """Which two unit vectors stand at right angles to a unit vector, and to each other? The same for the same input."""
+    x = perpendicular(direction)
+    return x, cross(direction, x)
+
+
+def around(center: Vector, axis: Vector, radius: float, count: int) -> list[Vector]:
+    """Which points lie at equal angles on a circle?"""
+    x, y = across(axis)
+    angles = [2 * math.pi * i / count for i in range(count)]
+    offsets = (add(scale(x, radius * math.cos(a)), scale(y, radius * math.sin(a))) for a in angles)
+    return [add(center, offset) for offset in offsets]
+
+
 def line_distance(point: Vector, origin: Vector, direction: Vector) -> float:
     """How far is a point from the line through `origin` along the unit vector `direction`?"""
     return norm(cross(sub(point, origin), direction))
@@ -47,6 +61,24 @@ def foot(point: Vector, origin: Vector, direction: Vector) -> Vector:
 def parallel(a: Vector, b: Vector, tolerance_rad: float) -> bool:
     """Are two unit vectors parallel or antiparallel, within a small angle?"""
     return norm(cross(a, b)) <= tolerance_rad
+
+
+def points_up(direction: Vector) -> bool:
+    """Of the two ways along a line, is it the one to the top, else to the front, else to the right?"""
+    x, y, z = direction
+    return next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True)
+
+
+def upwards(direction: Vector) -> Vector:
+    """Which of the two ways along a line points up, as `points_up` has it?"""
+    return direction if points_up(direction) else scale(direction, -1.0)
+
+
+def span(points: Iterable[Vector], direction: Vector) -> tuple[float, float]:
+    """From where to where do points reach along a direction? (0, 0) without points."""
+    x, y, z = direction
+    along = [p[0] * x + p[1] * y + p[2] * z for p in points]
+    return min(along, default=0.0), max(along, default=0.0)
 
 
 OFF_ROUND = 1.0003717
@@ -67,6 +99,11 @@ def line_key(direction: Vector) -> Vector:
 
 Box = tuple[Vector, Vector]
 """Lower and upper corner of an axis-aligned box."""
+
+
+def wrapped(angle: float) -> float:
+    """Which angle from -pi to pi is the same?"""
+    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 def angle_covered(ranges: Iterable[tuple[float, float]]) -> float:

@@ -19,7 +19,7 @@ from OCP.TopoDS import TopoDS_Face, TopoDS_Shape
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.vectors import Box, add, box_of, cross, dot, norm, perpendicular, scale, sub, unit
 
-from .canonical import Circle, Surface, vector
+from .canonical import Circle, Surface, bounds_of, vector
 
 _RULED = (SurfaceKind.PLANE, SurfaceKind.CYLINDER, SurfaceKind.CONE)
 _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -40,7 +40,7 @@ def face_box(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, surface: Surface, 
     kind = adaptor.GetType()
     if surface.kind in _RULED or kind == GeomAbs_SurfaceType.GeomAbs_SurfaceOfExtrusion:
         return edges
-    if max(map(abs, _bounds(adaptor))) > 1e50:
+    if max(map(abs, bounds_of(adaptor))) > 1e50:
         return exact_box(face)
     inside = _Inside(face, adaptor)
     if kind == GeomAbs_SurfaceType.GeomAbs_Torus:
@@ -110,21 +110,12 @@ def _corners(box: Bnd_Box) -> Box:
     return vector(box.CornerMin()), vector(box.CornerMax())
 
 
-def _bounds(adaptor: BRepAdaptor_Surface) -> tuple[float, float, float, float]:
-    return (
-        adaptor.FirstUParameter(),
-        adaptor.LastUParameter(),
-        adaptor.FirstVParameter(),
-        adaptor.LastVParameter(),
-    )
-
-
 class _Inside:
     """Does a point of the surface, by its parameters, lie on the face? The costly test comes after the cheap one."""
 
     def __init__(self, face: TopoDS_Face, adaptor: BRepAdaptor_Surface) -> None:
         self._face = face
-        self._bounds = _bounds(adaptor)
+        self._bounds = bounds_of(adaptor)
         self._period = (
             adaptor.UPeriod() if adaptor.IsUPeriodic() else 0.0,
             adaptor.VPeriod() if adaptor.IsVPeriodic() else 0.0,
@@ -152,7 +143,7 @@ def _torus_extremes(torus: Surface, adaptor: BRepAdaptor_Surface) -> Iterator[Ve
     Where that is a whole circle about the axis, its point at the middle of the face is enough: a circle that leaves the
     face does so through its edges.
     """
-    u0, u1, v0, v1 = _bounds(adaptor)
+    u0, u1, v0, v1 = bounds_of(adaptor)
     middle = sub(vector(adaptor.Value((u0 + u1) / 2, (v0 + v1) / 2)), torus.origin)
     for e in _AXES:
         across = sub(e, scale(torus.axis, dot(e, torus.axis)))
@@ -169,7 +160,7 @@ def _freeform_extremes(
     adaptor: BRepAdaptor_Surface, edges: Box, inside: Callable[[float, float], bool]
 ) -> Iterator[Vector]:
     """The extreme points inside a face beyond the box of its edges: the best sample point, moved while that helps."""
-    u0, u1, v0, v1 = _bounds(adaptor)
+    u0, u1, v0, v1 = bounds_of(adaptor)
     columns = min(max(4 * adaptor.NbUIntervals(GeomAbs_Shape.GeomAbs_C2), _SAMPLES[0]), _SAMPLES[1])
     rows = min(max(4 * adaptor.NbVIntervals(GeomAbs_Shape.GeomAbs_C2), _SAMPLES[0]), _SAMPLES[1])
     step_u, step_v = (u1 - u0) / columns, (v1 - v0) / rows

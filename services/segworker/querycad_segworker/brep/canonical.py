@@ -59,6 +59,12 @@ def vector(v: gp_Pnt | gp_Dir | gp_Vec) -> Vector:
     return v.Coord()  # type: ignore[no-any-return]  # one call into the kernel, not three
 
 
+def bounds_of(adaptor: BRepAdaptor_Surface) -> tuple[float, float, float, float]:
+    """From where to where do the parameters u, then v, of a surface go?"""
+    u, v = (adaptor.FirstUParameter(), adaptor.LastUParameter()), (adaptor.FirstVParameter(), adaptor.LastVParameter())
+    return (*u, *v)
+
+
 def canonical_surface(face: TopoDS_Face, adaptor: BRepAdaptor_Surface, tolerance_mm: float) -> Surface:
     """Which canonical surface carries the face? A freeform one within `tolerance_mm` of a canonical one is that one."""
     kind = adaptor.GetType()
@@ -118,9 +124,8 @@ def _cylinder(cylinder: gp_Cylinder) -> Surface:
 def _cone(cone: gp_Cone, adaptor: BRepAdaptor_Surface) -> Surface:
     """The axis points from the apex towards the face: the kernel's own cones go on beyond their apex."""
     apex, direction = vector(cone.Apex()), vector(cone.Axis().Direction())
-    u = (adaptor.FirstUParameter() + adaptor.LastUParameter()) / 2
-    v = (adaptor.FirstVParameter() + adaptor.LastVParameter()) / 2
-    if dot(sub(vector(adaptor.Value(u, v)), apex), direction) < 0:
+    u0, u1, v0, v1 = bounds_of(adaptor)
+    if dot(sub(vector(adaptor.Value((u0 + u1) / 2, (v0 + v1) / 2)), apex), direction) < 0:
         direction = scale(direction, -1.0)
     return Surface(SurfaceKind.CONE, apex, direction, half_angle=abs(cone.SemiAngle()))
 
@@ -152,8 +157,7 @@ def _untrimmed(face: TopoDS_Face, adaptor: BRepAdaptor_Surface) -> TopoDS_Face:
     surface = BRep_Tool.Surface_s(face)
     if not isinstance(surface, Geom_RectangularTrimmedSurface):
         return face
-    u, v = (adaptor.FirstUParameter(), adaptor.LastUParameter()), (adaptor.FirstVParameter(), adaptor.LastVParameter())
-    return BRepBuilderAPI_MakeFace(surface.BasisSurface(), *u, *v, 1e-7).Face()
+    return BRepBuilderAPI_MakeFace(surface.BasisSurface(), *bounds_of(adaptor), 1e-7).Face()
 
 
 def _fit_torus(adaptor: BRepAdaptor_Surface, tolerance_mm: float) -> Surface | None:
@@ -161,8 +165,7 @@ def _fit_torus(adaptor: BRepAdaptor_Surface, tolerance_mm: float) -> Surface | N
 
     One parameter runs along circles about a common axis, the other along circles of one radius, the tube.
     """
-    u0, u1 = adaptor.FirstUParameter(), adaptor.LastUParameter()
-    v0, v1 = adaptor.FirstVParameter(), adaptor.LastVParameter()
+    u0, u1, v0, v1 = bounds_of(adaptor)
     if max(map(abs, (u0, u1, v0, v1))) > 1e50:
         return None
     rows = [[vector(adaptor.Value(u0 + (u1 - u0) * i / 6, v0 + (v1 - v0) * j / 6)) for j in range(7)] for i in range(7)]

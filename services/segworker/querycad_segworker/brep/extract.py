@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRep import BRep_Tool
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Sewing
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
 from OCP.gp import gp_Trsf
 from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Shape
+from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
 from querycad_segworker.errors import IncompleteFile
 from querycad_segworker.tolerances import Tolerances
@@ -21,7 +21,7 @@ from querycad_segworker.vectors import dist
 from .boxes import rough_box
 from .faces import METRES_PER_MM, FaceTable
 from .moments import of_volume, placed
-from .step import NamedShape, StepContent, subshapes
+from .step import NamedShape, StepContent, compound_of, subshapes
 
 _FACE = TopAbs_ShapeEnum.TopAbs_FACE
 
@@ -42,7 +42,7 @@ def extract(content: StepContent) -> Extracted:
         raise IncompleteFile("the file holds no geometry: no face was found in it")
     solids = [(solid, subshapes(solid, _FACE)) for solid in subshapes(content.shape, TopAbs_ShapeEnum.TopAbs_SOLID)]
     faces = _sew_loose(faces, solids, warnings)
-    size = dist(*rough_box(_compound(faces)))
+    size = dist(*rough_box(compound_of(faces)))
     table = FaceTable(faces, Tolerances.for_diagonal(max(size, 1e-6)))
     bodies = _bodies(content.products, solids, table, warnings)
     return Extracted(table.brep(content.name, bodies, warnings), tuple(faces))
@@ -70,7 +70,7 @@ def _sew_loose(
         return faces
     warnings.append(f"{len(loose)} of {len(faces)} faces belong to no solid; they were sewn where they meet")
     # 1e-5 of the size: translators write vertices to about 1e-6 of it, and real gaps are far wider.
-    sewing = BRepBuilderAPI_Sewing(1e-5 * dist(*rough_box(_compound(loose))))
+    sewing = BRepBuilderAPI_Sewing(1e-5 * dist(*rough_box(compound_of(loose))))
     for face in loose:
         sewing.Add(face)
     sewing.Perform()
@@ -138,18 +138,10 @@ class _Volumes:
     def of(self, faces: Sequence[TopoDS_Face], solid: TopoDS_Shape | None) -> Moments:
         """The amount is negative where the faces point inwards."""
         if solid is None or solid.Location().Transformation().IsNegative():
-            return of_volume(_compound(faces))
+            return of_volume(compound_of(faces))
         place = solid.Location().Transformation()
         key = int(self._unplaced.Add(solid.Located(TopLoc_Location()))), len(faces)
         if key not in self._known:
-            self._known[key] = place, of_volume(_compound(faces))
+            self._known[key] = place, of_volume(compound_of(faces))
         first, moments = self._known[key]
         return placed(moments, place.Multiplied(first.Inverted()))
-
-
-def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
-    compound, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(compound)
-    for shape in shapes:
-        builder.Add(compound, shape)
-    return compound

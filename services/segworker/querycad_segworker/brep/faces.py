@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
@@ -20,9 +21,20 @@ from OCP.TopoDS import TopoDS, TopoDS_Edge, TopoDS_Face, TopoDS_Wire
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop, Moments
+from querycad_segworker.topology import (
+    BodyRecord,
+    Brep,
+    EdgeConvexity,
+    EdgeKind,
+    EdgeRecord,
+    FaceRecord,
+    Loop,
+    Moments,
+    linked,
+)
 from querycad_segworker.vectors import (
     Box,
+    across,
     angle_covered,
     box_of,
     box_union,
@@ -30,10 +42,10 @@ from querycad_segworker.vectors import (
     dist,
     dot,
     norm,
-    perpendicular,
     scale,
     sub,
     unit,
+    wrapped,
 )
 
 from .boxes import arc_box, curve_box, face_box
@@ -56,6 +68,17 @@ class _EdgeUse:
     face: int
     normal: Vector
     into_face: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class _Face:
+    """What the edges of a face are measured by. `flip`: -1 where it looks against its surface's natural normal."""
+
+    index: int
+    adaptor: BRepAdaptor_Surface
+    surface: Surface
+    outward: int
+    flip: float
 
 
 @dataclass(slots=True)
@@ -100,7 +123,7 @@ class FaceTable:
         elif surface.kind is not SurfaceKind.FREEFORM:
             outward = 1 if dot(surface.direction_at(point), outward_normal) > 0 else -1
         self.surfaces.append(surface)
-        loops = self._loops(index, face, adaptor, surface, outward, flip)
+        loops = self._loops(face, _Face(index, adaptor, surface, outward, flip))
         edges_box = box_union(self.edges[e].box for loop in loops for e in loop.edges)
         small, large = self._radii(surface, loops)
         moments = self._moments(face)
@@ -135,15 +158,7 @@ class FaceTable:
         known = self._areas[position - 1]
         return known if place.IsIdentity() else placed(known, place.Transformation())
 
-    def _loops(
-        self,
-        index: int,
-        face: TopoDS_Face,
-        adaptor: BRepAdaptor_Surface,
-        surface: Surface,
-        outward: int,
-        flip: float,
-    ) -> tuple[Loop, ...]:
+    def _loops(self, face: TopoDS_Face, own: _Face) -> tuple[Loop, ...]:
         """The face's wires, outer first. The face is explored as FORWARD, where material lies left of each edge."""
         forward = TopoDS.Face(face.Oriented(TopAbs_Orientation.TopAbs_FORWARD))
         outer = BRepTools.OuterWire_s(forward)
@@ -151,22 +166,13 @@ class FaceTable:
         wires = TopExp_Explorer(forward, TopAbs_ShapeEnum.TopAbs_WIRE)
         while wires.More():
             wire = TopoDS.Wire(wires.Current())
-            ids = self._wire(index, forward, wire, adaptor, surface, outward, flip)
+            ids = self._wire(forward, wire, own)
             if ids:
                 loops.append(Loop(ids, wire.IsSame(outer)))
             wires.Next()
         return tuple(sorted(loops, key=lambda loop: not loop.outer))
 
-    def _wire(
-        self,
-        index: int,
-        forward: TopoDS_Face,
-        wire: TopoDS_Wire,
-        adaptor: BRepAdaptor_Surface,
-        surface: Surface,
-        outward: int,
-        flip: float,
-    ) -> tuple[int, ...]:
+    def _wire(self, forward: TopoDS_Face, wire: TopoDS_Wire, own: _Face) -> tuple[int, ...]:
         ids: list[int] = []
         explorer = TopExp_Explorer(wire, TopAbs_ShapeEnum.TopAbs_EDGE)
         while explorer.More():
@@ -178,37 +184,15 @@ class FaceTable:
             if edge_id is None:
                 continue
             data = self.edges[edge_id]
-            if any(use.face == index for use in data.uses):
+            if any(use.face == own.index for use in data.uses):
                 self.seams.add(edge_id)
                 continue
             ids.append(edge_id)
-            normal = self._normal_at(edge, forward, adaptor, surface, outward, flip, data.points[1])
+            normal = _normal_at(edge, forward, own, data.points[1])
             tangent = scale(data.tangent, -1.0 if edge.Orientation() == _REVERSED else 1.0)
-            into = unit(cross(scale(normal, flip), tangent))
-            data.uses.append(_EdgeUse(index, normal, into))
+            into = unit(cross(scale(normal, own.flip), tangent))
+            data.uses.append(_EdgeUse(own.index, normal, into))
         return tuple(ids)
-
-    def _normal_at(
-        self,
-        edge: TopoDS_Edge,
-        forward: TopoDS_Face,
-        adaptor: BRepAdaptor_Surface,
-        surface: Surface,
-        outward: int,
-        flip: float,
-        point: Vector,
-    ) -> Vector:
-        """The face's outward normal at the middle of one of its edges."""
-        if surface.kind is SurfaceKind.PLANE:
-            return surface.axis
-        if outward:
-            return scale(surface.direction_at(point), float(outward))
-        first, last = BRep_Tool.Range_s(edge, forward)
-        curve = BRep_Tool.CurveOnSurface_s(edge, forward, first, last)
-        if curve is None:
-            return scale(_natural_normal(adaptor, 0.0, 0.0)[1], flip)
-        uv = curve.Value((first + last) / 2)
-        return scale(_natural_normal(adaptor, uv.X(), uv.Y())[1], flip)
 
     def _edge(self, edge: TopoDS_Edge) -> int | None:
         """The id of a kernel edge, measured when first met; None for an edge without a curve in space."""
@@ -267,8 +251,7 @@ class FaceTable:
         edges = [self.edges[e] for loop in loops for e in loop.edges]
         if surface.kind is SurfaceKind.SPHERE or any(_is_ring(e, surface, self.tolerances.length) for e in edges):
             return 2 * math.pi
-        x = perpendicular(surface.axis)
-        y = cross(surface.axis, x)
+        x, y = across(surface.axis)
 
         def angle(p: Vector) -> float:
             return math.atan2(dot(sub(p, surface.origin), y), dot(sub(p, surface.origin), x))
@@ -276,7 +259,7 @@ class FaceTable:
         ranges = [(angle(point), angle(point))]
         for edge in edges:
             start, middle, end = (angle(p) for p in edge.points)
-            first, second = _wrapped(middle - start), _wrapped(end - middle)
+            first, second = wrapped(middle - start), wrapped(end - middle)
             closed = dist(edge.points[0], edge.points[2]) <= self.tolerances.length
             if closed and abs(first) > ONCE_AROUND:
                 return 2 * math.pi
@@ -301,23 +284,9 @@ class FaceTable:
 
     def connected(self, ids: Sequence[int]) -> list[list[int]]:
         """Which of these faces hang together by shared edges? Groups in order of their lowest id."""
-        neighbours: dict[int, set[int]] = {i: set() for i in ids}
-        for data in self.edges:
-            members = [use.face for use in data.uses if use.face in neighbours]
-            for a in members:
-                neighbours[a].update(members)
-        groups, seen = [], set[int]()
-        for start in ids:
-            if start in seen:
-                continue
-            group, stack = {start}, [start]
-            while stack:
-                new = neighbours[stack.pop()] - group
-                group |= new
-                stack.extend(new)
-            seen |= group
-            groups.append(sorted(group))
-        return groups
+        own = set(ids)
+        uses = ([use.face for use in data.uses if use.face in own] for data in self.edges)
+        return linked(own, (pair for faces in uses for pair in pairwise(faces)))
 
     def is_closed(self, ids: Sequence[int]) -> bool:
         """Do these faces leave no free edge?"""
@@ -385,6 +354,20 @@ _NATIVE_TYPES = (
 )
 
 
+def _normal_at(edge: TopoDS_Edge, forward: TopoDS_Face, own: _Face, point: Vector) -> Vector:
+    """A face's outward normal at the middle of one of its edges."""
+    if own.surface.kind is SurfaceKind.PLANE:
+        return own.surface.axis
+    if own.outward:
+        return scale(own.surface.direction_at(point), float(own.outward))
+    first, last = BRep_Tool.Range_s(edge, forward)
+    curve = BRep_Tool.CurveOnSurface_s(edge, forward, first, last)
+    if curve is None:
+        return scale(_natural_normal(own.adaptor, 0.0, 0.0)[1], own.flip)
+    uv = curve.Value((first + last) / 2)
+    return scale(_natural_normal(own.adaptor, uv.X(), uv.Y())[1], own.flip)
+
+
 def _finite_middle(first: float, last: float) -> float:
     if abs(first) > 1e50 or abs(last) > 1e50:
         return 0.0
@@ -402,10 +385,6 @@ def _natural_normal(adaptor: BRepAdaptor_Surface, u: float, v: float) -> tuple[V
         if norm(normal) > 1e-12 * max(norm(vector(du)) * norm(vector(dv)), 1e-30):
             return vector(point), unit(normal)
     return vector(point), (0.0, 0.0, 1.0)
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi
 
 
 def _is_ring(edge: _EdgeData, surface: Surface, tolerance: float) -> bool:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Callable, Sequence
 from functools import cache
 from io import BytesIO
@@ -25,7 +23,7 @@ from OCP.GProp import GProp_GProps
 from OCP.Storage import Storage_StreamReadError
 from OCP.TopAbs import TopAbs_ShapeEnum, TopAbs_State
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS, TopoDS_Compound, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
+from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Iterator, TopoDS_Shape, TopoDS_Shell, TopoDS_Solid
 
 from querycad_contracts import Vector
 from querycad_segworker.errors import UnreadableFile
@@ -35,7 +33,7 @@ from .boxes import exact_box, rough_box
 from .canonical import vector
 from .faces import METRES_PER_MM
 from .moments import of_volume
-from .step import subshapes
+from .step import compound_of, subshapes
 
 DRAWN_MM = 0.05
 """Half of the last digit of drawings: a body that reaches less far into another one only touches it."""
@@ -43,13 +41,13 @@ DRAWN_MM = 0.05
 
 def save_faces(faces: Sequence[TopoDS_Face], path: Path) -> None:
     """Keeps the faces, in order, in the kernel's binary format."""
-    if not BinTools.Write_s(_compound(faces), str(path)):
+    if not BinTools.Write_s(compound_of(faces), str(path)):
         raise UnreadableFile("the kernel could not keep the model's faces")
 
 
 def distance(faces: Sequence[TopoDS_Face], first: Sequence[int], second: Sequence[int]) -> float:
     """How far apart are two groups of faces, in metres? 0 when they touch."""
-    return _between(_compound([faces[i] for i in first]), _compound([faces[i] for i in second]))
+    return _between(compound_of([faces[i] for i in first]), compound_of([faces[i] for i in second]))
 
 
 class PlaneFaces:
@@ -84,7 +82,7 @@ def edge_distance(faces: Sequence[TopoDS_Face], part: Sequence[int], planes: Pla
             host, host_area = faces[i], area.Mass()
     if host is None:
         raise UnreadableFile("the part lies in no plane face, so it has no distance to the edge of one")
-    return _between(_compound([faces[i] for i in part]), BRepTools.OuterWire_s(host))
+    return _between(compound_of([faces[i] for i in part]), BRepTools.OuterWire_s(host))
 
 
 def extent(faces: Sequence[TopoDS_Face], part: Sequence[int], direction: Vector) -> float:
@@ -175,38 +173,19 @@ def _between(first: TopoDS_Shape, second: TopoDS_Shape) -> float:
     return float(extrema.Value()) * METRES_PER_MM
 
 
-def _compound(shapes: Sequence[TopoDS_Shape]) -> TopoDS_Compound:
-    compound, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(compound)
-    for shape in shapes:
-        builder.Add(compound, shape)
-    return compound
-
-
-def _measured(faces: Sequence[TopoDS_Face], request: dict[str, Any], planes: Callable[[], PlaneFaces]) -> float:
-    match request["what"]:
-        case "distance":
-            return distance(faces, request["first"], request["second"])
-        case "overlap":
-            return overlap(faces, request["first"], request["second"])
-        case "extent":
-            return extent(faces, request["first"], request["direction"])
-    return edge_distance(faces, request["first"], planes())
-
-
-def work(kept: BinaryIO, *_: str) -> None:
-    """Answers requests about the kept faces, which are open, one JSON object a line, until standard input ends.
-
-    {"what": "distance" | "overlap" | "edge_distance" | "extent", "first": [face ids], "second": [face ids],
-    "direction": [x, y, z]} is answered by {"value": number} or {"problem": sentence}.
-    """
+def measurer(kept: BinaryIO) -> Callable[[dict[str, Any]], float]:
+    """What measures the kept faces, which are open, as requests ask? It raises UnreadableFile."""
     faces = _load_faces(kept)
     planes = cache(lambda: PlaneFaces(faces))
-    for line in sys.stdin:
-        request = json.loads(line)
-        try:
-            answer: dict[str, float | str] = {"value": _measured(faces, request, planes)}
-        except UnreadableFile as problem:
-            answer = {"problem": str(problem)}
-        sys.stdout.write(json.dumps(answer) + "\n")
-        sys.stdout.flush()
+
+    def measure(request: dict[str, Any]) -> float:
+        match request["what"]:
+            case "distance":
+                return distance(faces, request["first"], request["second"])
+            case "overlap":
+                return overlap(faces, request["first"], request["second"])
+            case "extent":
+                return extent(faces, request["first"], request["direction"])
+        return edge_distance(faces, request["first"], planes())
+
+    return measure

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -68,6 +68,15 @@ def subshapes(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> list[TopoDS_Shape]
     return [found.FindKey(i) for i in range(1, found.Size() + 1)]
 
 
+def compound_of(shapes: Iterable[TopoDS_Shape]) -> TopoDS_Compound:
+    """Which one shape holds all of these?"""
+    compound, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(compound)
+    for shape in shapes:
+        builder.Add(compound, shape)
+    return compound
+
+
 def read_step(path: Path) -> StepContent:
     """What does the STEP file hold? Raises UnreadableFile when the kernel cannot read or transfer it."""
     quiet()
@@ -90,11 +99,9 @@ def content_of(document: TDocStd_Document, units: tuple[str, ...]) -> StepConten
     color_tool = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
     roots = _labels(shape_tool, None)
     products: list[NamedShape] = []
-    compound, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(compound)
     for root in roots:
-        builder.Add(compound, shape_tool.GetShape_s(root))
         products.extend(_products(shape_tool, color_tool, root, TopLoc_Location(), _label_color(color_tool, root)))
+    compound = compound_of(shape_tool.GetShape_s(root) for root in roots)
     return StepContent(compound, _name(roots[0]) if len(roots) == 1 else "", tuple(products), units)
 
 

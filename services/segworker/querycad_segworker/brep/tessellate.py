@@ -6,18 +6,19 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRep import BRep_Tool
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.collections import IndexedMap_TopoDS_Shape_TopTools_ShapeMapHasher as ShapeMap
 from OCP.gp import gp_Pnt
 from OCP.Poly import Poly_Triangle, Poly_Triangulation
 from OCP.TopAbs import TopAbs_Orientation
 from OCP.TopLoc import TopLoc_Location
-from OCP.TopoDS import TopoDS_Compound, TopoDS_Face
+from OCP.TopoDS import TopoDS_Face
 
 from querycad_segworker.mesh import Mesh
 
 from .faces import METRES_PER_MM
+from .step import compound_of
 
 RELATIVE_DEFLECTION = 5e-4
 """Chord error as a share of the model's diagonal: half a pixel where the model fills a picture of 1,000 pixels."""
@@ -27,12 +28,8 @@ ANGULAR_DEFLECTION_RAD = 0.35
 
 def tessellate(faces: Sequence[TopoDS_Face], diagonal_m: float) -> Mesh:
     """Which triangles cover the faces? `triangle_face` counts `faces` from 0; a face that cannot be meshed has none."""
-    compound, builder = TopoDS_Compound(), BRep_Builder()
-    builder.MakeCompound(compound)
-    for face in faces:
-        builder.Add(compound, face)
     deflection = max(RELATIVE_DEFLECTION * diagonal_m / METRES_PER_MM, 1e-7)
-    BRepMesh_IncrementalMesh(compound, deflection, False, ANGULAR_DEFLECTION_RAD, False)
+    BRepMesh_IncrementalMesh(compound_of(faces), deflection, False, ANGULAR_DEFLECTION_RAD, False)
     corners: list[NDArray[np.float64]] = []
     triangles: list[NDArray[np.int32]] = []
     owners: list[NDArray[np.int32]] = []

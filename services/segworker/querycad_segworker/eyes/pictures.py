@@ -148,15 +148,11 @@ def _box(spots: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _marked(mesh: Mesh, listed: Sequence[Candidate], marks: Sequence[int], scene: Scene) -> Marked:
     """The model with these candidates coloured, each unlike the others of the picture."""
-    owner = _owners(mesh, [one if i in marks else _nothing(one) for i, one in enumerate(listed)])[:-1]
+    owner = _owners(mesh, [one if i in marks else Candidate(one.part, (), 0.0) for i, one in enumerate(listed)])[:-1]
     colors = np.zeros((len(listed), 3), dtype=np.uint8)
     colors[list(marks)] = part_colors(len(marks))
     ghosts = Scene(mesh.of_faces(np.flatnonzero(owner >= 0)), threads=1)
     return Marked(scene, ghosts, owner, colors, tuple(one.anchor_m for one in listed))
-
-
-def _nothing(one: Candidate) -> Candidate:
-    return Candidate(one.part, (), 0.0)
 
 
 def _spread(chosen: Sequence[int], middles: NDArray[np.float64], most: int) -> list[tuple[int, ...]]:

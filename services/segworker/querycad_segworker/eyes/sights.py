@@ -12,7 +12,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from querycad_contracts import Face, Grounding, MarkedPicture, Part, PictureRequest, Sight
 from querycad_segworker.fusing.region import faces_of_id, region
-from querycad_segworker.fusing.vision import Keep
+from querycad_segworker.fusing.vision import Keep, with_picture
 from querycad_segworker.model import Artefacts, sheet_name
 
 VERSION = 1
@@ -136,7 +136,7 @@ class Sights:
             result = result.model_copy(
                 update={"warnings": (*by_words.warnings, f"found by sight alone, by {sight.by}")}
             )
-        told = tuple(_with_picture(part, phrase) for part in result.parts)
+        told = tuple(with_picture(part, _sheet(phrase)) for part in result.parts)
         return result.model_copy(update={"parts": told, "seen_by": sight.by})
 
     def _save(self, name: str, image: Image.Image) -> None:
@@ -168,8 +168,3 @@ def _sight_name(phrase: str) -> str:
 def _sheet(phrase: str) -> str:
     """Eyes and networks may have looked for the same words."""
     return sheet_name(f"eyes: {phrase}")
-
-
-def _with_picture(part: Part, phrase: str) -> Part:
-    evidence = part.evidence.model_copy(update={"picture": _sheet(phrase)})
-    return part.model_copy(update={"evidence": evidence})

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import Face, Outline, Side, SurfaceKind, Vector
 from querycad_segworker.tolerances import FACING, Tolerances
-from querycad_segworker.topology import Brep, FaceRecord
+from querycad_segworker.topology import REVOLVED, Brep, FaceRecord
 from querycad_segworker.vectors import (
     box_center,
     box_extents,
@@ -42,7 +42,7 @@ def faces_of(brep: Brep) -> list[Face]:
 
 def _face(brep: Brep, record: FaceRecord, tolerances: Tolerances) -> Face:
     is_plane = record.kind is SurfaceKind.PLANE
-    revolved = record.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
+    revolved = record.kind in REVOLVED
     radius = record.minor_radius if record.kind is SurfaceKind.TORUS else record.radius
     own = _own_size(brep, record) if is_plane else None
     along_axis = record.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Concatenate, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -80,6 +80,7 @@ from .turned.pipes import beside_pipes, ending_in_bends, recognise_pipes
 from .turned.round_bodies import TurnedBody, tips_of, turned_body, with_free_tips
 
 T = TypeVar("T")
+P = ParamSpec("P")
 R = TypeVar("R", Boss, Hole, Gear)
 PATTERNED = frozenset(("hole", "cutout", "pocket", "slot", "dimple"))
 """Kinds that are laid out in patterns."""
@@ -143,12 +144,12 @@ def _parts(
 ) -> list[Part]:
     """All parts, made of faces of `brep`."""
     found_walls = walls(brep, tolerances)
+    cylinders = [wall for wall in found_walls if wall.kind is SurfaceKind.CYLINDER]
     holes = recognise_holes(brep, found_walls, tolerances, is_clear)
     pipes = recognise_pipes(brep, found_walls, tolerances)
     holes = ending_in_bends(holes, pipes)
-    model_m = dist(*brep.box)
-    bosses = with_free_tips(recognise_bosses(brep, found_walls, holes, tolerances), is_clear, model_m)
-    hole_parts = _numbered(holes, lambda hole, n: hole_part(brep, hole, n))
+    bosses = with_free_tips(recognise_bosses(brep, found_walls, holes, tolerances), is_clear, dist(*brep.box))
+    hole_parts = _numbered(brep, holes, hole_part)
     round_faces = {face for own in (holes, bosses, pipes) for record in own for face in record.faces}
     hole_faces = {face for hole in holes for face in hole.faces}
     dimples = recognise_dimples(brep, hole_faces)
@@ -183,34 +184,24 @@ def _parts(
     parts = [
         *hole_parts,
         *(part for n, hole in enumerate(holes, start=1) for part in hole_section_parts(brep, hole, n)),
-        *_numbered(dimples, lambda dimple, n: dimple_part(brep, dimple, n)),
-        *_numbered(standing, lambda boss, n: boss_part(brep, boss, n, hole_parts)),
+        *_numbered(brep, dimples, dimple_part),
+        *_numbered(brep, standing, boss_part, hole_parts),
         *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
         *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
-        *_numbered(grooves, lambda found, n: turned_groove_part(brep, found, n)),
-        *_numbered(depressions, lambda found, n: depression_part(brep, found, n, volumes)),
-        *_numbered([*protrusions, *pads], lambda p, n: protrusion_part(brep, p, n, volumes)),
-        *_numbered(beside_sections(prisms, sections), lambda prism, n: prism_part(brep, prism, n)),
-        *_numbered(sections, lambda section, n: hollow_section_part(brep, section, n)),
+        *_numbered(brep, grooves, turned_groove_part),
+        *_numbered(brep, depressions, depression_part, volumes),
+        *_numbered(brep, [*protrusions, *pads], protrusion_part, volumes),
+        *_numbered(brep, beside_sections(prisms, sections), prism_part),
+        *_numbered(brep, sections, hollow_section_part),
         *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if gussets.isdisjoint(r.flanks)),
-        *_numbered(recognise_bent_arcs(brep, found_walls, tolerances), lambda arc, n: bent_arc_part(brep, arc, n)),
-        *_numbered(flat_walls, lambda wall, n: flat_wall_part(brep, wall, n)),
-        *_numbered(blends, lambda blend, n: blend_part(brep, blend, n)),
-        *_numbered(
-            [w for w in found_walls if w.kind is SurfaceKind.CYLINDER and w.encloses],
-            lambda wall, n: cylinder_part(brep, wall, n),
-        ),
-        *_numbered(
-            [
-                w
-                for w in found_walls
-                if w.kind is SurfaceKind.CYLINDER and not w.encloses and not blend_faces.issuperset(w.faces)
-            ],
-            lambda wall, n: arc_part(brep, wall, n),
-        ),
+        *_numbered(brep, recognise_bent_arcs(brep, found_walls, tolerances), bent_arc_part),
+        *_numbered(brep, flat_walls, flat_wall_part),
+        *_numbered(brep, blends, blend_part),
+        *_numbered(brep, [wall for wall in cylinders if wall.encloses], cylinder_part),
+        *_numbered(brep, [w for w in cylinders if not w.encloses and not blend_faces.issuperset(w.faces)], arc_part),
         *surface_parts(brep, found_walls, edges),
-        *_numbered(gears, lambda gear, n: gear_part(brep, gear, n)),
-        *_numbered(knurls, lambda knurl, n: knurl_part(brep, knurl, n)),
+        *_numbered(brep, gears, gear_part),
+        *_numbered(brep, knurls, knurl_part),
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
     parts += region_parts(brep, parts, volumes, tolerances)
@@ -221,7 +212,7 @@ def _parts(
         bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies), thickness.least
     )
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
-    shown = _numbered(bearings, lambda found, n: bearing_part(brep, found, n, bodies))
+    shown = _numbered(brep, bearings, bearing_part, bodies)
     parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
     parts += _patterns(brep, parts)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
@@ -282,11 +273,18 @@ def _patterns(brep: Brep, parts: Sequence[Part]) -> list[Part]:
     centers = [part for part in parts if part.kind in ("hole", "boss", "body")]
     bodies = [brep.faces[part.faces[0]].body for part in members]
     found = recognise_patterns(members, bodies, centers)
-    return _numbered(found, lambda pattern, n: pattern_part(pattern, n, [members[i] for i in pattern.members]))
+    return [pattern_part(one, n, [members[i] for i in one.members]) for n, one in enumerate(found, start=1)]
 
 
-def _numbered(records: Sequence[T], make: Callable[[T, int], Part]) -> list[Part]:
-    return [make(record, number) for number, record in enumerate(records, start=1)]
+def _numbered(
+    brep: Brep,
+    records: Sequence[T],
+    make: Callable[Concatenate[Brep, T, int, P], Part],
+    *more: P.args,
+    **named: P.kwargs,
+) -> list[Part]:
+    """What each record makes as a part, counted from 1; `more`: what making it needs besides."""
+    return [make(brep, record, number, *more, **named) for number, record in enumerate(records, start=1)]
 
 
 def _shape(brep: Brep, thickness: Thickness, whole: Brep) -> Shape:

@@ -56,7 +56,9 @@ class Vision:
         expected = by_words.parts if mode is GroundedBy.FUSED else ()
         found = sightings(seen, phrase, parts, faces, expected)
         result = by_vision(phrase, by_words.sides, found) if mode is GroundedBy.VISION else fuse(by_words, found)
-        return result.model_copy(update={"parts": tuple(_with_picture(part, phrase) for part in result.parts)})
+        return result.model_copy(
+            update={"parts": tuple(with_picture(part, sheet_name(phrase)) for part in result.parts)}
+        )
 
     def _look(self, phrase: str, face_count: int) -> Seen:
         """What is seen of the phrase; the sheet of pictures that shows how is kept with the model."""
@@ -76,9 +78,9 @@ class Vision:
         return self._seen[phrase]
 
 
-def _with_picture(part: Part, phrase: str) -> Part:
-    """Where vision had a say, the evidence tells which sheet shows what it saw."""
-    evidence = part.evidence.model_copy(update={"picture": sheet_name(phrase)})
+def with_picture(part: Part, sheet: str) -> Part:
+    """The same part, whose evidence tells which sheet shows what was seen."""
+    evidence = part.evidence.model_copy(update={"picture": sheet})
     return part.model_copy(update={"evidence": evidence})
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -172,25 +170,18 @@ def _cuts(a: Array, b: Array, triangles: Array) -> NDArray[np.bool_]:
     return inside
 
 
-def _measured(mesh: Mesh, request: dict[str, Any]) -> float:
-    match request["what"]:
-        case "distance":
-            return distance(mesh, request["first"], request["second"])
-        case "overlap":
-            raise UnreadableFile("of a mesh, what two bodies share cannot be measured")
-        case "extent":
-            return extent(mesh, request["first"], request["direction"])
-    return edge_distance(mesh, request["first"])
-
-
-def work(kept: BinaryIO, *_: str) -> None:
-    """Answers requests about a kept mesh as `brep.measure.work` does about kept faces."""
+def measurer(kept: BinaryIO) -> Callable[[dict[str, Any]], float]:
+    """As `brep.measure.measurer`, of a kept mesh."""
     mesh = Mesh.load(kept)
-    for line in sys.stdin:
-        request = json.loads(line)
-        try:
-            answer: dict[str, float | str] = {"value": _measured(mesh, request)}
-        except UnreadableFile as problem:
-            answer = {"problem": str(problem)}
-        sys.stdout.write(json.dumps(answer) + "\n")
-        sys.stdout.flush()
+
+    def measure(request: dict[str, Any]) -> float:
+        match request["what"]:
+            case "distance":
+                return distance(mesh, request["first"], request["second"])
+            case "overlap":
+                raise UnreadableFile("of a mesh, what two bodies share cannot be measured")
+            case "extent":
+                return extent(mesh, request["first"], request["direction"])
+        return edge_distance(mesh, request["first"])
+
+    return measure

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.topology import (
+    REVOLVED,
     BodyRecord,
     Brep,
     EdgeConvexity,
@@ -30,7 +31,6 @@ from .triangles import Array, Ints, Named, Triangles, grouped, vector_of
 
 SMOOTH_RAD = math.radians(2.0)
 """As `Tolerances.smooth`."""
-_REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,7 +113,6 @@ class _Builder:
         self.chains = chains
         self.near = near
         self.boxes: list[Box] = []
-        self.sags: dict[int, list[tuple[int, Array, Array, float, float]]] = defaultdict(list)
 
     def edge(self, number: int, chain: _Chain) -> EdgeRecord:
         """The line, circle or other curve that a chain follows."""
@@ -173,7 +172,7 @@ class _Builder:
     def _circle(self, points: Array, surfaces: Sequence[Fitted | None]) -> tuple[Array, Array, float] | None:
         """About the axis of a round face, if the points are; else through them, if four or more lie on one."""
         for surface in surfaces:
-            if surface is None or surface.kind not in _REVOLVED:
+            if surface is None or surface.kind not in REVOLVED:
                 continue
             to = points - surface.origin
             along = to @ surface.axis
@@ -239,28 +238,24 @@ class _Builder:
         if surface is not None and surface.kind in (SurfaceKind.SPHERE, SurfaceKind.TORUS) and box is not None:
             box = self._bulged(surface, members, box)
         assert box is not None
-        kind = SurfaceKind.FREEFORM if surface is None else surface.kind
-        origin = np.zeros(3) if surface is None else surface.origin
-        axis = np.zeros(3) if surface is None else surface.axis
-        large, small, half = (
-            (0.0, 0.0, 0.0) if surface is None else (surface.radius, surface.minor_radius, surface.half_angle)
-        )
-        if surface is not None and kind is SurfaceKind.CONE:
-            to = points - origin
-            radial = np.linalg.norm(to - (to @ axis)[:, None] * axis, axis=1)
+        form = surface or Fitted(SurfaceKind.FREEFORM, np.zeros(3), np.zeros(3))
+        large, small = form.radius, form.minor_radius
+        if form.kind is SurfaceKind.CONE:
+            to = points - form.origin
+            radial = np.linalg.norm(to - (to @ form.axis)[:, None] * form.axis, axis=1)
             small, large = float(radial.min()), float(radial.max())
         return FaceRecord(
             id=number,
             body=0,
-            kind=kind,
-            origin=vector_of(origin),
-            axis=vector_of(axis),
+            kind=form.kind,
+            origin=vector_of(form.origin),
+            axis=vector_of(form.axis),
             area=area,
             box=box,
             loops=loops,
             radius=large,
             minor_radius=small,
-            half_angle=half,
+            half_angle=form.half_angle,
             outward=outward,
             sweep=self._sweep(surface, points, around) if outward and surface is not None else 0.0,
             point=vector_of(point),
@@ -298,7 +293,7 @@ class _Builder:
             np.concatenate([self.mesh.vertices[self.chains[i].places][:: 1 if forward else -1] for i, forward in ring])
             for ring in rings
         ]
-        if surface is not None and surface.kind in _REVOLVED:
+        if surface is not None and surface.kind in REVOLVED:
             turns = [abs(float(_turns(outline, surface.origin, surface.axis)[-1])) > math.pi for outline in outlines]
             if any(turns):
                 joined = [i for ring, turned in zip(rings, turns, strict=True) if turned for i, _ in ring]

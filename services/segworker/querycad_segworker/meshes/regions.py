@@ -8,7 +8,6 @@ freeform face where it turns in such steps, else a plane.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -396,9 +395,3 @@ class _Growth:
         points = mesh.vertices[np.unique(mesh.corners[members])]
         found = fit_plane(points, normal / length)
         return found if np.abs(found.off(points)).max() <= self.near else None
-
-
-def counts(found: Sequence[Fitted | None]) -> dict[str, int]:
-    """How many faces are there of each kind?"""
-    kinds = [SurfaceKind.FREEFORM if surface is None else surface.kind for surface in found]
-    return {kind.value: kinds.count(kind) for kind in SurfaceKind if kind in kinds}

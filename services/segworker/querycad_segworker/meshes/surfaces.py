@@ -41,7 +41,22 @@ class Fitted:
 
     def off(self, points: Array) -> Array:
         """How far from the surface is each of (N, 3) points, away from axis, centre or tube, or along the normal?"""
-        return _off(self, points)
+        to = points - self.origin
+        off: Array
+        along = to @ self.axis
+        if self.kind is SurfaceKind.PLANE:
+            return along
+        if self.kind is SurfaceKind.SPHERE:
+            off = np.linalg.norm(to, axis=1) - self.radius
+            return off
+        radial = np.linalg.norm(to - along[:, None] * self.axis, axis=1)
+        if self.kind is SurfaceKind.CYLINDER:
+            off = radial - self.radius
+        elif self.kind is SurfaceKind.CONE:
+            off = radial * math.cos(self.half_angle) - along * math.sin(self.half_angle)
+        else:
+            off = np.hypot(radial - self.radius, along) - self.minor_radius
+        return off
 
     def directions(self, points: Array) -> Array:
         """Which way does `off` grow there? (N, 3) unit vectors."""
@@ -151,29 +166,15 @@ def circle_through(points: Array) -> tuple[Array, Array, float] | None:
     return middle + found[0] * x + found[1] * y, axis, found[2]
 
 
-def _off(surface: Fitted, points: Array) -> Array:
-    to = points - surface.origin
-    off: Array
-    along = to @ surface.axis
-    if surface.kind is SurfaceKind.PLANE:
-        off = along
-    elif surface.kind is SurfaceKind.SPHERE:
-        off = np.linalg.norm(to, axis=1) - surface.radius
-    else:
-        radial = np.linalg.norm(to - along[:, None] * surface.axis, axis=1)
-        if surface.kind is SurfaceKind.CYLINDER:
-            off = radial - surface.radius
-        elif surface.kind is SurfaceKind.CONE:
-            off = radial * math.cos(surface.half_angle) - along * math.sin(surface.half_angle)
-        else:
-            off = np.hypot(radial - surface.radius, along) - surface.minor_radius
-    return off
+def _across(axis: Array) -> tuple[Array, Array]:
+    """Two unit vectors square to a third and to each other."""
+    x = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.7 else [0.0, 1.0, 0.0])
+    x /= np.linalg.norm(x)
+    return x, np.cross(axis, x)
 
 
 def _cylinder_along(points: Array, axis: Array) -> Fitted | None:
-    x = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.7 else [0.0, 1.0, 0.0])
-    x /= np.linalg.norm(x)
-    y = np.cross(axis, x)
+    x, y = _across(axis)
     found = _circle(np.c_[points @ x, points @ y])
     if found is None:
         return None
@@ -204,9 +205,7 @@ def _refined(start: Fitted, points: Array, near: float) -> Fitted | None:
     """Levenberg and Marquardt on the distances of the points. None where there are too few."""
     points = points[:: max(1, len(points) // MOST_POINTS)]
     size = float(np.abs(points - points.mean(axis=0)).max()) or 1.0
-    x = np.cross(start.axis, [1.0, 0.0, 0.0] if abs(start.axis[0]) < 0.7 else [0.0, 1.0, 0.0])
-    x /= np.linalg.norm(x)
-    y = np.cross(start.axis, x)
+    x, y = _across(start.axis)
 
     def made(v: Array) -> Fitted:
         axis = start.axis + v[0] * x + v[1] * y

@@ -12,8 +12,6 @@ from querycad_segworker.visibility.raycast import IdImage
 
 from .shading import BAND, light_on
 
-BACKGROUND_RGB = (255, 255, 255)
-
 
 def face_colors(count: int, seed: int = 0) -> NDArray[np.uint8]:
     """Which colour has each face? (count, 3) uint8 sRGB, all different, none white; the same for the same seed.

@@ -24,6 +24,12 @@ def part_colors(count: int) -> NDArray[np.uint8]:
     return np.array(colors, dtype=np.uint8).reshape(count, 3)
 
 
+def rgb(color: NDArray[np.uint8]) -> tuple[int, int, int]:
+    """What are red, green and blue as plain numbers?"""
+    red, green, blue = (int(channel) for channel in color)
+    return (red, green, blue)
+
+
 def readable_on(color: NDArray[np.uint8]) -> tuple[int, int, int]:
     """Is black or white text read better on this colour? By relative luminance (WCAG 2.2)."""
     linear = (np.asarray(color, dtype=np.float64) / 255) ** 2.2

@@ -12,9 +12,9 @@ from querycad_segworker.visibility.cameras import Camera
 from querycad_segworker.visibility.raycast import IdImage, Scene
 
 from .labels import Balloon, Point, place_balloons, ring_around
-from .palette import readable_on
+from .palette import readable_on, rgb
 from .shading import NEUTRAL, shade
-from .sheet import MUTED, OVERSAMPLING, Box, Color, Sheet
+from .sheet import MUTED, OVERSAMPLING, Box, Sheet
 from .views import View, camera_at
 
 RADII = (15.0, 12.0, 10.0, 8.0)
@@ -184,7 +184,7 @@ def _draw_balloons(
         sheet.leader(balloon)
     for balloon in balloons:
         color = marked.colors[balloon.part]
-        sheet.numbered(balloon.part + 1, balloon.center, radius, _rgb(color), readable_on(color))
+        sheet.numbered(balloon.part + 1, balloon.center, radius, rgb(color), readable_on(color))
     return balloons
 
 
@@ -201,8 +201,3 @@ def _draw_name(sheet: Sheet, camera: Camera, panel: Panel, at: Point) -> None:
         sheet.text(tip, name, 11, color, "mm")
     kind = "enlarged, seen from" if panel.focus is not None else "seen from"
     sheet.text((x + 56, y + 24), f"{kind} {camera.name}", 14, MUTED, "lm")
-
-
-def _rgb(color: NDArray[np.uint8]) -> Color:
-    red, green, blue = (int(channel) for channel in color)
-    return (red, green, blue)

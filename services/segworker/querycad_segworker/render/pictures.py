@@ -15,9 +15,9 @@ from querycad_contracts import Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.visibility.raycast import Scene
 
-from .palette import part_colors, readable_on
+from .palette import part_colors, readable_on, rgb
 from .panels import STRIP, Marked, Panel, draw_panel, needs_detail
-from .sheet import MUTED, Box, Color, Sheet
+from .sheet import MUTED, Box, Sheet
 from .views import MAX_VIEWS, View, choose_views, marked_faces
 
 LEGEND_ROWS = 12
@@ -139,8 +139,7 @@ def _legend(
         if y + height > bottom:
             break
         middle = y + height / 2
-        color: Color = (int(colors[index, 0]), int(colors[index, 1]), int(colors[index, 2]))
-        sheet.numbered(index + 1, (left + 18, middle), 15.0, color, readable_on(colors[index]))
+        sheet.numbered(index + 1, (left + 18, middle), 15.0, rgb(colors[index]), readable_on(colors[index]))
         for line, row in enumerate(rows):
             sheet.text((text_left, middle + (line - (len(rows) - 1) / 2) * size * 1.3), row, size, anchor="lm")
         y += height

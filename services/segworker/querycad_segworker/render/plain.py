@@ -16,9 +16,8 @@ from querycad_segworker.visibility.raycast import Scene
 
 from .pictures import save_png
 from .shading import NEUTRAL, shade
+from .sheet import OVERSAMPLING
 
-OVERSAMPLING = 2
-"""Pixels are traced this many times finer each way and averaged, so that edges are smooth."""
 MARGIN = 0.05
 
 

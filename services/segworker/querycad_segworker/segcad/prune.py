@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from querycad_segworker.topology import spread
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaceGraph:
@@ -31,11 +33,4 @@ def prune(faces: frozenset[int], start: int, graph: FaceGraph) -> frozenset[int]
     """Which of `faces` can be reached from `start`, going from face to face over common edges only?"""
     if start not in faces:
         raise ValueError(f"face {start} is not among those to start from")
-    neighbours = graph.among(faces)
-    reached, border = {start}, [start]
-    while border:
-        for face in neighbours[border.pop()]:
-            if face not in reached:
-                reached.add(face)
-                border.append(face)
-    return frozenset(reached)
+    return frozenset(spread((start,), graph.among(faces).__getitem__))

@@ -90,11 +90,6 @@ class Scene:
             TriangleMesh(self._embree, vertices, mesh.triangles)
             self._trace(np.zeros((1, 3)), np.ones((1, 3)))  # builds the hierarchy, before threads share it
 
-    @property
-    def size_m(self) -> float:
-        """How large is the model? Diagonal of its bounding box in metres; 2 when it has no extent."""
-        return 2.0 * self._radius
-
     def render_ids(self, camera: Camera, normals: bool = False) -> IdImage:
         """Which face does each pixel of `camera` show, and how far away?"""
         faces = np.full((camera.height, camera.width), BACKGROUND, dtype=id_type(self.mesh))

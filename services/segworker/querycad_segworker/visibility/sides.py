@@ -12,7 +12,7 @@ from querycad_contracts import Part, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import add, cross, dot, perpendicular, scale, sub
+from querycad_segworker.vectors import around, dot, scale, sub
 
 from .faces import FaceVisibility
 from .raycast import Scene
@@ -122,8 +122,7 @@ def _over_floors(parts: Sequence[Part], scene: Scene) -> dict[int, set[Side]]:
 
 def _walls_around(part: Part, brep: Brep) -> set[int]:
     """The curved faces that the part meets in convex edges."""
-    edges = [brep.edges[e] for f in part.faces for e in brep.face_edges[f]]
-    others = {f for edge in edges if edge.convexity is EdgeConvexity.CONVEX for f in edge.faces} - set(part.faces)
+    others = {i for f in part.faces for i in brep.beside(f, EdgeConvexity.CONVEX)} - set(part.faces)
     return {f for f in others if brep.faces[f].kind is not SurfaceKind.PLANE}
 
 
@@ -140,14 +139,11 @@ def end_faces(part: Part, brep: Brep) -> set[int]:
         turned = round_face and part.kind in _ROUND and axis is not None
         if not turned and not (part.kind in _RUNNING_OUT and part.normal is not None):
             continue
-        for edge in (brep.edges[e] for e in brep.face_edges[index]):
-            if edge.convexity is not EdgeConvexity.CONVEX:
-                continue
-            for other in (brep.faces[f] for f in edge.faces if f not in part.faces):
-                along = abs(dot(other.axis, (axis if turned else part.normal) or face.axis))
-                square = along > _SQUARE if turned else along < 1.0 - _SQUARE
-                if other.kind is SurfaceKind.PLANE and square:
-                    found.add(other.id)
+        beside = set(brep.beside(index, EdgeConvexity.CONVEX)) - set(part.faces)
+        for other in brep.of_kind(SurfaceKind.PLANE, beside):
+            along = abs(dot(other.axis, (axis if turned else part.normal) or face.axis))
+            if along > _SQUARE if turned else along < 1.0 - _SQUARE:
+                found.add(other.id)
     return found
 
 
@@ -244,12 +240,5 @@ def _openings(parts: Sequence[Part]) -> list[_Opening]:
             ends.append((far, scale(part.normal, -1.0)))
         reach = part.radius or min(part.width or 0.0, part.length or part.width or 0.0) / 2
         for center, normal in ends:
-            x = perpendicular(normal)
-            y = cross(normal, x)
-            disc = [center]
-            for i in range(6):
-                angle = i * math.pi / 3
-                offset = add(scale(x, math.cos(angle)), scale(y, math.sin(angle)))
-                disc.append(add(center, scale(offset, 0.7 * reach)))
-            found.append((index, center, normal, disc))
+            found.append((index, center, normal, [center, *around(center, normal, 0.7 * reach, 6)]))
     return found

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
-from querycad_segworker.features.shared.frames import edge_points
+from querycad_segworker.features.shared.frames import face_points
+from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, FaceRecord
-from querycad_segworker.vectors import Box, box_center, box_union, parallel
+from querycad_segworker.topology import REVOLVED, BodyRecord, Brep, FaceRecord
+from querycad_segworker.vectors import box_center, parallel
 
 REVOLVED_SHARE = 0.9
 """Of a ring's surface: what turns about its axis. Marks, lubrication holes and slots take the rest."""
@@ -93,7 +94,7 @@ def recognise_bearings(brep: Brep, tolerances: Tolerances) -> list[Bearing]:
     rings = [ring for record in brep.bodies if (ring := _ring(brep, record, tolerances)) is not None]
     if len(rings) < 2:
         return []
-    centers = [box_center(_box(brep, record)) for record in brep.bodies]
+    centers = [box_center(faces_box(brep, record.faces)) for record in brep.bodies]
     rollers = [roller for record in brep.bodies if (roller := _roller(brep, record, centers[record.id])) is not None]
     found: list[Bearing] = []
     for line in _by_axis(rings, tolerances):
@@ -221,7 +222,7 @@ def _within(
         beside = not along[0] - slack <= axis.position(center) <= along[1] + slack
         if record.id in taken or beside or axis.radius_of(center) > between[1]:
             continue
-        points = [p for f in record.faces for e in brep.face_edges[f] for p in edge_points(brep, e)]
+        points = face_points(brep, record.faces)
         if points and all(
             between[0] - slack_r <= axis.radius_of(p) <= between[1] + slack_r
             and along[0] - slack <= axis.position(p) <= along[1] + slack
@@ -229,12 +230,6 @@ def _within(
         ):
             found.append(record.id)
     return tuple(found)
-
-
-def _box(brep: Brep, record: BodyRecord) -> Box:
-    box = box_union(brep.faces[f].box for f in record.faces)
-    assert box is not None
-    return box
 
 
 def _by_axis(rings: Sequence[_Ring], tolerances: Tolerances) -> list[list[_Ring]]:
@@ -249,22 +244,19 @@ def _by_axis(rings: Sequence[_Ring], tolerances: Tolerances) -> list[list[_Ring]
     return [line for line in lines if len(line) > 1]
 
 
-_REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
-
-
 def _ring(brep: Brep, record: BodyRecord, tolerances: Tolerances) -> _Ring | None:
     """The body as a ring: all of it turns about one axis, and a concave wall leaves that axis free."""
     faces = [brep.faces[f] for f in record.faces]
-    lead = max((f for f in faces if f.kind in _REVOLVED), key=lambda f: f.area, default=None)
+    lead = max((f for f in faces if f.kind in REVOLVED), key=lambda f: f.area, default=None)
     if lead is None or not any(f.outward < 0 for f in faces):
         return None
-    axis = Axis(lead.origin, lead.axis)
+    axis = Axis.of(lead)
     own = [f for f in faces if _turns_about(f, axis, tolerances)]
     if sum(f.area for f in own) < REVOLVED_SHARE * record.area:
         return None
     bores = [f for f in own if f.kind is not SurfaceKind.PLANE and f.outward < 0]
-    rims = [p for f in bores for e in brep.face_edges[f.id] for p in edge_points(brep, e)]
-    points = [p for f in own for e in brep.face_edges[f.id] for p in edge_points(brep, e)]
+    rims = face_points(brep, (f.id for f in bores))
+    points = face_points(brep, (f.id for f in own))
     ends = [axis.position(p) for p in points]
     covers = [axis.position(p) for p in rims]
     if not rims or max(covers) - min(covers) < 0.5 * (max(ends) - min(ends)):
@@ -278,7 +270,7 @@ def _closes(brep: Brep, face: FaceRecord, axis: Axis) -> bool:
     """Does a plane reach across the axis, as the bottom of a cup does? Its boundary is one circle then."""
     if face.kind is not SurfaceKind.PLANE or len(face.loops) > 1:
         return False
-    radii = [axis.radius_of(p) for e in brep.face_edges[face.id] for p in edge_points(brep, e)]
+    radii = [axis.radius_of(p) for p in face_points(brep, (face.id,))]
     return max(radii) <= 1.001 * min(radii)
 
 
@@ -287,20 +279,20 @@ def _turns_about(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
         return parallel(face.axis, axis.direction, 3 * tolerances.angle)
     if face.kind is SurfaceKind.SPHERE:
         return axis.radius_of(face.origin) <= 3 * tolerances.length
-    return face.kind in _REVOLVED and axis.same_line(Axis(face.origin, face.axis), tolerances)
+    return face.kind in REVOLVED and axis.same_line(Axis.of(face), tolerances)
 
 
 def _roller(brep: Brep, record: BodyRecord, center: Vector) -> _Roller | None:
     """The body as a ball or roller: nothing of it is concave, and its largest face is round."""
     faces = [brep.faces[f] for f in record.faces]
-    round_faces = [f for f in faces if f.kind in (*_REVOLVED, SurfaceKind.SPHERE)]
+    round_faces = [f for f in faces if f.kind in (*REVOLVED, SurfaceKind.SPHERE)]
     lead = max(round_faces, key=lambda f: f.area, default=None)
     if lead is None or any(f.outward < 0 for f in faces) or not record.is_solid:
         return None
     if any(f.kind is SurfaceKind.FREEFORM for f in faces):
         return None
     ball = all(f.kind is SurfaceKind.SPHERE for f in faces)
-    axis = Axis(lead.origin, lead.axis)
+    axis = Axis.of(lead)
     if not ball and sum(f.area for f in faces if f.kind is SurfaceKind.PLANE or _coaxial(f, axis)) < 0.99 * record.area:
         return None
     return _Roller(record.id, lead.origin if ball else center, (lead.radius, record.area), ball)

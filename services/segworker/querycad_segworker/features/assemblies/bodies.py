@@ -186,7 +186,7 @@ def with_gear_measures(bodies: Sequence[Part], brep: Brep, gears: Sequence[Gear]
 def _reach_of(brep: Brep, record: BodyRecord, axis: Axis) -> float:
     """How far from an axis does the body reach?"""
     edges = (brep.edges[e] for face in record.faces for e in brep.face_edges[face])
-    return max(axis.radius_of(p) for edge in edges for p in (edge.start, edge.mid, edge.end))
+    return max(axis.radius_of(p) for edge in edges for p in edge.points)
 
 
 def with_pipe_measures(bodies: Sequence[Part], brep: Brep, pipes: Sequence[Pipe]) -> list[Part]:

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.shared.frames import edge_points
-from querycad_segworker.features.shared.part_measures import millimetres
+from querycad_segworker.features.shared.part_measures import faces_box, millimetres
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_extents, box_union, cross, dot, line_distance, norm, scale, sub, unit
+from querycad_segworker.vectors import add, box_extents, cross, dot, line_distance, norm, scale, sub, unit
 
 HEAD_RATIO = (1.3, 2.6)
 """A head is this much wider than its shank: 1.5 times for ISO 4762 and ISO 4014 screws, less for long pins, up to 2.5
@@ -143,7 +143,7 @@ def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep
     assert shank.radius is not None
     away = unit(sub(shank.center, head.center))
     axis = scale(shank.axis, 1.0 if dot(shank.axis, away) > 0 else -1.0)
-    edges = {e for face in body.faces for e in brep.face_edges[face]}
+    edges = brep.edges_of(body.faces)
     points = [point for e in edges for point in edge_points(brep, e)] + [brep.faces[face].point for face in body.faces]
     ends = [step.tip for step in (head, shank) if step.tip is not None]
     reach = [dot(sub(point, shank.center), axis) for point in (*points, *ends)]
@@ -185,13 +185,19 @@ def _with_washer_face(head: Part, face: Part, brep: Brep) -> dict[str, object]:
     towards = unit(sub(face.center, head.center))
     faces = tuple(sorted({*head.faces, *face.faces}))
     center = add(head.center, scale(towards, face.height / 2))
-    box = box_union(brep.faces[i].box for i in faces)
     height = head.height + face.height
     label = f"{_head_form(head)} head with washer face, height {millimetres(height)}"
-    measures: dict[str, object] = {"height": height, "center": center, "faces": faces, "label": label}
+    extents = box_extents(faces_box(brep, faces))
+    measures: dict[str, object] = {
+        "height": height,
+        "center": center,
+        "faces": faces,
+        "label": label,
+        "extents": extents,
+    }
     if head.local_size is not None:
         measures["local_size"] = (*head.local_size[:2], height)
-    return measures if box is None else {**measures, "extents": box_extents(box)}
+    return measures
 
 
 def _head_form(head: Part) -> str:

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import Box, box_center, box_union, cross, dot, parallel, sub, unit
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
+from querycad_segworker.vectors import Box, box_center, cross, dot, parallel, sub
 
 from .rolling_balls import RolledFace, rolled_face
 
@@ -44,7 +45,6 @@ class Blend:
     center: Vector
     box: Box
     faces: tuple[int, ...]
-    body: int
     angle: float | None = None
     """Radians, of a chamfer: to the larger of the two faces that it joins; 45 degrees as a rule."""
     radii: tuple[float, ...] = ()
@@ -62,11 +62,8 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         if face.id in taken:
             continue
         if is_blend(brep, face):
-            if _is_wall(face):
-                refuse(_kind(face), (face.id,), "it turns by half a circle: a wall of its own")
-                continue
             radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
-            kinds[face.id] = (_kind(face), radius)
+            kinds[face.id] = ("fillet" if face.outward < 0 else "round", radius)
         elif (rolled := rolled_face(brep, face)) is not None:
             kinds[face.id] = (rolled.kind, sum(rolled.radii) / 2)
             balls[face.id] = rolled
@@ -77,12 +74,7 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         if start in seen:
             continue
         kind, size = kinds[start]
-        chain, todo = {start}, [start]
-        while todo:
-            for _, other in brep.neighbours(todo.pop()):
-                if other not in chain and other in kinds and _alike(kinds[other], (kind, size), tolerances):
-                    chain.add(other)
-                    todo.append(other)
+        chain = _chain(brep, start, kinds, tolerances)
         seen |= chain
         radii = [r for i in chain if i in balls and balls[i].is_variable for r in balls[i].radii]
         blend = _blend(brep, kind, size, chain)
@@ -90,22 +82,21 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
     return found
 
 
-def _kind(face: FaceRecord) -> str:
-    return "fillet" if face.outward < 0 else "round"
+def _chain(brep: Brep, start: int, kinds: Mapping[int, tuple[str, float]], tolerances: Tolerances) -> set[int]:
+    """The faces of the first one's kind and size that hang together with it."""
+    kind, size = kinds[start]
+    near = max(0.01 * size, 3 * tolerances.length)
 
+    def onwards(face: int) -> Iterator[int]:
+        for _, other in brep.neighbours(face):
+            if other in kinds and kinds[other][0] == kind and abs(kinds[other][1] - size) <= near:
+                yield other
 
-def _is_wall(face: FaceRecord) -> bool:
-    """A face that turns by more than half a circle around its axis is a wall of its own."""
-    return face.kind is SurfaceKind.CYLINDER and face.sweep > math.radians(179.0)
-
-
-def _alike(a: tuple[str, float], b: tuple[str, float], tolerances: Tolerances) -> bool:
-    return a[0] == b[0] and abs(a[1] - b[1]) <= max(0.01 * b[1], 3 * tolerances.length)
+    return spread((start,), onwards)
 
 
 def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
-    box = box_union(brep.faces[f].box for f in chain)
-    assert box is not None
+    box = faces_box(brep, chain)
     return Blend(
         kind=kind,
         radius=0.0 if kind == "chamfer" else size,
@@ -113,7 +104,6 @@ def _blend(brep: Brep, kind: str, size: float, chain: set[int]) -> Blend:
         center=box_center(box),
         box=box,
         faces=tuple(sorted(chain)),
-        body=brep.faces[min(chain)].body,
         angle=_angle(brep, min(chain)) if kind == "chamfer" else None,
     )
 
@@ -205,14 +195,10 @@ def _length(edges: Sequence[EdgeRecord]) -> float:
 
 def _side(brep: Brep, face: FaceRecord, edges: Sequence[EdgeRecord]) -> _Side:
     other = brep.faces[next(i for i in edges[0].faces if i != face.id)]
-    along = unit(sub(edges[0].end, edges[0].start))
+    along = edges[0].direction
     across = cross(other.axis, along)
-    reaches = [abs(dot(sub(p, edges[0].mid), across)) for e in brep.face_edges[other.id] for p in _ends(brep.edges[e])]
+    reaches = [abs(dot(sub(p, edges[0].mid), across)) for e in brep.face_edges[other.id] for p in brep.edges[e].points]
     return _Side(other, max(reaches, default=0.0), edges[0].angle)
-
-
-def _ends(edge: EdgeRecord) -> tuple[Vector, Vector, Vector]:
-    return edge.start, edge.mid, edge.end
 
 
 def _has_end_wall(brep: Brep, face: FaceRecord, width: float) -> bool:
@@ -226,14 +212,14 @@ def _has_end_wall(brep: Brep, face: FaceRecord, width: float) -> bool:
 def _runs_alike(a: EdgeRecord, b: EdgeRecord) -> bool:
     """Are both straight and parallel?"""
     straight = a.kind is EdgeKind.LINE and b.kind is EdgeKind.LINE
-    return straight and parallel(unit(sub(a.end, a.start)), unit(sub(b.end, b.start)), math.radians(2.0))
+    return straight and parallel(a.direction, b.direction, math.radians(2.0))
 
 
 def _is_polygon(
     brep: Brep, face: FaceRecord, first: Sequence[EdgeRecord], second: Sequence[EdgeRecord], width: float
 ) -> bool:
     """Does the outline go on turning by the same angle, behind sides that are hardly wider than this one?"""
-    along = unit(sub(first[0].end, first[0].start))
+    along = first[0].direction
     for edges in (first, second):
         side = _side(brep, face, edges)
         next_turns = [
@@ -242,7 +228,7 @@ def _is_polygon(
             if other != face.id
             and edge.kind is EdgeKind.LINE
             and edge.convexity is EdgeConvexity.CONVEX
-            and parallel(unit(sub(edge.end, edge.start)), along, math.radians(2.0))
+            and parallel(edge.direction, along, math.radians(2.0))
         ]
         if side.reach >= CHAMFER_NEIGHBOURS * width or not any(abs(t - side.turn) < SAME_TURN_RAD for t in next_turns):
             return False

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of
-from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import Box, box_union
+from querycad_segworker.features.shared.part_measures import faces_box
+from querycad_segworker.topology import BodyRecord, Brep, parted
+from querycad_segworker.vectors import Box
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -26,30 +26,16 @@ def recognise_cavities(brep: Brep) -> list[Depression]:
     for body in brep.bodies:
         if not body.is_solid:
             continue
-        shells = [(shell, _box(brep, shell)) for shell in _shells(brep, body)]
+        shells = [(shell, faces_box(brep, shell)) for shell in _shells(brep, body)]
         outer = max(shells, key=lambda shell: _size(shell[1]))
         found.extend(_cavity(brep, shell, body.id) for shell, box in shells if _inside(box, outer[1]))
     return sorted(found, key=lambda cavity: cavity.faces[0])
 
 
-def _shells(brep: Brep, body: BodyRecord) -> list[set[int]]:
+def _shells(brep: Brep, body: BodyRecord) -> Iterator[set[int]]:
     """Faces of a body that hang together by shared edges."""
-    links: dict[int, set[int]] = defaultdict(set)
-    for face in body.faces:
-        for _, other in brep.neighbours(face):
-            links[face].add(other)
-    shells, seen = [], set[int]()
-    for start in body.faces:
-        if start in seen:
-            continue
-        shell, todo = {start}, [start]
-        while todo:
-            new = links[todo.pop()] - shell
-            shell |= new
-            todo.extend(new)
-        seen |= shell
-        shells.append(shell)
-    return shells
+    links = {face: [other for _, other in brep.neighbours(face)] for face in body.faces}
+    return parted(body.faces, lambda face: links.get(face, ()))
 
 
 def _cavity(brep: Brep, shell: Collection[int], body: int) -> Depression:
@@ -63,20 +49,14 @@ def _cavity(brep: Brep, shell: Collection[int], body: int) -> Depression:
 
 
 def _upright_frame(brep: Brep, shell: Collection[int]) -> LocalFrame:
-    low, high = _box(brep, shell)
-    planes = [brep.faces[face] for face in shell if brep.faces[face].kind is SurfaceKind.PLANE]
+    low, high = faces_box(brep, shell)
+    planes = brep.of_kind(SurfaceKind.PLANE, shell)
     if planes:
         largest = max(face.area for face in planes)
         floor = max(planes, key=lambda face: (round(face.area / largest, 3), face.axis[2]))
         return frame_of(brep, shell, floor.axis, None)
     size = (high[0] - low[0], high[1] - low[1], high[2] - low[2])
     return LocalFrame((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), UP, low, size)
-
-
-def _box(brep: Brep, faces: Collection[int]) -> Box:
-    box = box_union(brep.faces[face].box for face in faces)
-    assert box is not None
-    return box
 
 
 def _size(box: Box) -> float:

@@ -6,14 +6,13 @@ import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from querycad_contracts import Vector
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.clearance import IsClear
-from querycad_segworker.features.shared.frames import edge_points, frame_of
+from querycad_segworker.features.shared.frames import face_points, frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, FaceRecord
-from querycad_segworker.vectors import add, dot, parallel, scale, sub
+from querycad_segworker.vectors import add, dot, parallel, scale, span, sub
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -57,7 +56,7 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
     gap = dot(sub(second.point, first.point), first.axis)
     middle = scale(add(first.point, second.point), 0.5)
     for direction in (rib.direction, rib.normal):
-        (low, high), (other_low, other_high) = (_range(brep, flank.id, direction) for flank in flanks)
+        (low, high), (other_low, other_high) = (span(face_points(brep, (flank.id,)), direction) for flank in flanks)
         size = min(high, other_high) - max(low, other_low)
         if size < OVERLAP * min(high - low, other_high - other_low):
             return None
@@ -73,8 +72,3 @@ def _between(brep: Brep, rib: Rib, flanks: tuple[FaceRecord, FaceRecord], is_cle
     frame = frame_of(brep, {first.id, second.id}, rib.normal, None, rib.direction)
     slot = depression_in(DepressionKind.SLOT, "rectangular", frame, (first.id, second.id), (), rib.body, is_open=True)
     return replace(slot, width=gap, tags=("fork",))
-
-
-def _range(brep: Brep, face: int, direction: Vector) -> tuple[float, float]:
-    along = [dot(point, direction) for e in brep.face_edges[face] for point in edge_points(brep, e)]
-    return min(along), max(along)

@@ -13,13 +13,12 @@ from querycad_segworker.features.shared.extruded_walls import (
     Tunnel,
     first_of_surface,
     tunnel_of,
-    upwards,
 )
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit
+from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
 from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
@@ -44,7 +43,7 @@ def group_depression(
     that open the same way a V slot; whatever else stands on a floor makes a step. `others`: faces of other cuts, beside
     those of holes; where they break in, the floor counts as closed.
     """
-    planes = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.PLANE]
+    planes = brep.of_kind(SurfaceKind.PLANE, sorted(group))
     tunnel = tunnel_of(brep, group)
     if tunnel is not None and tunnel.closed:
         return _passage(brep, group, tunnel)
@@ -66,7 +65,7 @@ def group_depression(
         walls = [brep.faces[i] for i in sorted(links[floor.id] | above)]
     if pair is None and (bottom := _across(brep, group, planes)) is not None:
         floor, pair = bottom
-        ends = [brep.faces[i] for i in sorted(group) if brep.faces[i].kind is SurfaceKind.CYLINDER]
+        ends = brep.of_kind(SurfaceKind.CYLINDER, sorted(group))
         walls = [plane for plane in planes if plane.id != floor.id]
         walls += [end for end in ends if parallel(end.axis, floor.axis, SQUARE)]
     if tunnel is not None and tunnel.turn > MORE_THAN_HALF and not (pair and undercut(brep, group, floor, pair)):
@@ -106,8 +105,8 @@ def _is_bevel(brep: Brep, floor: FaceRecord, pair: Pair) -> bool:
     """
     if abs(dot(pair[0].axis, pair[1].axis)) > SQUARE or dot(pair[0].axis, floor.axis) < BEVEL:
         return False
-    beside = [[n for e, n in brep.neighbours(w.id) if e.convexity is EdgeConvexity.CONVEX] for w in pair]
-    return not any(dot(brep.faces[n].axis, floor.axis) > LEVEL for side in beside for n in side)
+    beside = [brep.faces[i] for wall in pair for i in brep.beside(wall.id, EdgeConvexity.CONVEX)]
+    return not any(dot(face.axis, floor.axis) > LEVEL for face in beside)
 
 
 def _between_bevels(
@@ -134,7 +133,7 @@ def _floor_under_lips(
 ) -> FaceRecord | None:
     """The floor of a T slot: below two walls with lips that leave a neck between them."""
     for floor in planes:
-        walls = [brep.faces[i] for i in links[floor.id] if brep.faces[i].kind is SurfaceKind.PLANE]
+        walls = brep.of_kind(SurfaceKind.PLANE, links[floor.id])
         pair = facing_pair(walls, floor.axis)
         found = undercut(brep, group, floor, pair) if pair is not None else None
         if found is not None and found.tag == "t_slot":
@@ -300,7 +299,7 @@ def _round_bottomed(brep: Brep, group: set[int], tunnel: Tunnel, planes: Sequenc
     flanks = facing_pair(planes, None)
     if flanks is None:
         return None
-    rounds = [brep.faces[f] for f in sorted(group) if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    rounds = brep.of_kind(SurfaceKind.CYLINDER, sorted(group))
     if not rounds:
         return None
     bottom = max(rounds, key=lambda face: face.area)

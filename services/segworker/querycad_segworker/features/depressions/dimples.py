@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import add, dot, norm, parallel, scale, sub, unit
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, spread
+from querycad_segworker.vectors import add, dist, dot, norm, parallel, scale, sub, unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,6 @@ class Dimple:
     bottom: Vector
     normal: Vector
     faces: tuple[int, ...]
-    body: int
 
 
 def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
@@ -63,7 +62,6 @@ def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
                 bottom=bottom,
                 normal=out,
                 faces=tuple(sorted(group)),
-                body=face.body,
             )
         )
     return found
@@ -72,12 +70,11 @@ def recognise_dimples(brep: Brep, taken: Collection[int]) -> list[Dimple]:
 def _same_ball(brep: Brep, start: int) -> set[int]:
     """The faces of one sphere that a CAD system split."""
     ball = brep.faces[start]
-    group, todo = {start}, [start]
-    while todo:
-        for edge, other in brep.neighbours(todo.pop()):
-            face = brep.faces[other]
-            same = face.kind is SurfaceKind.SPHERE and norm(sub(face.origin, ball.origin)) < 1e-3 * ball.radius
-            if other not in group and same and edge.convexity is EdgeConvexity.SMOOTH:
-                group.add(other)
-                todo.append(other)
-    return group
+
+    def is_same(face: FaceRecord) -> bool:
+        return face.kind is SurfaceKind.SPHERE and dist(face.origin, ball.origin) < 1e-3 * ball.radius
+
+    def onwards(face: int) -> list[int]:
+        return [other for other in brep.beside(face, EdgeConvexity.SMOOTH) if is_same(brep.faces[other])]
+
+    return spread((start,), onwards)

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.axes import SWEEP, Wall
+from querycad_segworker.features.shared.axes import Axis, Wall, by_line
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import cross, dot, foot, mid, parallel, scale, sub
+from querycad_segworker.vectors import ORIGIN, cross, dot, mid, parallel, scale, sub
 
 from .depression import Depression, DepressionKind
 from .keyways import SAME_LINE
@@ -84,28 +85,14 @@ def _across_bore(a: Depression, b: Depression, tubes: Sequence[tuple[Wall, Wall]
 
 
 def _by_line(slots: Sequence[Depression], tolerances: Tolerances) -> list[list[Depression]]:
-    """Slots whose floors have one centre line, together.
-
-    The foot of one fixed point on the line is the same for all of them: sorted by it, only few need comparing.
-    """
-    if not slots:
-        return []
-    fixed = slots[0].center
-    keys = [dot(foot(fixed, _floor_point(slot), slot.direction), SWEEP) for slot in slots]
-    order = sorted(range(len(slots)), key=lambda i: (keys[i], slots[i].faces))
-    lines, taken = [], set[int]()
-    for rank, i in enumerate(order):
-        if i in taken:
-            continue
-        line = [slots[i]]
-        for j in order[rank + 1 :]:
-            if keys[j] - keys[i] > REACH * tolerances.length:
-                break
-            if j not in taken and _one_cut(slots[i], slots[j], tolerances):
-                taken.add(j)
-                line.append(slots[j])
-        lines.append(line)
-    return lines
+    """Slots whose floors have one centre line, together."""
+    return by_line(
+        sorted(slots, key=lambda slot: slot.faces),
+        lambda slot: Axis(_floor_point(slot), slot.direction),
+        slots[0].center if slots else ORIGIN,
+        REACH * tolerances.length,
+        partial(_one_cut, tolerances=tolerances),
+    )
 
 
 def _floor_point(slot: Depression) -> tuple[float, float, float]:

@@ -7,6 +7,7 @@ from collections import defaultdict
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
+from querycad_segworker.features.shared.adjacency import same_cylinder
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dist, dot, foot, line_distance, norm, parallel, sub
 
@@ -95,9 +96,9 @@ def _place(brep: Brep, found: Depression, axis: FaceRecord | None, in_ring: bool
 
 def _may_point(found: Depression) -> bool:
     """Has it a direction of its own: a slot, a channel, what is long?"""
-    return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) or (
-        found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE) and _is_long(found)
-    )
+    if found.kind in (DepressionKind.POCKET, DepressionKind.PASSAGE):
+        return found.length >= ELONGATED * found.width
+    return found.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL)
 
 
 def _points_at(found: Depression, axis: FaceRecord) -> bool:
@@ -106,10 +107,6 @@ def _points_at(found: Depression, axis: FaceRecord) -> bool:
     if abs(dot(found.direction, axis.axis)) >= 1e-2 or dist(found.center, on_axis) <= 0.45 * found.length:
         return False
     return norm(cross(sub(found.center, on_axis), found.direction)) < SAME_LINE * found.width
-
-
-def _is_long(found: Depression) -> bool:
-    return found.length >= ELONGATED * found.width
 
 
 def _host(brep: Brep, found: Depression) -> FaceRecord | None:
@@ -122,43 +119,28 @@ def _host(brep: Brep, found: Depression) -> FaceRecord | None:
                 rim[other] += edge.length
     if not rim:
         return None
-    best = max(rim, key=lambda face: rim[face])
-    shared = sum(length for face, length in rim.items() if face == best or _on_one(brep.faces[face], brep.faces[best]))
-    return brep.faces[best] if shared >= HOST_SHARE * sum(rim.values()) else None
-
-
-def _on_one(a: FaceRecord, b: FaceRecord) -> bool:
-    """Are these pieces of one cylinder?"""
-    if a.kind is not SurfaceKind.CYLINDER or b.kind is not a.kind or a.outward != b.outward:
-        return False
-    near = 1e-3 * a.radius
-    alike = abs(a.radius - b.radius) <= near and parallel(a.axis, b.axis, 1e-3)
-    return alike and line_distance(b.origin, a.origin, a.axis) <= near
+    best = brep.faces[max(rim, key=lambda face: rim[face])]
+    shared = sum(length for i, length in rim.items() if i == best.id or same_cylinder(brep.faces[i], best))
+    return best if shared >= HOST_SHARE * sum(rim.values()) else None
 
 
 def _rim(brep: Brep, found: Depression) -> FaceRecord | None:
     """The widest outer cylinder that a depression opens to: the outside of a tube that is part of a larger body."""
-    outer = [
-        brep.faces[other]
-        for face in found.faces
-        for edge, other in brep.neighbours(face)
-        if edge.convexity is EdgeConvexity.CONVEX
-        and brep.faces[other].kind is SurfaceKind.CYLINDER
-        and brep.faces[other].outward > 0
-    ]
+    beside = (brep.faces[other] for face in found.faces for other in brep.beside(face, EdgeConvexity.CONVEX))
+    outer = [face for face in beside if face.kind is SurfaceKind.CYLINDER and face.outward > 0]
     return max(outer, key=lambda face: face.radius, default=None)
 
 
 def _widest(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:
     """The widest full cylinder, inner or outer."""
-    cylinders = (brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER)
+    cylinders = brep.of_kind(SurfaceKind.CYLINDER, faces)
     full = (face for face in cylinders if face.sweep > FULL_RAD)
     return max(full, key=lambda face: face.radius, default=None)
 
 
 def _round_axis(brep: Brep, faces: tuple[int, ...]) -> FaceRecord | None:
     """The widest outer cylinder on the axis of the largest one, of a body that is mostly round about it."""
-    outer = [brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER and brep.faces[f].outward > 0]
+    outer = [face for face in brep.of_kind(SurfaceKind.CYLINDER, faces) if face.outward > 0]
     if not outer:
         return None
     largest = max(outer, key=lambda face: face.area)

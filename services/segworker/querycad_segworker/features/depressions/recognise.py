@@ -11,12 +11,12 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_HALF, tunnel_of
-from querycad_segworker.features.shared.frames import bow_of, edge_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import bow_of, edge_points, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, span, sub, unit
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
@@ -138,7 +138,7 @@ def _behind_rim(
 
 def _holds(brep: Brep, host: FaceRecord, piece: set[int]) -> bool:
     """Do the walls of a piece turn so far that it is still closed in, though others break into it?"""
-    around = tunnel_of(brep, {f for f in piece if abs(dot(_facing(brep, f), host.axis)) < UPRIGHT})
+    around = tunnel_of(brep, {f for f in piece if abs(dot(brep.faces[f].facing, host.axis)) < UPRIGHT})
     return around is not None and (around.closed or around.turn > MORE_THAN_HALF)
 
 
@@ -153,11 +153,11 @@ def _closed(
         normal = scale(tunnel.axis, math.copysign(1.0, dot(tunnel.axis, normal)))
         outline = tunnel.outline
     inside = {f for f in group - graph.bevels if brep.faces[f].outward <= 0}
-    walls = [f for f in group - graph.bevels if abs(dot(_facing(brep, f), normal)) < UPRIGHT]
+    walls = [f for f in group - graph.bevels if abs(dot(brep.faces[f].facing, normal)) < UPRIGHT]
     if not walls:
         refuse("pocket", group, "no wall runs into the material: a shallow hollow")
         return None
-    floors = {f for f in inside if dot(_facing(brep, f), normal) >= UPRIGHT} or _shared_floor(
+    floors = {f for f in inside if dot(brep.faces[f].facing, normal) >= UPRIGHT} or _shared_floor(
         brep, graph, walls, normal
     )
     group = group | floors
@@ -185,16 +185,14 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
     if len(inner) != 1:
         return None
     island = {i for e in inner[0].edges for i in brep.edges[e].faces} - {floor.id}
-    rise = max(dot(p, floor.axis) for i in island for e in brep.face_edges[i] for p in edge_points(brep, e))
+    rise = max(dot(p, floor.axis) for p in face_points(brep, island))
     if abs(rise - dot(floor.point, floor.axis) - pocket.depth) > 0.01 * pocket.depth:
         return None
     sizes = []
     for loop in (floor.loops[0], inner[0]):
         points = [p for e in loop.edges for p in edge_points(brep, e)]
-        across = cross(floor.axis, pocket.direction)
-        sizes.append(
-            [max(dot(p, d) for p in points) - min(dot(p, d) for p in points) for d in (pocket.direction, across)]
-        )
+        ranges = [span(points, way) for way in (pocket.direction, cross(floor.axis, pocket.direction))]
+        sizes.append([high - low for low, high in ranges])
     gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]
     if min(gaps) <= 0:
         return None
@@ -218,7 +216,7 @@ def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:
     """The direction out of the opening: the host's normal where it is plane; else away from the floor, or the axis."""
     if host.kind is SurfaceKind.PLANE:
         return host.axis
-    planes = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.PLANE]
+    planes = brep.of_kind(SurfaceKind.PLANE, group)
     rim_center = mean([brep.edges[e].mid for e in rim.edges])
     facing = [f for f in planes if dot(sub(rim_center, f.point), f.axis) > 0.9 * norm(sub(rim_center, f.point))]
     from_axis = sub(rim_center, foot(rim_center, host.origin, host.axis))
@@ -229,8 +227,3 @@ def _out_of(brep: Brep, host: FaceRecord, rim: Loop, group: set[int]) -> Vector:
     if facing:
         return max(facing, key=lambda f: f.area).axis
     return unit(sub(rim_center, mean([brep.faces[f].point for f in group])))
-
-
-def _facing(brep: Brep, face_id: int) -> Vector:
-    face = brep.faces[face_id]
-    return face.axis if face.kind is SurfaceKind.PLANE else face.point_normal

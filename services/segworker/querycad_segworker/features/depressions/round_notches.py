@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import dot, parallel, sub, unit
+from querycad_segworker.vectors import dot, parallel, sub
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -70,7 +70,7 @@ def _beside(brep: Brep, wall: Wall) -> list[FaceRecord] | None:
                 continue
             if edge.convexity is not EdgeConvexity.CONVEX:
                 return None
-            if edge.kind is EdgeKind.LINE and parallel(unit(sub(edge.end, edge.start)), wall.axis.direction, 1e-2):
+            if edge.kind is EdgeKind.LINE and parallel(edge.direction, wall.axis.direction, 1e-2):
                 rims += 1
                 sides.append(brep.faces[other])
     return sides if rims > 1 and all(face.kind is SurfaceKind.PLANE for face in sides) else None

@@ -6,13 +6,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.extruded_walls import upwards
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import dot, parallel, scale, sub, unit
+from querycad_segworker.vectors import dot, parallel, scale, sub, unit, upwards
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -35,10 +34,10 @@ def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterat
                 if dot(a.axis, b.axis) > -FACING.parallel or not 0 < gap < 2 * bore.radius:
                     continue
                 group = {a.id, b.id}
-                if any(not _is_open(brep, flank) for flank in (a, b)):
+                if any(brep.beside(flank.id, EdgeConvexity.CONCAVE) for flank in (a, b)):
                     refuse("slot", group, "two walls at a bore that stand on a floor between them")
                     continue
-                out = unit(sub(a.point, bore.axis.at(bore.axis.position(a.point))))
+                out = bore.axis.out_to(a.point)
                 way = unit(sub(out, scale(a.axis, dot(out, a.axis))))
                 frame = frame_of(brep, group, upwards(bore.axis.direction), None, way)
                 if frame.size[0] > gap:
@@ -56,11 +55,6 @@ def _flanks(brep: Brep, bore: Wall, used: set[int]) -> list[FaceRecord]:
         if edge.kind is EdgeKind.LINE
         and edge.convexity is EdgeConvexity.CONVEX
         and brep.faces[other].kind is SurfaceKind.PLANE
-        and parallel(unit(sub(edge.end, edge.start)), bore.axis.direction, ALONG)
+        and parallel(edge.direction, bore.axis.direction, ALONG)
     }
     return [brep.faces[i] for i in sorted(found - used)]
-
-
-def _is_open(brep: Brep, flank: FaceRecord) -> bool:
-    """Does the wall end nowhere in a concave corner?"""
-    return all(edge.convexity is not EdgeConvexity.CONCAVE for edge, _ in brep.neighbours(flank.id))

@@ -97,11 +97,7 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
         return Undercut("dovetail", neck, frozenset(), math.acos(min(1.0, -leans[0])))
     lips = []
     for wall in pair:
-        above = [
-            brep.faces[other]
-            for edge, other in brep.neighbours(wall.id)
-            if other in group and edge.convexity is EdgeConvexity.CONCAVE
-        ]
+        above = [brep.faces[i] for i in brep.beside(wall.id, EdgeConvexity.CONCAVE) if i in group]
         above = [face for face in above if dot(face.axis, floor.axis) < -math.cos(DRAFT_RAD)]
         if not above:
             return None
@@ -140,9 +136,7 @@ def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
     """The two walls between the lips of a T slot and its mouth."""
     found = []
     for lip, wall in zip(lips, pair, strict=True):
-        beside = [
-            brep.faces[other] for edge, other in brep.neighbours(lip.id) if edge.convexity is EdgeConvexity.CONVEX
-        ]
+        beside = [brep.faces[i] for i in brep.beside(lip.id, EdgeConvexity.CONVEX)]
         beside = [face for face in beside if dot(face.axis, wall.axis) > math.cos(DRAFT_RAD)]
         if not beside:
             return None
@@ -198,7 +192,7 @@ def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depressio
     The slot is narrower than the flanks: else those are what breaks its edges.
     """
     for slot in found:
-        walls = [brep.faces[i] for i in slot.faces if brep.faces[i].kind is SurfaceKind.PLANE and i not in slot.floor]
+        walls = [face for face in brep.of_kind(SurfaceKind.PLANE, slot.faces) if face.id not in slot.floor]
         pair = facing_pair(walls, None) if slot.kind is DepressionKind.SLOT and slot.is_open else None
         flanks = [_flank(brep, wall, slot) for wall in pair or ()]
         a, b = (*flanks, None, None)[:2]
@@ -239,7 +233,7 @@ def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[F
 
 def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:
     """Two parallel walls on a floor that is part of a cylinder across them: cut by a disc, as for a Woodruff key."""
-    rounds = [brep.faces[f] for f in group if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    rounds = brep.of_kind(SurfaceKind.CYLINDER, group)
     if len(planes) != 2 or len(rounds) != 1 or not parallel(rounds[0].axis, planes[0].axis, 1e-2):
         return None
     bottom = rounds[0]

@@ -10,7 +10,7 @@ from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
-from querycad_segworker.vectors import dot, parallel, sub, unit
+from querycad_segworker.vectors import dot, parallel
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -43,12 +43,7 @@ def recognise_windows(brep: Brep, tolerances: Tolerances) -> Iterator[Depression
 def _window(
     brep: Brep, host: FaceRecord, rim: Loop, walls: Collection[int], tolerances: Tolerances
 ) -> Depression | None:
-    corners = [
-        {*edge.faces}
-        for wall in walls
-        for edge, other in brep.neighbours(wall)
-        if other in walls and edge.convexity is EdgeConvexity.CONVEX
-    ]
+    corners = [(wall, other) for wall in walls for other in brep.beside(wall, EdgeConvexity.CONVEX) if other in walls]
     if not corners:
         return None
     bores = [wall for wall in walls if brep.faces[wall].sweep > ENCLOSING_RAD]
@@ -88,7 +83,7 @@ def _walls(brep: Brep, host: FaceRecord, loop: Loop) -> list[int]:
 
 
 def _is_upright(edge: EdgeRecord, host: FaceRecord) -> bool:
-    return edge.kind is EdgeKind.LINE and parallel(unit(sub(edge.end, edge.start)), host.axis, SQUARE)
+    return edge.kind is EdgeKind.LINE and parallel(edge.direction, host.axis, SQUARE)
 
 
 def _is_keyhole(brep: Brep, bores: Collection[int], walls: Collection[int]) -> bool:

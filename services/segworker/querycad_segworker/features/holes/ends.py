@@ -10,7 +10,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
-from querycad_segworker.vectors import dot, parallel, scale, sub, unit
+from querycad_segworker.vectors import dot, parallel, points_up, scale, span, sub
 
 from .hole import Bottom
 
@@ -34,17 +34,13 @@ def opens_high(stack: Stack) -> bool:
     low, high = radius_at(stack.axis, ordered[0], False), radius_at(stack.axis, ordered[-1], True)
     if abs(high - low) > 1e-3 * max(high, low):
         return high > low
-    x, y, z = stack.axis.direction
-    for component in (z, -y, x):
-        if abs(component) > 0.05:
-            return component > 0
-    return True
+    return points_up(stack.axis.direction)
 
 
 def mouth_rounding(brep: Brep, stack: Stack, high: bool) -> tuple[tuple[int, ...], float, float] | None:
     """Which rounding leads from the wall to the outer face? (faces, position of its outer rim, radius there)."""
     faces, positions, radii = [], [], []
-    for face_id in stack.high_faces if high else stack.low_faces:
+    for face_id in stack.beyond(high):
         face = brep.faces[face_id]
         coaxial = parallel(face.axis, stack.axis.direction, 1e-2) and stack.axis.radius_of(face.origin) < 1e-2 * max(
             face.radius, 1e-9
@@ -61,7 +57,7 @@ def mouth_rounding(brep: Brep, stack: Stack, high: bool) -> tuple[tuple[int, ...
 
 def oblique_mouth(brep: Brep, stack: Stack, high: bool) -> float | None:
     """Where does the axis pierce the plane face that the hole opens in, when the two are not square to each other?"""
-    planes = [brep.faces[f] for f in (stack.high_faces if high else stack.low_faces)]
+    planes = [brep.faces[f] for f in stack.beyond(high)]
     planes = [face for face in planes if face.kind is SurfaceKind.PLANE]
     face = max(planes, key=lambda f: f.area, default=None)
     if face is None:
@@ -84,7 +80,7 @@ class Bores:
 
     def ends_in(self, stack: Stack, high: bool) -> bool:
         """Does this end of the stack open into another bore, inside the material?"""
-        beyond = stack.high_faces if high else stack.low_faces
+        beyond = stack.beyond(high)
         found = [self._wall_of.get(face) for face in beyond]
         return bool(found) and all(
             wall is not None
@@ -95,7 +91,7 @@ class Bores:
 
     def pierced(self, stack: Stack, high: bool) -> float | None:
         """Where along its axis does the stack come through the wall of the bore it ends in? None: past its side."""
-        beyond = stack.high_faces if high else stack.low_faces
+        beyond = stack.beyond(high)
         wall = next((self._wall_of[face] for face in beyond if face in self._wall_of), None)
         if wall is None or wall.kind is not SurfaceKind.CYLINDER:
             return None
@@ -118,17 +114,15 @@ class Bores:
         """How far does the body reach along a direction, in metres?"""
         key = (body, direction)
         if key not in self._extents:
-            edges = {e for face in self._brep.bodies[body].faces for e in self._brep.face_edges[face]}
-            positions = [dot(p, direction) for e in edges for p in (self._brep.edges[e].start, self._brep.edges[e].mid)]
-            self._extents[key] = max(positions, default=0.0) - min(positions, default=0.0)
+            edges = [self._brep.edges[e] for e in self._brep.edges_of(self._brep.bodies[body].faces)]
+            low, high = span((p for edge in edges for p in (edge.start, edge.mid)), direction)
+            self._extents[key] = high - low
         return self._extents[key]
 
 
 def drill_point(stack: Stack, opens_high: bool) -> Wall | None:
     """Which cone runs to a point at the closed end?"""
-    inner = min(
-        stack.walls, key=lambda w: wall_range(stack.axis, w)[0 if opens_high else 1] * (1 if opens_high else -1)
-    )
+    inner = stack.last_wall(not opens_high)
     if inner.kind is SurfaceKind.CONE and radius_at(stack.axis, inner, not opens_high) <= 0.05 * inner.radius:
         return inner if len(stack.walls) > 1 else None
     return None
@@ -136,7 +130,7 @@ def drill_point(stack: Stack, opens_high: bool) -> Wall | None:
 
 def is_pointed(stack: Stack, high: bool) -> bool:
     """Does this end of the stack run to a point, as a cone alone does?"""
-    last = max(stack.walls, key=lambda w: wall_range(stack.axis, w)[1] if high else -wall_range(stack.axis, w)[0])
+    last = stack.last_wall(high)
     return last.kind is SurfaceKind.CONE and radius_at(stack.axis, last, high) <= 0.05 * last.radius
 
 
@@ -150,16 +144,14 @@ class Ball:
 
 def ball_below(brep: Brep, stack: Stack, high: bool) -> Ball | None:
     """Which hollow ball, wider than the bore, closes this end of the stack? Its only rim is that of the bore."""
-    beyond = stack.high_faces if high else stack.low_faces
+    beyond = stack.beyond(high)
     if len(beyond) != 1 or brep.faces[beyond[0]].kind is not SurfaceKind.SPHERE or brep.faces[beyond[0]].outward > 0:
         return None
     ball = brep.faces[beyond[0]]
-    own = {face for wall in stack.walls for face in wall.faces}
     rim = brep.neighbours(ball.id)
-    if not all(other in own and edge.convexity is EdgeConvexity.CONVEX for edge, other in rim):
+    if not all(other in stack.faces and edge.convexity is EdgeConvexity.CONVEX for edge, other in rim):
         return None
-    wall = max(stack.walls, key=lambda w: wall_range(stack.axis, w)[1] if high else -wall_range(stack.axis, w)[0])
-    radius = radius_at(stack.axis, wall, high)
+    radius = radius_at(stack.axis, stack.last_wall(high), high)
     if stack.axis.radius_of(ball.origin) > 0.02 * ball.radius or radius > 1.001 * ball.radius:
         return None
     reach = math.sqrt(max(0.0, ball.radius**2 - radius**2))
@@ -187,24 +179,22 @@ def bottom_of(brep: Brep, floor: Sequence[int], point: Wall | None) -> Bottom:
 
 def closing_faces(brep: Brep, stack: Stack, high: bool) -> tuple[int, ...]:
     """Which faces beyond an end may close it? Those of a window in the wall meet it in convex edges alone."""
-    own = {face for wall in stack.walls for face in wall.faces}
+    own = stack.faces
     return tuple(
         face
-        for face in (stack.high_faces if high else stack.low_faces)
+        for face in stack.beyond(high)
         if any(edge.convexity is not EdgeConvexity.CONVEX for edge, other in brep.neighbours(face) if other in own)
     )
 
 
 def is_floor(brep: Brep, face_id: int, axis: Axis, radius: float) -> bool:
     """Does the face close this hole, rather than being a larger face that the hole only ends at?"""
-    (x0, y0, z0), (x1, y1, z1) = brep.faces[face_id].box
-    corners = [(x, y, z) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1)]
-    return max(axis.radius_of(c) for c in corners) <= 1.8 * radius
+    return axis.reach(brep.faces[face_id].box) <= 1.8 * radius
 
 
 def flats_of(brep: Brep, stack: Stack) -> tuple[int, ...]:
     """Which flats does a D-shaped bore have? Planes along the axis whose long edges both lie in its wall."""
-    own = {face for wall in stack.walls for face in wall.faces}
+    own = stack.faces
     found = []
     for face_id in sorted({other for face in own for _, other in brep.neighbours(face)} - own):
         face = brep.faces[face_id]
@@ -214,7 +204,7 @@ def flats_of(brep: Brep, stack: Stack) -> tuple[int, ...]:
             (edge, other)
             for edge, other in brep.neighbours(face_id)
             if edge.kind is EdgeKind.LINE
-            and parallel(unit(sub(edge.end, edge.start)), stack.axis.direction, 1e-2)
+            and parallel(edge.direction, stack.axis.direction, 1e-2)
             and edge.convexity is EdgeConvexity.CONCAVE
         ]
         if len(along) == 2 and all(other in own for _, other in along):

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from querycad_contracts import Vector
-from querycad_segworker.features.shared.axes import SWEEP, Axis
+from querycad_segworker.features.shared.axes import Axis, by_line
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.vectors import dist, dot, foot, mid, scale, sub
+from querycad_segworker.vectors import ORIGIN, dist, dot, mid, scale, sub
 
 from .hole import Bottom, Hole
 from .sections import different_radii
@@ -18,12 +18,16 @@ FORK_GAP = 2.0
 """Two bores of one radius on one axis, this many diameters apart or nearer with nothing between, are one hole drilled
 through two walls: the gap of a fork head is about its pin's diameter (DIN 71752)."""
 
+REACH = 1e3
+"""How far apart, in length tolerances, the keys of one line may be: `Axis.same_line` forgives 0.3 degrees, which over
+the length of the model is 5e-3 of it."""
+
 
 def united_through_walls(holes: Sequence[Hole], tolerances: Tolerances, is_clear: IsClear) -> list[Hole]:
     """Bores drilled in one go through two walls with a gap between them, made one hole."""
     result = []
     for line in _by_line(holes, tolerances):
-        axis = Axis(line[0].opening, line[0].normal)
+        axis = _axis(line[0])
         kept: list[Hole] = []
         for hole in sorted(line, key=lambda hole: axis.position(hole.center)):
             united = _united(kept[-1], hole, tolerances, is_clear) if kept else None
@@ -33,42 +37,24 @@ def united_through_walls(holes: Sequence[Hole], tolerances: Tolerances, is_clear
 
 
 def _by_line(holes: Sequence[Hole], tolerances: Tolerances) -> list[list[Hole]]:
-    """Holes of one body and radius that lie on one line, together.
+    """Holes of one body and radius that lie on one line, together."""
 
-    The foot of one fixed point on the line is much the same for all of them: sorted by it, only few need comparing.
-    """
-    if not holes:
-        return []
-    keys = [dot(foot(holes[0].opening, hole.opening, hole.normal), SWEEP) for hole in holes]
-    order = sorted(range(len(holes)), key=lambda i: keys[i])
-    groups, taken = [], set[int]()
-    for rank, i in enumerate(order):
-        if i in taken:
-            continue
-        first = holes[i]
-        axis = Axis(first.opening, first.normal)
-        group = [first]
-        for j in order[rank + 1 :]:
-            if keys[j] - keys[i] > _SWEEP_REACH * tolerances.length:
-                break
-            other = holes[j]
-            alike = other.body == first.body and abs(other.radius - first.radius) <= 3 * tolerances.length
-            if alike and j not in taken and axis.same_line(Axis(other.opening, other.normal), tolerances):
-                taken.add(j)
-                group.append(other)
-        groups.append(group)
-    return groups
+    def alike(a: Hole, b: Hole) -> bool:
+        same = a.body == b.body and abs(a.radius - b.radius) <= 3 * tolerances.length
+        return same and _axis(a).same_line(_axis(b), tolerances)
+
+    fixed = holes[0].opening if holes else ORIGIN
+    return by_line(holes, _axis, fixed, REACH * tolerances.length, alike)
 
 
-_SWEEP_REACH = 1e3
-"""How far apart, in length tolerances, the keys of one line may be: `Axis.same_line` forgives 0.3 degrees, which over
-the length of the model is 5e-3 of it."""
+def _axis(hole: Hole) -> Axis:
+    return Axis(hole.opening, hole.normal)
 
 
 def _united(a: Hole, b: Hole, tolerances: Tolerances, is_clear: IsClear) -> Hole | None:
     """One hole from two, or None when they are not two walls of one drilling."""
-    axis = Axis(a.opening, a.normal)
-    if a.body != b.body or not axis.same_line(Axis(b.opening, b.normal), tolerances):
+    axis = _axis(a)
+    if a.body != b.body or not axis.same_line(_axis(b), tolerances):
         return None
     upper, lower = (a, b) if axis.position(a.center) > axis.position(b.center) else (b, a)
     ends = [

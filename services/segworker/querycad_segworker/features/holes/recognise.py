@@ -54,14 +54,14 @@ def recognise_holes(
     windows = recognise_windows(brep, tolerances)
     keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
-        if keyholes.issuperset(_faces_of(stack)):
-            refuse("hole", _faces_of(stack), "it is the wide end of a keyhole")
+        if keyholes.issuperset(stack.faces):
+            refuse("hole", stack.faces, "it is the wide end of a keyhole")
             continue
         if all(wall.kind is SurfaceKind.TORUS for wall in stack.walls):
-            refuse("hole", _faces_of(stack), "a hollow torus alone has no straight wall")
+            refuse("hole", stack.faces, "a hollow torus alone has no straight wall")
             continue
         if stack.low_end is End.CLOSED and stack.high_end is End.CLOSED:
-            refuse("hole", _faces_of(stack), "both of its ends are closed")
+            refuse("hole", stack.faces, "both of its ends are closed")
             continue
         hole = _hole(brep, closed_by_balls(brep, stack), bores, tolerances)
         if _is_recess(hole):
@@ -82,13 +82,9 @@ def _is_recess(hole: Hole) -> bool:
     return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
 
 
-def _faces_of(stack: Stack) -> list[int]:
-    return [face for wall in stack.walls for face in wall.faces]
-
-
 def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hole:
     axis = stack.axis
-    open_both = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    open_both = stack.open_both
     inside_low, inside_high = (bores.ends_in(stack, high) for high in (False, True))
     if open_both and inside_low != inside_high:
         high = inside_low
@@ -123,7 +119,7 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     ball = ball_below(brep, stack, not high) if not open_both else None
     if ball is not None:
         floor, end = (ball.face,), ball.end
-    faces = {face for w in stack.walls for face in w.faces} | set(stack.shoulders)
+    faces = stack.faces | set(stack.shoulders)
     faces |= {face for rounding in (mouth, far) if rounding is not None for face in rounding[0]}
     faces |= {f for f in floor if is_floor(brep, f, axis, bore if not cylinders else inwards[-1].radius)}
     flats = flats_of(brep, stack)

@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.axes import Wall
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
-from querycad_segworker.vectors import add, box_center, box_extents, dot, scale, sub, unit
+from querycad_segworker.vectors import add, box_center, box_extents, dot, scale, unit
 
 ALIKE = 0.1
 """Both arcs cover the same angle and length but for this share: ends may be cut square or to a point."""
@@ -74,9 +74,8 @@ def _middle(brep: Brep, wall: Wall) -> Vector:
     """The direction from the axis to the middle of the arc, from all ends of its straight edges and its faces."""
     total: Vector = (0.0, 0.0, 0.0)
     for i in wall.faces:
-        point = brep.faces[i].point
-        out = unit(sub(point, wall.axis.at(wall.axis.position(point))))
-        total = add(total, scale(out, brep.faces[i].area))
+        face = brep.faces[i]
+        total = add(total, scale(wall.axis.out_to(face.point), face.area))
     return unit(total)
 
 

@@ -38,7 +38,6 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     if found.corner_radius is not None and found.outline in POLYGONS.values():
         tags.append("rounded_corners")
     tags.extend(tag for tag in found.tags if tag not in tags)
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
     across_file = found.outline == "rectangular" and not found.is_open
     is_round = found.outline == "circular" and not found.is_open
@@ -46,7 +45,8 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         id=f"{kind}-{number}",
         kind=kind,
         tags=tuple(tags),
-        label=f"{outlined(found.outline, kind)}, {size} mm, depth {millimetres(found.depth)}",
+        label=f"{outlined(found.outline, kind)}, {millimetres(found.length, found.width)}, "
+        f"depth {millimetres(found.depth)}",
         faces=found.faces,
         center=found.center,
         extents=extents,

@@ -11,10 +11,17 @@ from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
-from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_area, faces_box, geometry, millimetres
-from querycad_segworker.features.shared.walls import Groups
+from querycad_segworker.features.shared.part_measures import (
+    PLATE_RATIO,
+    UPRIGHT,
+    faces_area,
+    faces_box,
+    geometry,
+    millimetres,
+    stance,
+)
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, linked
 from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub
 
 MOST = 0.5
@@ -34,8 +41,6 @@ APART = 0.95
 """Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
 STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
-UPRIGHT = 0.05
-"""Sine of the angle by which an upright or lying wall may lean: 3 degrees."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
 CORNER = 0.75
@@ -98,10 +103,7 @@ def recognise_flat_walls(
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
-        groups = Groups({i for pair in pairs for i in pair})
-        for a, b in pairs:
-            groups.unite(a, b)
-        for faces in groups.all():
+        for faces in linked({i for pair in pairs for i in pair}, pairs):
             wall = _wall(brep, faces)
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
@@ -162,8 +164,7 @@ def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
         if edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].kind is SurfaceKind.PLANE:
             found[other] += edge.length
         elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
-            beyond = {n for e, n in brep.neighbours(other) if e.convexity is EdgeConvexity.SMOOTH} - {side.id}
-            for face in beyond:
+            for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
                 if brep.faces[face].kind is SurfaceKind.PLANE and brep.faces[other].outward < 0:
                     found[face] += edge.length
     return sorted(found.items())
@@ -239,8 +240,8 @@ def _is_disc(brep: Brep, face: FaceRecord) -> bool:
 
 
 def _frame(brep: Brep, side: Sequence[FaceRecord]) -> LocalFrame:
-    rims = _rims(side)
-    return frame_of_edges(brep, rims or {e for face in side for e in brep.face_edges[face.id]}, side[0].axis, None)
+    edges = _rims(side) or brep.edges_of(face.id for face in side)
+    return frame_of_edges(brep, edges, side[0].axis, None)
 
 
 def _rims(side: Sequence[FaceRecord]) -> set[int]:
@@ -264,8 +265,7 @@ def _is_ear(brep: Brep, face: FaceRecord) -> bool:
 
 def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
     """The same wall, as a floor where a pocket or channel ends at it; a roof where that opens downwards."""
-    up = abs(wall.normal[2])
-    tags = (*wall.tags, "lying" if up > 1 - UPRIGHT**2 else "upright" if up < UPRIGHT else "inclined")
+    tags = (*wall.tags, stance(wall.normal))
     opens = [floors[face] for face in wall.faces if face in floors]
     if not opens:
         return replace(wall, tags=tags)
@@ -313,12 +313,11 @@ def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
     kind = "rib" if is_gusset else "floor" if wall.is_floor else "wall"
     name = "gusset" if is_gusset else kind
     extents = box_extents(faces_box(brep, wall.faces))
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (wall.length, wall.width))
     return Part(
         id=f"{name}-{number}",
         kind=kind,
         tags=("planar", *wall.tags),
-        label=f"{name}, thickness {millimetres(wall.thickness)}, {size} mm",
+        label=f"{name}, thickness {millimetres(wall.thickness)}, {millimetres(wall.length, wall.width)}",
         faces=wall.faces,
         center=wall.center,
         extents=extents,

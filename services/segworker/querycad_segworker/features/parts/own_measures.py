@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence, Set
 from typing import Final
 
 from querycad_contracts import Part, SurfaceKind, Vector
-from querycad_segworker.features.shared.part_measures import faces_area
+from querycad_segworker.features.shared.part_measures import faces_area, inclination
 from querycad_segworker.features.shared.reach import reach_along
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
 from querycad_segworker.features.shared.tapers import draft_of, mouth_and_bottom
@@ -132,7 +132,7 @@ def _inclined(part: Part) -> Measured:
     """Of a plane face, wall, floor or plate, to the horizontal plane."""
     if part.normal is None or (part.kind == "prism" and "plate" not in part.tags):
         return {}
-    return {"inclination": math.atan2(math.hypot(part.normal[0], part.normal[1]), abs(part.normal[2]))}
+    return {"inclination": inclination(part.normal)}
 
 
 def _of_ring(body: Part, rings: Sequence[Part]) -> Part:

@@ -11,7 +11,7 @@ from enum import StrEnum
 
 from querycad_contracts import Part, Vector
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.vectors import binned, cross, dist, dot, line_key, mean, norm, perpendicular, sub, unit
+from querycad_segworker.vectors import across, binned, cross, dist, dot, line_key, mean, norm, sub, unit
 
 MIN_MEMBERS = 3
 """Two like holes are a pair; three in a line or on a circle around a feature are laid out."""
@@ -131,32 +131,27 @@ def _of_level(parts: Sequence[Part], level: Sequence[int], axes: _Axes) -> list[
 
 def _flat(point: Vector, normal: Vector) -> tuple[float, float]:
     """The point in the plane at right angles to the normal."""
-    x = perpendicular(normal)
-    return dot(point, x), dot(point, cross(normal, x))
+    x, y = across(normal)
+    return dot(point, x), dot(point, y)
 
 
 class _Axes:
     """Round features by their direction, to ask quickly which of them stand square on a plane; the widest ones only."""
 
     def __init__(self, parts: Sequence[Part]) -> None:
-        self._by_direction: dict[tuple[float, ...], list[Vector]] = defaultdict(list)
+        self._by_direction: dict[Vector, list[Vector]] = defaultdict(list)
         for part in sorted(parts, key=lambda part: -(part.diameter or 0.0)):
-            if part.axis is not None and len(known := self._by_direction[self._key(part.axis)]) < MAX_AXES:
+            if part.axis is not None and len(known := self._by_direction[line_key(part.axis)]) < MAX_AXES:
                 known.append(part.center)
-
-    @staticmethod
-    def _key(direction: Vector) -> tuple[float, ...]:
-        return line_key(direction)
 
     def along(self, direction: Vector) -> list[Vector]:
         """Through which points do axes of this direction run?"""
-        return self._by_direction[self._key(direction)]
+        return self._by_direction[line_key(direction)]
 
 
 def _circles(points: dict[int, Vector], normal: Vector, centers: Sequence[Vector], needed: int) -> list[Pattern]:
     """Members at one distance and equal angles around one of the centres, `needed` of them at least; largest first."""
-    x = perpendicular(normal)
-    y = cross(normal, x)
+    x, y = across(normal)
     flat = {i: (dot(p, x), dot(p, y)) for i, p in points.items()}
     level = dot(next(iter(points.values())), normal)
     candidates = dict.fromkeys((round(dot(p, x), 9), round(dot(p, y), 9)) for p in centers)

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
-from querycad_segworker.features.shared.part_measures import geometry, millimetres, outlined
+from querycad_segworker.features.shared.part_measures import geometry, inclination, millimetres, outlined, stance
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, FaceRecord
 from querycad_segworker.vectors import box_center, box_extents
 
-UPRIGHT = 0.05
-"""Sine of the angle by which an upright or lying face may lean: 3 degrees."""
 MOST_FACES = 2000
 """Nobody asks for one face of so many; lists of parts stay short."""
 
@@ -33,14 +29,11 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
     first = brep.edges[rim.edges[0]]
     round_rim = outline == "circular" and first.kind is EdgeKind.CIRCLE and first.radius is not None
     diameter = 2 * first.radius if round_rim and first.radius is not None else None
-    rise = abs(face.axis[2])
-    place = "lying" if rise > 1 - UPRIGHT**2 else "upright" if rise < UPRIGHT else "inclined"
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (length, width))
     return Part(
         id=f"face-{number}",
         kind="face",
-        tags=("planar", outline, place),
-        label=f"plane face, {outlined(outline, 'outline')}, {size} mm",
+        tags=("planar", outline, stance(face.axis)),
+        label=f"plane face, {outlined(outline, 'outline')}, {millimetres(length, width)}",
         faces=(face.id,),
         center=box_center(face.box),
         extents=box_extents(face.box),
@@ -50,6 +43,6 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
         width=width,
         local_size=(length, width, 0.0),
         area=face.area,
-        inclination=math.atan2(math.hypot(face.axis[0], face.axis[1]), rise),
+        inclination=inclination(face.axis),
         evidence=geometry("a plane face"),
     )

@@ -8,6 +8,7 @@ from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
+    UPRIGHT,
     faces_area,
     faces_box,
     geometry,
@@ -23,8 +24,6 @@ from querycad_segworker.vectors import add, box_center, box_extents, scale
 
 from .volumes import Volumes
 
-UPRIGHT = 0.05
-"""Sine of the angle by which an upright plate may lean: 3 degrees."""
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
 
@@ -33,13 +32,13 @@ def protrusion_part(
     brep: Brep, found: Protrusion, number: int, volumes: Volumes, kind: PartKind = PartKind.PROTRUSION
 ) -> Part:
     """A protrusion of any outline but a circle, or what stands out without a family."""
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (found.length, found.width))
     extents = box_extents(faces_box(brep, found.faces))
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
         tags=(found.outline, *found.tags),
-        label=f"{outlined(found.outline, kind)}, {size} mm, height {millimetres(found.height)}",
+        label=f"{outlined(found.outline, kind)}, {millimetres(found.length, found.width)}, "
+        f"height {millimetres(found.height)}",
         faces=found.faces,
         center=found.center,
         extents=extents,
@@ -62,14 +61,13 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
 
     A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies.
     """
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (prism.length, prism.width))
     flat = prism.height < PLATE_RATIO * prism.width
     upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
     return Part(
         id=f"prism-{number}",
         kind="prism",
         tags=(prism.outline, *(("plate", "flat") if flat else ())),
-        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {size} mm, "
+        label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {millimetres(prism.length, prism.width)}, "
         f"{'thickness' if flat else 'height'} {millimetres(prism.height)}",
         faces=prism.faces,
         center=prism.center,
@@ -93,12 +91,12 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
 
 def hollow_section_part(brep: Brep, found: HollowSection, number: int) -> Part:
     """A tube with flat sides as a part: length along its axis, thickness of its wall, outer width."""
-    size = " x ".join(millimetres(v).removesuffix(" mm") for v in (*found.size, found.wall))
     return Part(
         id=f"tube-{number}",
         kind="prism",
         tags=(found.outline, "hollow", "tube", "slender"),
-        label=f"{outlined(found.outline, 'tube')}, {size} mm, length {millimetres(found.length)}",
+        label=f"{outlined(found.outline, 'tube')}, {millimetres(*found.size, found.wall)}, "
+        f"length {millimetres(found.length)}",
         faces=found.faces,
         center=found.center,
         extents=found.extents,

@@ -12,12 +12,12 @@ from querycad_segworker.features.blends.rolling_balls import normal_at
 from querycad_segworker.features.depressions.depression import DepressionKind, depression_in
 from querycad_segworker.features.protrusions.protrusions import Protrusion, tags_of
 from querycad_segworker.features.shared.closed_regions import UPRIGHT, Moments, Region, closed_regions
-from querycad_segworker.features.shared.extruded_walls import section_of, upwards
+from querycad_segworker.features.shared.extruded_walls import section_of
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
-from querycad_segworker.vectors import add, dot, scale
+from querycad_segworker.vectors import add, dot, scale, upwards
 
 from .depressions import depression_part
 from .protrusions import protrusion_part
@@ -75,7 +75,7 @@ class _Maker:
         rim = [edge for edge, _ in hosts if dot(edge.mid, normal) > middle]
         is_open = any(h.id not in self.cut and abs(dot(self._looks(h, e), normal)) < ASIDE for e, h in hosts)
         outline = "free" if is_open else self._outline(rim, region, normal)
-        floor = [face for face in self._faces(region) if dot(_facing(face), normal) > UPRIGHT]
+        floor = [face for face in self._faces(region) if dot(face.facing, normal) > UPRIGHT]
         body = self.brep.faces[min(region.faces)].body
         kind, ids = DepressionKind.DEPRESSION, tuple(face.id for face in floor)
         found = depression_in(kind, outline, frame, region.faces, ids, body, is_open=is_open)
@@ -103,9 +103,7 @@ class _Maker:
             length=length,
             width=width,
             height=height,
-            direction=frame.u,
             faces=tuple(sorted(region.faces)),
-            body=self.brep.faces[min(region.faces)].body,
             tags=tags_of(length, width, height),
         )
         part = protrusion_part(self.brep, found, number, self.volumes, PartKind.ELEVATION)
@@ -155,7 +153,7 @@ class _Maker:
             outline, _ = outline_of(self.brep, Loop(tuple(edge.id for edge in rim), outer=True), self.tolerances)
             corners = sum(edge.kind is EdgeKind.LINE for edge in rim)
             return "free" if outline == "polygonal" and corners < 3 else outline
-        walls = [face for face in self._faces(region) if abs(dot(_facing(face), normal)) < UPRIGHT]
+        walls = [face for face in self._faces(region) if abs(dot(face.facing, normal)) < UPRIGHT]
         return section_of(walls) if walls and all(_is_upright(wall, normal) for wall in walls) else "free"
 
     def _is_level(self, edges: Sequence[EdgeRecord], normal: Vector) -> bool:
@@ -199,7 +197,3 @@ def _is_upright(wall: FaceRecord, normal: Vector) -> bool:
     if wall.kind is SurfaceKind.PLANE:
         return abs(dot(wall.axis, normal)) < SQUARE
     return wall.kind is SurfaceKind.CYLINDER and abs(dot(wall.axis, normal)) > 1 - SQUARE
-
-
-def _facing(face: FaceRecord) -> Vector:
-    return face.axis if face.kind is SurfaceKind.PLANE else face.point_normal

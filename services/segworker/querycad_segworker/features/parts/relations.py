@@ -172,14 +172,10 @@ def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
         if kinds != ("body",):  # something of the one body stands on them
-            slim = [part for part in slim if _top(part) < top - CENTRAL_SHARE * shape.extents[2]]
+            slim = [p for p in slim if p.center[2] + p.extents[2] / 2 < top - CENTRAL_SHARE * shape.extents[2]]
         if len(slim) >= MIN_FEET and (kinds != ("body",) or len(slim) < len(candidates)):
             return slim
     return []
-
-
-def _top(part: Part) -> float:
-    return part.center[2] + part.extents[2] / 2
 
 
 def _outermost(parts: Sequence[Part]) -> list[Part]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import add, dot, scale
 
 from .protrusions import Protrusion, tags_of
@@ -86,7 +86,7 @@ def _foot(brep: Brep, side: FaceRecord, top: FaceRecord) -> tuple[float, set[int
             levels.append(dot(host.point, top.axis))
             hosts.add(other)
         elif edge.convexity is EdgeConvexity.SMOOTH and host.outward < 0:  # over a fillet
-            beyond = _smooth_beyond(brep, host, side)
+            beyond = [brep.faces[i] for i in brep.beside(other, EdgeConvexity.SMOOTH) if i != side.id]
             levels += [dot(face.point, top.axis) for face in beyond if _faces_up(face, top)]
             hosts |= {face.id for face in beyond if _faces_up(face, top)}
     if not levels or _low(brep, side, top) < min(levels) - SQUARE * (dot(top.point, top.axis) - min(levels)):
@@ -99,18 +99,9 @@ def _faces_up(face: FaceRecord, top: FaceRecord) -> bool:
     return face.kind is SurfaceKind.PLANE and below and dot(face.axis, top.axis) > 1 - SQUARE
 
 
-def _smooth_beyond(brep: Brep, blend: FaceRecord, side: FaceRecord) -> Sequence[FaceRecord]:
-    links = brep.neighbours(blend.id)
-    return [brep.faces[i] for link, i in links if link.convexity is EdgeConvexity.SMOOTH and i != side.id]
-
-
 def _low(brep: Brep, side: FaceRecord, top: FaceRecord) -> float:
     """How far down does a side reach, along the top's normal?"""
-    return min(dot(p, top.axis) for e in brep.face_edges[side.id] for p in _ends(brep.edges[e]))
-
-
-def _ends(edge: EdgeRecord) -> Sequence[tuple[float, float, float]]:
-    return edge.start, edge.mid, edge.end
+    return min(dot(p, top.axis) for e in brep.face_edges[side.id] for p in brep.edges[e].points)
 
 
 def _protrusion(brep: Brep, top: FaceRecord, faces: set[int], level: float, tolerances: Tolerances) -> Protrusion:
@@ -129,8 +120,6 @@ def _protrusion(brep: Brep, top: FaceRecord, faces: set[int], level: float, tole
         length=length,
         width=width,
         height=height,
-        direction=frame.u,
         faces=tuple(sorted(faces)),
-        body=top.body,
         tags=tags_of(length, width, height),
     )

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, polygon_name
+from querycad_segworker.features.shared.frames import edge_points, face_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import across_flats_and_corners
 from querycad_segworker.features.shared.shaft_steps import ALIKE
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, parted
 from querycad_segworker.vectors import (
     add,
     box_center,
@@ -26,8 +25,9 @@ from querycad_segworker.vectors import (
     norm,
     parallel,
     scale,
+    span,
     sub,
-    unit,
+    upwards,
 )
 
 MAX_SIDES = 12
@@ -64,12 +64,7 @@ def recognise_prisms(brep: Brep) -> list[Prism]:
     """
     found: list[Prism] = []
     for direction, links in _links_by_direction(brep).items():
-        seen: set[int] = set()
-        for start in sorted(links):
-            if start in seen:
-                continue
-            ring = _component(links, start)
-            seen |= ring
+        for ring in parted(sorted(links), links.__getitem__):
             if len(ring) < 3 or not all(len(links[face]) == 2 for face in ring):
                 continue
             if not _faces_out(brep, ring, direction):
@@ -97,7 +92,7 @@ def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
             continue
         a, b = (brep.faces[i] for i in edge.faces)
         if a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE:
-            _link(links, unit(sub(edge.end, edge.start)), a, b)
+            _link(links, edge.direction, a, b)
     for face in brep.faces:
         if _is_corner(brep, face):
             _link(links, face.axis, *(brep.faces[side] for side in _sides_of_corner(brep, face)))
@@ -131,15 +126,6 @@ def _link(links: dict[Vector, dict[int, set[int]]], direction: Vector, a: FaceRe
     links[key][b.id].add(a.id)
 
 
-def _component(links: dict[int, set[int]], start: int) -> set[int]:
-    group, todo = {start}, [start]
-    while todo:
-        new = links[todo.pop()] - group
-        group |= new
-        todo.extend(new)
-    return group
-
-
 def _faces_out(brep: Brep, ring: set[int], direction: Vector) -> bool:
     """Do all sides look away from the middle between them?"""
     corners = _corners(brep, ring, direction)
@@ -155,7 +141,7 @@ def _corners(brep: Brep, ring: set[int], direction: Vector) -> list[EdgeRecord]:
         for edge, other in brep.neighbours(side)
         if (other in ring or _is_corner(brep, brep.faces[other]))
         and edge.kind is EdgeKind.LINE
-        and parallel(unit(sub(edge.end, edge.start)), direction, 1e-3)
+        and parallel(edge.direction, direction, 1e-3)
     ]
 
 
@@ -165,12 +151,12 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
     Of a side that runs on past its corners, level with what the prism stands on, only what lies between them is the
     prism's.
     """
-    axis = _upwards(direction)
+    axis = upwards(direction)
     breaks = _edge_breaks(brep, ring, axis)
     caps = _caps(brep, ring | breaks, axis)
     corners = _corners(brep, ring, direction)
     whole = {side for side in ring if not _runs_on(brep, side, corners, axis)}
-    edges = {edge.id for edge in corners} | {e for face in whole | breaks for e in brep.face_edges[face]}
+    edges = {edge.id for edge in corners} | brep.edges_of(whole | breaks)
     frame = frame_of_edges(brep, edges, axis, None)
     length, width, height = frame.size
     own = ring | breaks | caps
@@ -196,16 +182,9 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
 def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:
     """Does a side reach further across than the corners at its two ends?"""
     across = cross(axis, brep.faces[side].axis)
-    ends = [dot(p, across) for edge in corners if side in edge.faces for p in (edge.start, edge.end)]
-    reach = [dot(p, across) for e in brep.face_edges[side] for p in edge_points(brep, e)]
-    return max(reach) - min(reach) > ALIKE * (max(ends) - min(ends))
-
-
-def _upwards(direction: Vector) -> Vector:
-    """Of the two ways along a line, the one to the top, else to the front, else to the right."""
-    x, y, z = direction
-    sign = next((math.copysign(1.0, c) for c in (z, -y, x) if abs(c) > 0.05), 1.0)
-    return scale(direction, sign)
+    first, last = span((p for edge in corners if side in edge.faces for p in (edge.start, edge.end)), across)
+    low, high = span(face_points(brep, (side,)), across)
+    return high - low > ALIKE * (last - first)
 
 
 def _edge_breaks(brep: Brep, ring: set[int], axis: Vector) -> set[int]:

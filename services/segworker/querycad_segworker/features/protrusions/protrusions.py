@@ -30,9 +30,7 @@ class Protrusion:
     length: float
     width: float
     height: float
-    direction: Vector
     faces: tuple[int, ...]
-    body: int
     tags: tuple[str, ...]
 
 
@@ -65,14 +63,14 @@ def _is_turned(brep: Brep, rim: Loop, walls: set[int], tolerances: Tolerances) -
     faces = [brep.faces[wall] for wall in walls]
     if any(face.kind not in REVOLVED for face in faces):
         return False
-    axis = Axis(faces[0].origin, faces[0].axis)
+    axis = Axis.of(faces[0])
     near = 10 * tolerances.length
     circles = [brep.edges[e] for e in rim.edges]
     if not all(circle.center is not None and axis.radius_of(circle.center) <= near for circle in circles):
         return False
     beside = (brep.faces[other] for wall in walls for edge, other in brep.neighbours(wall) if edge.id not in rim.edges)
     stem = [face for face in (*faces, *beside) if face.kind in (SurfaceKind.CYLINDER, SurfaceKind.CONE)]
-    return any(Axis(face.origin, face.axis).same_line(axis, tolerances) for face in stem)
+    return any(Axis.of(face).same_line(axis, tolerances) for face in stem)
 
 
 def _is_minor(brep: Brep, host: FaceRecord, group: set[int]) -> bool:
@@ -123,9 +121,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         length=length,
         width=width,
         height=height,
-        direction=frame.u,
         faces=tuple(sorted(group)),
-        body=host.body,
         tags=tags_of(length, width, height),
     )
 

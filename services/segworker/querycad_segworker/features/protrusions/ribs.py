@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.frames import edge_points
+from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
@@ -90,9 +90,9 @@ def _rib(brep: Brep, top: FaceRecord, flanks: tuple[FaceRecord, FaceRecord], own
     with one of them is not its.
     """
     a, b = flanks
-    out, along = top.axis, _along(a, top)
+    out, along = top.axis, unit(cross(a.axis, top.axis))
     thickness = dot(sub(a.point, b.point), a.axis)
-    level = max(dot(p, out) for e in brep.face_edges[top.id] for p in edge_points(brep, e))
+    level = max(dot(p, out) for p in face_points(brep, (top.id,)))
     feet = [_foot(brep, flank, top) for flank in flanks if flank.id in own]
     foot = max(known for known in feet if known is not None)
     low, high = _side_by_side(*(_reach(brep, flank, along, out, foot) for flank in flanks))
@@ -127,7 +127,7 @@ def _foot(brep: Brep, flank: FaceRecord, top: FaceRecord) -> float | None:
 
 def _reach(brep: Brep, flank: FaceRecord, along: Vector, out: Vector, foot: float) -> tuple[float, float]:
     """From where to where along the rib does a flank go above the foot?"""
-    paths = [(edge.start, edge.mid, edge.end) for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
+    paths = [edge.points for edge in (brep.edges[e] for e in brep.face_edges[flank.id])]
     highest = max(dot(p, out) for path in paths for p in path)
     level = foot - NEAR_FOOT * (highest - foot)
     above = []
@@ -156,10 +156,6 @@ def _widest_tops(brep: Brep, ribs: Sequence[Rib]) -> list[Rib]:
         if flanks not in best or area > best[flanks][0]:
             best[flanks] = (area, rib)
     return [rib for _, rib in best.values()]
-
-
-def _along(flank: FaceRecord, top: FaceRecord) -> Vector:
-    return unit(cross(flank.axis, top.axis))
 
 
 def _sides(brep: Brep, top: FaceRecord) -> list[tuple[EdgeRecord, FaceRecord]]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Iterable
+from collections.abc import Collection
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
-from querycad_segworker.vectors import dot, line_distance, parallel
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop, parted, spread
+from querycad_segworker.vectors import line_distance, parallel, span
 
 from .frames import edge_points
 
@@ -49,23 +49,18 @@ class ConcaveGraph:
         """How far does a body reach along a direction? Slots share few directions: each is measured once."""
         key = (body, *(round(abs(c), 4) for c in direction))
         if key not in self._extents:
-            edges = {e for f in self.brep.bodies[body].faces for e in self.brep.face_edges[f]}
-            reach = [dot(p, direction) for e in edges for p in edge_points(self.brep, e)]
-            self._extents[key] = max(reach) - min(reach)
+            edges = self.brep.edges_of(self.brep.bodies[body].faces)
+            low, high = span((p for e in edges for p in edge_points(self.brep, e)), direction)
+            self._extents[key] = high - low
         return self._extents[key]
 
     def flush(self, face: int) -> set[int]:
         """The pieces of one plane that a face is stored in, itself among them."""
-        found, todo = {face}, [face]
-        while todo:
-            new = self._flush[todo.pop()] - found
-            found |= new
-            todo.extend(new)
-        return found
+        return spread((face,), lambda piece: self._flush[piece])
 
     def is_sharp(self, a: int, b: int) -> bool:
         """Do two faces meet in a concave edge, rather than tangentially?"""
-        return any(other == b and edge.convexity is EdgeConvexity.CONCAVE for edge, other in self.brep.neighbours(a))
+        return b in self.brep.beside(a, EdgeConvexity.CONCAVE)
 
     def behind(self, host: FaceRecord, loop: Loop) -> set[int]:
         """The faces that sink in behind an inner loop of `host`; empty when it rises, or is the mouth of a hole."""
@@ -81,10 +76,10 @@ class ConcaveGraph:
                 return set()
             first.add(other.id)
             if rounding:
-                first.update(n for link, n in self.brep.neighbours(other.id) if link.convexity is EdgeConvexity.SMOOTH)
+                first.update(self.brep.beside(other.id, EdgeConvexity.SMOOTH))
         first.discard(host.id)
         first |= self._below_bevel(host, first)
-        group = self._spread(first, stop={host.id})
+        group = spread(first, lambda face: self._goes_on(face) - {host.id})
         return set() if first & self.taken and len(first) == len(first & self.taken) else group - self.taken
 
     def _below_bevel(self, host: FaceRecord, first: Collection[int]) -> set[int]:
@@ -107,49 +102,29 @@ class ConcaveGraph:
         self.bevels |= set(first)
         return below
 
-    def _spread(self, start: Iterable[int], stop: set[int]) -> set[int]:
-        group, todo = set(start), list(start)
-        while todo:
-            face = todo.pop()
-            near = set(self.concave[face])
-            if not (face in self.blends and self.brep.faces[face].outward > 0):
-                near |= {
-                    other
-                    for edge, other in self.brep.neighbours(face)
-                    if edge.convexity is EdgeConvexity.SMOOTH and self._same_wall(face, other)
-                }
-            for other in near - group - stop:
-                group.add(other)
-                todo.append(other)
-        return group
-
-    def _same_wall(self, a: int, b: int) -> bool:
-        """Walls that run into each other tangentially, as the flats and round ends of an obround do."""
-        return all(self.brep.faces[i].outward <= 0 for i in (a, b))
+    def _goes_on(self, face: int) -> set[int]:
+        """In concave corners, or where walls run into each other, as the flats and round ends of an obround do."""
+        if self._bulges(face):
+            return self.concave[face]
+        smooth = self.brep.beside(face, EdgeConvexity.SMOOTH)
+        return self.concave[face] | {other for other in smooth if not self._bulges(other)}
 
     def pieces(self, faces: Collection[int]) -> list[set[int]]:
         """Parts of `faces` that hang together by concave corners or smoothly.
 
         Where two cuts run into each other, the material between them keeps a convex edge: each piece is of one cut.
         """
-        result, seen = [], set[int]()
-        for start in sorted(faces):
-            if start in seen:
-                continue
-            piece, todo = {start}, [start]
-            while todo:
-                face = todo.pop()
-                beside = {
-                    other
-                    for edge, other in self.brep.neighbours(face)
-                    if edge.convexity is EdgeConvexity.SMOOTH or face in self.bevels or other in self.bevels
-                }
-                new = ((self.concave[face] | beside) & set(faces)) - piece
-                piece |= new
-                todo.extend(new)
-            seen |= piece
-            result.append(piece)
-        return result
+        own = set(faces)
+
+        def onwards(face: int) -> set[int]:
+            beside = {
+                other
+                for edge, other in self.brep.neighbours(face)
+                if edge.convexity is EdgeConvexity.SMOOTH or face in self.bevels or other in self.bevels
+            }
+            return (self.concave[face] | beside) & own
+
+        return list(parted(sorted(own), onwards))
 
     def concave_groups(self, used: Collection[int]) -> list[set[int]]:
         """Groups of free faces that meet in concave edges, but not in those around a protrusion's foot.
@@ -158,18 +133,17 @@ class ConcaveGraph:
         arm: no group goes on behind one, and none has it that is not its alone.
         """
         rising = self._rising_links()
-        groups, seen, taken = [], set(used), set(used)
+        taken = set(used)
+
+        def onwards(face: int) -> set[int]:
+            near = set() if self._bulges(face) else self.concave[face] - taken
+            return {other for other in near if (face, other) not in rising}
+
+        groups, seen = [], set(used)
         for start in sorted(self.concave):
             if start in seen or start in self.blends or self._bulges(start):
                 continue
-            group, todo = {start}, [start]
-            while todo:
-                face = todo.pop()
-                for other in self.concave[face] - group - taken:
-                    if (face, other) not in rising:
-                        group.add(other)
-                        if not self._bulges(other):
-                            todo.append(other)
+            group = spread((start,), onwards)
             group -= {face for face in group if self._bulges(face) and not self._is_within(face, group)}
             seen |= {face for face in group if not self._bulges(face)}
             if len(group) > 1:
@@ -218,7 +192,7 @@ def is_blend(brep: Brep, face: FaceRecord) -> bool:
     smooth = _smooth(brep, face.id)
     if face.kind is not SurfaceKind.CYLINDER:
         return len(smooth) >= 2
-    pieces = {face.id, *(other for other in smooth if _same_cylinder(face, brep.faces[other]))}
+    pieces = {face.id, *(other for other in smooth if same_cylinder(face, brep.faces[other]))}
     if sum(brep.faces[piece].sweep for piece in pieces) > HALF_CYLINDER_RAD:
         return False
     around = {other: edge for piece in pieces for other, edge in _smooth(brep, piece).items() if other not in pieces}
@@ -232,7 +206,10 @@ def _smooth(brep: Brep, face: int) -> dict[int, EdgeRecord]:
     return {other: edge for edge, other in brep.neighbours(face) if edge.convexity is EdgeConvexity.SMOOTH}
 
 
-def _same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:
-    if b.kind is not SurfaceKind.CYLINDER or a.outward != b.outward or abs(a.radius - b.radius) > 1e-3 * a.radius:
+def same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:
+    """Are these pieces of one cylinder?"""
+    near = 1e-3 * a.radius
+    if a.kind is not SurfaceKind.CYLINDER or b.kind is not a.kind or a.outward != b.outward:
         return False
-    return parallel(a.axis, b.axis, 1e-3) and line_distance(b.origin, a.origin, a.axis) < 1e-3 * a.radius
+    alike = abs(a.radius - b.radius) <= near and parallel(a.axis, b.axis, 1e-3)
+    return alike and line_distance(b.origin, a.origin, a.axis) < near

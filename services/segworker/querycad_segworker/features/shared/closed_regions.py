@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, linked
 from querycad_segworker.vectors import ORIGIN, add, box_extents, box_union, mean, scale
 
 from .adjacency import is_blend
-from .walls import Groups
 
 MINOR = 0.5
 """What has a larger share of its body's surface, or of the box around it, is the body: the rest stands on it."""
@@ -96,13 +95,16 @@ class _Graph:
     def _groups(
         self, faces: Iterable[int], ends: Sequence[EdgeConvexity], closed: Collection[int]
     ) -> Iterator[frozenset[int]]:
-        groups = Groups(faces)
-        for edge in self._brep.edges:
-            if len(edge.faces) == 2 and edge.convexity not in ends and edge.id not in closed:
-                a, b = edge.faces
-                if a in groups.parent and b in groups.parent:
-                    groups.unite(a, b)
-        return map(frozenset, groups.all())
+        own = set(faces)
+        pairs = [
+            edge.faces
+            for edge in self._brep.edges
+            if len(edge.faces) == 2
+            and edge.convexity not in ends
+            and edge.id not in closed
+            and own.issuperset(edge.faces)
+        ]
+        return map(frozenset, linked(own, pairs))
 
     def _hollow(self, group: frozenset[int], feet: Collection[int]) -> Region | None:
         links = [(edge, other) for face in group for edge, other in self._brep.neighbours(face)]
@@ -152,7 +154,7 @@ class _Graph:
     def _facing_in(self, region: Region) -> float:
         """How much do the walls look at the middle of the region, from -1 to 1? Of all faces, where none is a wall."""
         faces = sorted(region.faces)
-        towards = self._towards(faces, self._middle({e for face in faces for e in self._brep.face_edges[face]}))
+        towards = self._towards(faces, self._middle(self._brep.edges_of(faces)))
         if region.opening is not None:
             sizes = np.array([self._brep.faces[face].area for face in faces])
             walls = np.abs(self._moments.area_m2[faces] @ np.array(region.opening)) < UPRIGHT * sizes

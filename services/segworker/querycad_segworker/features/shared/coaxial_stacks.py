@@ -7,11 +7,12 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import pairwise
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop
-from querycad_segworker.vectors import cross, dot, norm, parallel
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, Loop, linked
+from querycad_segworker.vectors import cross, dot, norm, parallel, wrapped
 
 from .walls import Axis, Wall
 
@@ -39,6 +40,24 @@ class Stack:
     high_end: End
     low_faces: tuple[int, ...]
     high_faces: tuple[int, ...]
+
+    @property
+    def faces(self) -> set[int]:
+        """Which faces are its walls?"""
+        return {face for wall in self.walls for face in wall.faces}
+
+    @property
+    def open_both(self) -> bool:
+        """Is it open at both ends?"""
+        return self.low_end is End.OPEN and self.high_end is End.OPEN
+
+    def beyond(self, high: bool) -> tuple[int, ...]:
+        """Which faces lie beyond its high, or low, end?"""
+        return self.high_faces if high else self.low_faces
+
+    def last_wall(self, high: bool) -> Wall:
+        """Which wall reaches farthest to its high, or low, end?"""
+        return max(self.walls, key=lambda w: wall_range(self.axis, w)[1] if high else -wall_range(self.axis, w)[0])
 
     @property
     def low(self) -> float:
@@ -81,32 +100,23 @@ def stacks(
     owner = {face: i for i, wall in enumerate(members) for face in wall.faces}
     if over_roundings:
         owner |= _roundings(brep, members, owner, tolerances)
-    links: dict[int, set[int]] = defaultdict(set)
+    pairs: list[tuple[int, int]] = []
     shoulders: dict[int, set[int]] = defaultdict(set)
     for edge in brep.edges:
         if len(edge.faces) == 2:
             a, b = owner.get(edge.faces[0]), owner.get(edge.faces[1])
-            if a is not None and b is not None and a != b and _coaxial(members[a], members[b], tolerances):
-                links[a].add(b)
-                links[b].add(a)
+            if a is not None and b is not None and a != b and members[a].axis.same_line(members[b].axis, tolerances):
+                pairs.append((a, b))
     for face in brep.faces:
         if face.kind is SurfaceKind.PLANE:
             joined = _joined_by(face, brep, members, owner, tolerances)
+            pairs += pairwise(joined)
             for i in joined:
-                links[i].update(j for j in joined if j != i)
                 shoulders[i].add(face.id)
-    result, seen = [], set[int]()
-    for start in range(len(members)):
-        if start in seen:
-            continue
-        group, todo = {start}, [start]
-        while todo:
-            new = links[todo.pop()] - group
-            group |= new
-            todo.extend(new)
-        seen |= group
+    result = []
+    for group in linked(range(len(members)), pairs):
         rings = {face for i in group for face in shoulders[i]}
-        result.append(_stack(brep, [members[i] for i in sorted(group)], rings))
+        result.append(_stack(brep, [members[i] for i in group], rings))
     return result
 
 
@@ -117,22 +127,15 @@ def _roundings(brep: Brep, members: Sequence[Wall], owner: dict[int, int], toler
         for face in wall.faces:
             for other in roundings_beside(brep, face):
                 torus = brep.faces[other]
-                if other not in owner and wall.axis.same_line(Axis(torus.origin, torus.axis), tolerances):
+                if other not in owner and wall.axis.same_line(Axis.of(torus), tolerances):
                     found[other] = i
     return found
 
 
 def roundings_beside(brep: Brep, face: int) -> list[int]:
     """Which tori run into a face tangentially, as fillets and rounded rims do?"""
-    return [
-        other
-        for edge, other in brep.neighbours(face)
-        if edge.convexity is EdgeConvexity.SMOOTH and brep.faces[other].kind is SurfaceKind.TORUS
-    ]
-
-
-def _coaxial(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
-    return a.axis.same_line(b.axis, tolerances)
+    smooth = brep.beside(face, EdgeConvexity.SMOOTH)
+    return [other for other in smooth if brep.faces[other].kind is SurfaceKind.TORUS]
 
 
 def _joined_by(
@@ -146,7 +149,7 @@ def _joined_by(
     inner = [i for loop in face.loops if not loop.outer for i in _rim_of(face, loop, brep, members, owner)]
     for first in outer:
         for second in inner:
-            if first != second and _coaxial(members[first], members[second], tolerances):
+            if first != second and members[first].axis.same_line(members[second].axis, tolerances):
                 return {first, second}
     return set()
 
@@ -231,12 +234,8 @@ def winding(axis: Axis, edge: EdgeRecord) -> float:
         on_axis = axis.radius_of(edge.center) <= 0.05 * edge.radius and norm(cross(edge.axis, axis.direction)) < 0.1
         if on_axis:
             return min(edge.length / edge.radius, 2 * math.pi)
-    first = _wrapped(axis.angle_of(edge.mid) - axis.angle_of(edge.start))
-    second = _wrapped(axis.angle_of(edge.end) - axis.angle_of(edge.mid))
+    first = wrapped(axis.angle_of(edge.mid) - axis.angle_of(edge.start))
+    second = wrapped(axis.angle_of(edge.end) - axis.angle_of(edge.mid))
     if edge.closed:
         return 2 * math.pi if abs(first) > math.radians(120) else 0.0
     return abs(first + second)
-
-
-def _wrapped(angle: float) -> float:
-    return (angle + math.pi) % (2 * math.pi) - math.pi

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import cross, dot, norm, scale, sub, unit
+from querycad_segworker.vectors import cross, dot, norm, span, sub, unit
 
 from .axes import Axis
 from .frames import POLYGONS, polygon_name
@@ -83,7 +83,7 @@ def _links(
         for edge, other in brep.neighbours(face):
             if other not in group or edge.kind is not EdgeKind.LINE or edge.convexity is EdgeConvexity.CONVEX:
                 continue
-            if owners[face] != owners[other] and norm(cross(unit(sub(edge.end, edge.start)), axis)) < ACROSS:
+            if owners[face] != owners[other] and norm(cross(edge.direction, axis)) < ACROSS:
                 links[owners[face]][owners[other]] = edge
     return links
 
@@ -141,19 +141,16 @@ def _is_one_surface(a: FaceRecord, b: FaceRecord) -> bool:
     if a.kind is SurfaceKind.PLANE:
         return dot(a.axis, b.axis) > 0.9999 and abs(dot(sub(a.point, b.point), a.axis)) < near
     if a.kind is SurfaceKind.CYLINDER:
-        return abs(a.radius - b.radius) < near and Axis(a.origin, a.axis).radius_of(b.origin) < near
+        return abs(a.radius - b.radius) < near and Axis.of(a).radius_of(b.origin) < near
     return False
 
 
 def _behind(brep: Brep, a: FaceRecord, b: FaceRecord, along: Vector) -> bool:
     """Do two pieces of a wall lie behind each other along a direction? The lips of a T slot lie beside each other."""
-    across = unit(cross(a.axis if a.kind is SurfaceKind.PLANE else a.point_normal, along))
+    across = unit(cross(a.facing, along))
     (low, high), (first, last) = (
-        (min(widths), max(widths))
-        for widths in (
-            [dot(p, across) for e in brep.face_edges[f.id] for p in (brep.edges[e].start, brep.edges[e].mid)]
-            for f in (a, b)
-        )
+        span((p for e in brep.face_edges[f.id] for p in (brep.edges[e].start, brep.edges[e].mid)), across)
+        for f in (a, b)
     )
     return min(high, last) - max(low, first) > 1e-3 * min(high - low, last - first)
 
@@ -178,12 +175,5 @@ def _is_half_obround(flat: FaceRecord, rounds: Collection[FaceRecord]) -> bool:
         all(abs(height - a.radius) < near for height in heights)
         and abs(a.radius - b.radius) < near
         and min(a.sweep, b.sweep) > math.pi / 2 + REGULAR_RAD
-        and Axis(a.origin, a.axis).radius_of(b.origin) > near
+        and Axis.of(a).radius_of(b.origin) > near
     )
-
-
-def upwards(direction: Vector) -> Vector:
-    """Of the two ways along a line, the one to the top, else to the front, else to the right."""
-    x, y, z = direction
-    sign = next((math.copysign(1.0, c) for c in (z, -y, x) if abs(c) > 0.05), 1.0)
-    return scale(direction, sign)

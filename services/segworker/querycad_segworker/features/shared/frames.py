@@ -4,13 +4,26 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
-from querycad_segworker.vectors import add, cross, dist, dot, norm, parallel, perpendicular, scale, sub, unit
+from querycad_segworker.vectors import (
+    add,
+    around,
+    cross,
+    dist,
+    dot,
+    norm,
+    parallel,
+    perpendicular,
+    scale,
+    span,
+    sub,
+    unit,
+)
 
 POLYGONS = {3: "triangular", 4: "rectangular", 5: "pentagonal", 6: "hexagonal", 8: "octagonal"}
 """Names of outlines by their number of sides."""
@@ -38,7 +51,7 @@ def frame_of(
     brep: Brep, faces: Collection[int], normal: Vector, rim: Loop | None, along: Vector | None = None
 ) -> LocalFrame:
     """The box of some faces along `normal` and the direction of their longest straight edge across it."""
-    return frame_of_edges(brep, {e for f in faces for e in brep.face_edges[f]}, normal, rim, along)
+    return frame_of_edges(brep, brep.edges_of(faces), normal, rim, along)
 
 
 def frame_of_edges(
@@ -62,7 +75,7 @@ def frame_of_edges(
     u = unit(sub(u, scale(normal, dot(u, normal))))
     v = cross(normal, u)
     points = [p for e in edges for p in edge_points(brep, e)]
-    ranges = [_range(points, d) for d in (u, v, normal)]
+    ranges = [span(points, d) for d in (u, v, normal)]
     if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
         ranges[:2] = [ranges[1], (-ranges[0][1], -ranges[0][0])]
@@ -71,24 +84,18 @@ def frame_of_edges(
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
 
 
-def _range(points: Sequence[Vector], direction: Vector) -> tuple[float, float]:
-    x, y, z = direction
-    along = [p[0] * x + p[1] * y + p[2] * z for p in points]
-    return min(along), max(along)
-
-
 def edge_points(brep: Brep, e: int) -> list[Vector]:
     """Which points span an edge? Its ends and middle; of a full circle, sixteen around it."""
     edge = brep.edges[e]
-    points = [edge.start, edge.mid, edge.end]
+    points = [*edge.points]
     if edge.center is not None and edge.axis is not None and edge.radius is not None and edge.closed:
-        x = perpendicular(edge.axis)
-        y = cross(edge.axis, x)
-        for i in range(16):
-            angle = i * math.pi / 8
-            offset = add(scale(x, edge.radius * math.cos(angle)), scale(y, edge.radius * math.sin(angle)))
-            points.append(add(edge.center, offset))
+        points += around(edge.center, edge.axis, edge.radius, 16)
     return points
+
+
+def face_points(brep: Brep, faces: Iterable[int]) -> list[Vector]:
+    """Which points span some faces: those of all their edges?"""
+    return [p for face in faces for e in brep.face_edges[face] for p in edge_points(brep, e)]
 
 
 @dataclass(frozen=True, slots=True)

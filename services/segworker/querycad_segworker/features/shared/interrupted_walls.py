@@ -6,13 +6,14 @@ import math
 from collections import defaultdict
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from functools import partial
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import ORIGIN, binned, dot, foot, parallel, sub, unit
+from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord, spread
+from querycad_segworker.vectors import ORIGIN, binned, dot, parallel
 
-from .axes import SWEEP, Axis, Wall
+from .axes import Axis, Wall, by_line
 
 MAX_PIECES = 12
 """More pieces than this are the tips of teeth."""
@@ -43,10 +44,13 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
     for i, wall in enumerate(walls):
         if wall.kind is SurfaceKind.CYLINDER and wall.sweep < 2 * math.pi:
             buckets[(wall.outward, wall.body, binned(wall.radius))].append(i)
+    beside = partial(_beside, tolerances=tolerances)
     merged: dict[int, Wall] = {}
     gone: set[int] = set()
     for (outward, _, _), indices in buckets.items():
-        for group in _by_line(walls, indices, tolerances) if len(indices) > 1 else []:
+        for group in by_line(
+            indices, lambda i: walls[i].axis, ORIGIN, 10 * tolerances.length, lambda i, j: beside(walls[i], walls[j])
+        ):
             pieces = [walls[i] for i in group]
             if not 1 < len(pieces) <= MAX_PIECES:
                 continue
@@ -66,26 +70,6 @@ def with_interrupted(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
                 merged[min(group)] = _one(pieces, 2 * math.pi)
                 gone.update(group)
     return [merged.get(i, wall) for i, wall in enumerate(walls) if i in merged or i not in gone]
-
-
-def _by_line(walls: Sequence[Wall], indices: Sequence[int], tolerances: Tolerances) -> list[list[int]]:
-    """Those on one axis and side by side, together. Sorted by where their lines pass, only few need comparing."""
-    keys = {i: dot(foot(ORIGIN, walls[i].axis.origin, walls[i].axis.direction), SWEEP) for i in indices}
-    order = sorted(indices, key=lambda i: (keys[i], i))
-    groups: list[list[int]] = []
-    taken: set[int] = set()
-    for rank, i in enumerate(order):
-        if i in taken:
-            continue
-        group = [i]
-        for j in order[rank + 1 :]:
-            if keys[j] - keys[i] > 10 * tolerances.length:
-                break
-            if j not in taken and _beside(walls[i], walls[j], tolerances):
-                taken.add(j)
-                group.append(j)
-        groups.append(group)
-    return groups
 
 
 def _beside(a: Wall, b: Wall, tolerances: Tolerances) -> bool:
@@ -111,12 +95,7 @@ def _is_bore(brep: Brep, pieces: Sequence[Wall], covered: float) -> bool:
             if inside and (len(chain) > 2 or brep.faces[first].kind is not SurfaceKind.PLANE):
                 return False
             flats += inside
-    around, todo = {0}, [0]
-    while todo:
-        new = nexts[todo.pop()] - around
-        around |= new
-        todo.extend(new)
-    if len(around) < len(pieces):
+    if len(spread((0,), lambda piece: nexts[piece])) < len(pieces):
         return False
     if flats:  # each is met from both of its sides
         return len(pieces) == 2 and flats == 4 and covered > FLATTENED
@@ -125,8 +104,11 @@ def _is_bore(brep: Brep, pieces: Sequence[Wall], covered: float) -> bool:
 
 def _along(brep: Brep, face: int, axis: Axis) -> set[int]:
     """The faces that border this one along the axis."""
-    beside = ((other, sub(edge.end, edge.start)) for edge, other in brep.neighbours(face) if edge.kind is EdgeKind.LINE)
-    return {other for other, way in beside if parallel(unit(way), axis.direction, 1e-3)}
+    return {
+        other
+        for edge, other in brep.neighbours(face)
+        if edge.kind is EdgeKind.LINE and parallel(edge.direction, axis.direction, 1e-3)
+    }
 
 
 def _chain(brep: Brep, start: int, first: int, axis: Axis, owner: Collection[int]) -> list[int] | None:
@@ -149,7 +131,7 @@ def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:
         (edge, brep.faces[other])
         for face in own
         for edge, other in brep.neighbours(face)
-        if other not in own and parallel(unit(sub(edge.end, edge.start)), axis.direction, 1e-3)
+        if other not in own and parallel(edge.direction, axis.direction, 1e-3)
     ]
     angles = sorted(axis.angle_of(edge.mid) for edge, _ in ends)
     gaps = [b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * math.pi], strict=True)] if angles else []
@@ -158,15 +140,13 @@ def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:
 
 def _is_steep(axis: Axis, edge: EdgeRecord, face: FaceRecord) -> bool:
     """Does a face leave a rim around the axis, at this edge, rather towards the axis than along the rim?"""
-    out = unit(sub(edge.mid, axis.at(axis.position(edge.mid))))
     if face.kind is SurfaceKind.PLANE:
         normal = face.axis
     elif face.kind is SurfaceKind.CYLINDER:
-        around = Axis(face.origin, face.axis)
-        normal = unit(sub(edge.mid, around.at(around.position(edge.mid))))
+        normal = Axis.of(face).out_to(edge.mid)
     else:
         normal = face.point_normal
-    return abs(dot(normal, out)) < STEEP
+    return abs(dot(normal, axis.out_to(edge.mid))) < STEEP
 
 
 def _one(pieces: Sequence[Wall], sweep: float) -> Wall:

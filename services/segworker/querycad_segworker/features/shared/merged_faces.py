@@ -10,20 +10,20 @@ from dataclasses import dataclass, replace
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import (
-    BodyRecord,
     Brep,
     EdgeConvexity,
     EdgeKind,
     EdgeRecord,
     FaceRecord,
     Loop,
+    linked,
     together,
 )
-from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, box_union, cross, dist, dot, mid, parallel, scale, sub
 
 from .axes import Axis
 from .coaxial_stacks import winding
-from .walls import REVOLVED, Groups, same_surface
+from .walls import REVOLVED, same_surface
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,24 +50,22 @@ def united(brep: Brep, tolerances: Tolerances) -> United | None:
     Edges between two such pieces are gone; edges that follow each other on one line or circle between the same two
     faces are one edge.
     """
-    groups = Groups(face.id for face in brep.faces)
-    split = False
+    pairs = []
     for edge in brep.edges:
         if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.id != b.id and _is_one(a, b, tolerances):
-                groups.unite(a.id, b.id)
-                split = True
-    if not split:
+                pairs.append((a.id, b.id))
+    if not pairs:
         return None
-    pieces = sorted(groups.all())
+    pieces = linked((face.id for face in brep.faces), pairs)
     owner = {i: new for new, ids in enumerate(pieces) for i in ids}
     edges, loops_edges = _edges(brep, owner, tolerances)
     faces: list[FaceRecord] = []
     for new, ids in enumerate(pieces):
         members = [brep.faces[i] for i in ids]
         faces.append(_face(members, new, edges, loops_edges, tolerances))
-    bodies = [_body(record, owner) for record in brep.bodies]
+    bodies = [replace(one, faces=tuple(sorted({owner[i] for i in one.faces}))) for one in brep.bodies]
     made = Brep(brep.name, tuple(faces), tuple(edges), tuple(bodies), brep.warnings)
     return United(made, tuple(tuple(ids) for ids in pieces))
 
@@ -83,10 +81,6 @@ def _is_one(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
         return dist(a.origin, b.origin) <= near and abs(a.radius - b.radius) <= near
     level = abs(dot(sub(b.point, a.point), a.axis)) <= near
     return a.kind is SurfaceKind.PLANE and level and parallel(a.axis, b.axis, 3 * tolerances.angle)
-
-
-def _body(record: BodyRecord, owner: dict[int, int]) -> BodyRecord:
-    return replace(record, faces=tuple(sorted({owner[i] for i in record.faces})))
 
 
 def _edges(brep: Brep, owner: dict[int, int], tolerances: Tolerances) -> tuple[list[EdgeRecord], dict[int, int]]:
@@ -142,7 +136,7 @@ def _meet(a: EdgeRecord, b: EdgeRecord, tolerances: Tolerances) -> bool:
 def _same_curve(a: EdgeRecord, b: EdgeRecord, tolerances: Tolerances) -> bool:
     near = 3 * tolerances.length
     if a.kind is EdgeKind.LINE:
-        return parallel(unit(sub(a.end, a.start)), unit(sub(b.end, b.start)), 10 * tolerances.angle)
+        return parallel(a.direction, b.direction, 10 * tolerances.angle)
     if a.center is None or b.center is None or a.radius is None or b.radius is None:
         return False
     return dist(a.center, b.center) <= near and abs(a.radius - b.radius) <= near
@@ -224,12 +218,12 @@ def _middle(pieces: Sequence[FaceRecord], outline: Sequence[EdgeRecord]) -> tupl
         return (sum(p[0] for p in points), sum(p[1] for p in points), sum(p[2] for p in points)), largest.axis, 0.0
     if largest.kind not in REVOLVED:
         return largest.point, largest.point_normal, max(piece.sweep for piece in pieces)
-    axis = Axis(largest.origin, largest.axis)
+    axis = Axis.of(largest)
     middle, sweep = _covered([(axis.angle_of(piece.point), piece.sweep) for piece in pieces])
     turn = middle - axis.angle_of(largest.point)
-    foot = axis.at(axis.position(largest.point))
+    foot = axis.foot(largest.point)
     if largest.kind is SurfaceKind.CYLINDER:
-        ends = [axis.position(p) for edge in outline for p in (edge.start, edge.mid, edge.end)]
+        ends = [axis.position(p) for edge in outline for p in edge.points]
         middle_foot = axis.at((min(ends) + max(ends)) / 2) if ends else foot
     else:
         middle_foot = foot
@@ -279,7 +273,7 @@ def _loops(face: FaceRecord, edges: Sequence[EdgeRecord], tolerances: Tolerances
         chains.sort(key=_size, reverse=True)
         outer, inner = chains[:1], chains[1:]
     else:
-        axis = Axis(face.origin, face.axis)
+        axis = Axis.of(face)
         around = [_winds(face, axis, chain) for chain in chains]
         outer = [chain for chain, goes in zip(chains, around, strict=True) if goes]
         inner = [chain for chain, goes in zip(chains, around, strict=True) if not goes]
@@ -306,7 +300,7 @@ def _winds(face: FaceRecord, axis: Axis, chain: Sequence[EdgeRecord]) -> bool:
 
 
 def _size(chain: Sequence[EdgeRecord]) -> float:
-    points = [p for edge in chain for p in (edge.start, edge.mid, edge.end)]
+    points = [p for edge in chain for p in edge.points]
     points += [add(e.center, scale(sub(e.mid, e.center), -1.0)) for e in chain if e.closed and e.center is not None]
     return sum((max(p[i] for p in points) - min(p[i] for p in points)) ** 2 for i in range(3))
 

@@ -124,11 +124,11 @@ def _may_be_helix(edge: EdgeRecord) -> bool:
 
 def _helix(edge: EdgeRecord, axis: Axis) -> _Helix | None:
     """The edge as a helix around the axis, if its ends, middle and length agree with one."""
-    radii = [axis.radius_of(p) for p in (edge.start, edge.mid, edge.end)]
+    radii = [axis.radius_of(p) for p in edge.points]
     radius = sum(radii) / 3
     if radius <= 0 or max(radii) - min(radii) > SAME_RADIUS * radius:
         return None
-    start, middle, end = (axis.position(p) for p in (edge.start, edge.mid, edge.end))
+    start, middle, end = (axis.position(p) for p in edge.points)
     rise = abs(end - start)
     around = math.sqrt(max(edge.length**2 - rise**2, 0.0))
     turns = around / (2 * math.pi * radius)
@@ -140,7 +140,7 @@ def _helix(edge: EdgeRecord, axis: Axis) -> _Helix | None:
 
 def _is_inner(brep: Brep, faces: set[int], axis: Axis) -> bool:
     """Does the thread look at its axis? Its cylinders tell; without any, its flanks, which lean that way."""
-    cylinders = [brep.faces[f] for f in faces if brep.faces[f].kind is SurfaceKind.CYLINDER]
+    cylinders = brep.of_kind(SurfaceKind.CYLINDER, faces)
     if cylinders:
         return sum(face.outward * face.area for face in cylinders) < 0
     outwards = 0.0

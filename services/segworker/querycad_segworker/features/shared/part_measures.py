@@ -10,9 +10,9 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import Box, box_union
 
 
-def millimetres(length_m: float) -> str:
-    """How is a length written in a label? Millimetres, at most three decimals: '5.5 mm'."""
-    return f"{length_m * 1e3:.3f}".rstrip("0").rstrip(".") + " mm"
+def millimetres(*lengths_m: float) -> str:
+    """How are lengths written in a label? Millimetres, at most three decimals: '5.5 mm', '40 x 12.5 mm'."""
+    return " x ".join(f"{length * 1e3:.3f}".rstrip("0").rstrip(".") for length in lengths_m) + " mm"
 
 
 def faces_box(brep: Brep, faces: Iterable[int]) -> Box:
@@ -43,6 +43,21 @@ def width_of(normal: Vector, extents: Vector, sizes: tuple[float, float]) -> flo
     width = extents[1] if along == 0 else extents[0]
     aligned = abs(normal[along]) >= ALIGNED and any(math.isclose(width, size, rel_tol=1 - ALIGNED) for size in sizes)
     return width if aligned else min(sizes)
+
+
+UPRIGHT = 0.05
+"""Sine of the angle by which something upright or lying may lean: 3 degrees."""
+
+
+def stance(normal: Vector) -> str:
+    """How does something flat with this normal stand: 'lying', 'upright' or 'inclined'?"""
+    rise = abs(normal[2])
+    return "lying" if rise > 1 - UPRIGHT**2 else "upright" if rise < UPRIGHT else "inclined"
+
+
+def inclination(normal: Vector) -> float:
+    """By which angle is it inclined to the horizontal plane, in radians?"""
+    return math.atan2(math.hypot(normal[0], normal[1]), abs(normal[2]))
 
 
 def outlined(outline: str, name: str) -> str:

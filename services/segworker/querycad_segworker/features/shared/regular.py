@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
-from querycad_segworker.vectors import cross, dot, parallel, perpendicular
+from querycad_segworker.vectors import across, dot, parallel
 
 EVEN = 0.01
 """Sides of a regular outline are at equal distances but for this share."""
@@ -43,8 +43,7 @@ def across_flats_and_corners(brep: Brep, faces: Iterable[int], axis: Vector) -> 
 
 def _sides(brep: Brep, faces: Iterable[int], axis: Vector) -> list[tuple[float, float]]:
     """The different planes along the axis: (angle of the normal around it, distance of the plane from the origin)."""
-    u = perpendicular(axis)
-    v = cross(axis, u)
+    u, v = across(axis)
     found: list[tuple[float, float]] = []
     for i in faces:
         face = brep.faces[i]

@@ -7,7 +7,7 @@ from collections.abc import Collection
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.topology import Brep, EdgeConvexity
-from querycad_segworker.vectors import dot
+from querycad_segworker.vectors import dot, span
 
 from .adjacency import is_blend
 from .frames import edge_points, frame_of_edges
@@ -53,9 +53,8 @@ def mouth_and_bottom(
     walls, in radians, the bottom is the mouth less twice depth times tan(draft), whatever rounds its foot; else it is
     as large as the sharp outline of the floor, or of the far mouth. None where both are alike.
     """
-    edges = {e for i in faces for e in brep.face_edges[i]}
-    levels = [dot(p, normal) for e in edges for p in edge_points(brep, e)]
-    low, high = min(levels), max(levels)
+    edges = brep.edges_of(faces)
+    low, high = span((p for e in edges for p in edge_points(brep, e)), normal)
     near = 0.01 * (high - low)
     mouth = _level_edges(brep, edges, normal, high, near)
     if near <= 0 or not mouth:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import REVOLVED, Brep, EdgeConvexity, EdgeRecord, FaceRecord, linked
 from querycad_segworker.vectors import angle_covered, cross, dot, foot, norm, sub
 
 from .axes import Axis, Wall
@@ -17,22 +16,20 @@ from .modelled_threads import with_threads
 
 __all__ = ["REVOLVED", "Axis", "Wall", "same_surface", "walls"]
 
-REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
-
 
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
     """Which cylindrical, conical and toroidal walls does the model have? Neighbours on one surface are united.
 
     The faces of a modelled thread are one wall.
     """
-    faces = [face for face in brep.faces if face.kind in REVOLVED]
-    groups = Groups(face.id for face in faces)
+    faces = [face.id for face in brep.faces if face.kind in REVOLVED]
+    pairs = []
     for edge in brep.edges:
         if edge.convexity is EdgeConvexity.SMOOTH and len(edge.faces) == 2:
             a, b = (brep.faces[i] for i in edge.faces)
             if a.kind in REVOLVED and same_surface(a, b, tolerances):
-                groups.unite(a.id, b.id)
-    found = [_wall([brep.faces[i] for i in ids], brep) for ids in groups.all()]
+                pairs.append((a.id, b.id))
+    found = [_wall([brep.faces[i] for i in ids], brep) for ids in linked(faces, pairs)]
     return with_interrupted(brep, with_threads(brep, found, tolerances), tolerances)
 
 
@@ -40,7 +37,7 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     """Do two faces of revolution lie on one surface, on the same side of the material?"""
     if a.kind is not b.kind or a.outward != b.outward or a.body != b.body:
         return False
-    if not Axis(a.origin, a.axis).same_line(Axis(b.origin, b.axis), tolerances):
+    if not Axis.of(a).same_line(Axis.of(b), tolerances):
         return False
     near = 3 * tolerances.length
     if a.kind is SurfaceKind.CYLINDER:
@@ -51,38 +48,10 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     return along and abs(a.radius - b.radius) <= near and abs(a.minor_radius - b.minor_radius) <= near
 
 
-class Groups:
-    """Disjoint sets of face ids."""
-
-    def __init__(self, ids: Iterable[int]) -> None:
-        self.parent = {i: i for i in ids}
-
-    def root(self, i: int) -> int:
-        while self.parent[i] != i:
-            self.parent[i] = self.parent[self.parent[i]]
-            i = self.parent[i]
-        return i
-
-    def unite(self, a: int, b: int) -> None:
-        first, second = sorted((self.root(a), self.root(b)))
-        self.parent[second] = first
-
-    def all(self) -> list[list[int]]:
-        found: dict[int, list[int]] = defaultdict(list)
-        for i in sorted(self.parent):
-            found[self.root(i)].append(i)
-        return list(found.values())
-
-
 def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:
     first = faces[0]
-    axis = Axis(first.origin, first.axis)
-    points = [
-        p
-        for face in faces
-        for e in brep.face_edges[face.id]
-        for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)
-    ]
+    axis = Axis.of(first)
+    points = [p for face in faces for e in brep.face_edges[face.id] for p in brep.edges[e].points]
     positions = [axis.position(p) for p in points] or [axis.position(first.point)]
     if first.kind is SurfaceKind.TORUS:
         positions.extend(axis.position(f.point) for f in faces)

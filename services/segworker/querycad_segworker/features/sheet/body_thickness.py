@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.turned.round_bodies import TurnedBody
 from querycad_segworker.topology import BodyRecord, Brep, FaceRecord
-from querycad_segworker.vectors import box_extents, cross, dot, sub
+from querycad_segworker.vectors import box_extents, cross, dot, span, sub
 
 SAME = 0.01
 """Thicknesses that differ by less than this share are one."""
@@ -73,7 +73,7 @@ def _of_plates(record: BodyRecord, prisms: Sequence[Prism]) -> float | None:
 
 def largest_plane(brep: Brep, record: BodyRecord) -> FaceRecord | None:
     """Which is the largest plane face of a body?"""
-    planes = [brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE and brep.faces[f].loops]
+    planes = [face for face in brep.of_kind(SurfaceKind.PLANE, record.faces) if face.loops]
     return max(planes, key=lambda face: face.area, default=None)
 
 
@@ -101,8 +101,8 @@ def _flat_thickness(brep: Brep, record: BodyRecord) -> float | None:
 
 
 def _reach(brep: Brep, record: BodyRecord, direction: tuple[float, float, float]) -> float:
-    along = [dot(brep.edges[e].mid, direction) for f in record.faces for e in brep.face_edges[f]]
-    return max(along) - min(along)
+    low, high = span((brep.edges[e].mid for e in brep.edges_of(record.faces)), direction)
+    return high - low
 
 
 def _between_largest(brep: Brep, record: BodyRecord) -> float | None:
@@ -113,7 +113,7 @@ def _between_largest(brep: Brep, record: BodyRecord) -> float | None:
     largest = largest_plane(brep, record)
     if largest is None:
         return None
-    planes = (brep.faces[f] for f in record.faces if brep.faces[f].kind is SurfaceKind.PLANE)
+    planes = brep.of_kind(SurfaceKind.PLANE, record.faces)
     others = [face for face in planes if dot(face.axis, largest.axis) < SAME - 1]
     other = max(others, key=lambda face: face.area, default=None)
     if other is None:

@@ -51,7 +51,7 @@ def gap(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> float:
     if a.kind is SurfaceKind.SPHERE:
         coaxial = dist(a.origin, b.origin) <= near
     else:
-        coaxial = Axis(a.origin, a.axis).same_line(Axis(b.origin, b.axis), tolerances)
+        coaxial = Axis.of(a).same_line(Axis.of(b), tolerances)
     if not coaxial or a.outward == b.outward:
         return NO_WALL
     if a.kind is SurfaceKind.CONE:
@@ -74,6 +74,6 @@ def web(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> float:
     if other.kind is SurfaceKind.PLANE and abs(dot(hole.axis, other.axis)) <= tolerances.angle:
         return abs(dot(sub(hole.origin, other.point), other.axis)) - hole.radius
     if other.kind is SurfaceKind.CYLINDER and abs(dot(hole.axis, other.axis)) >= 1 - tolerances.angle:
-        apart = Axis(other.origin, other.axis).radius_of(hole.origin)
+        apart = Axis.of(other).radius_of(hole.origin)
         return apart - hole.radius - other.radius if other.outward < 0 else other.radius - apart - hole.radius
     return NO_WALL

@@ -13,7 +13,7 @@ from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import Box, add, box_center, cross, dot, line_key, parallel, scale, sub, unit
+from querycad_segworker.vectors import Box, add, box_center, cross, dot, line_key, parallel, scale
 
 MAX_WALL = 0.3
 """A wall is thinner than this share of what it surrounds: the thickest sections of EN 10210-2 have some 0.2."""
@@ -38,7 +38,6 @@ class HollowSection:
     wall: float
     outside: tuple[int, ...]
     faces: tuple[int, ...]
-    body: int
 
     @property
     def extents(self) -> Vector:
@@ -126,7 +125,6 @@ def _section(brep: Brep, planes: _Planes, inside: Depression) -> HollowSection |
         wall=wall,
         outside=tuple(sorted(sides)),
         faces=tuple(sorted({*inside.faces, *sides} - set(inside.floor))),
-        body=inside.body,
     )
 
 
@@ -134,12 +132,12 @@ def _beside(brep: Brep, side: int, axis: Vector) -> set[int]:
     """The faces that a side meets in convex edges along the axis, or over a rounding."""
     found = set()
     for edge, other in brep.neighbours(side):
-        if not parallel(unit(sub(edge.end, edge.start)), axis, 10 * SQUARE):
+        if not parallel(edge.direction, axis, 10 * SQUARE):
             continue
         if edge.convexity is EdgeConvexity.CONVEX:
             found.add(other)
         elif is_blend(brep, brep.faces[other]) and brep.faces[other].outward > 0:
-            found |= {i for link, i in brep.neighbours(other) if link.convexity is EdgeConvexity.SMOOTH} - {side}
+            found |= set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side}
     return found
 
 

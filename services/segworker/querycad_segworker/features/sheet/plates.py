@@ -12,13 +12,12 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.extruded_walls import upwards
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
 
 SQUARE = 1e-2
 """Sine of the angle by which walls and faces of a plate may deviate from square and parallel."""
@@ -115,7 +114,7 @@ def _side(across: _Across, face: FaceRecord) -> _Side | None:
         if edge.convexity is EdgeConvexity.CONVEX:
             above.append((edge.length, other.id))
         elif edge.convexity is EdgeConvexity.SMOOTH and other.outward > 0 and is_blend(brep, other):
-            walls = {i for link, i in brep.neighbours(other.id) if link.convexity is EdgeConvexity.SMOOTH} - {face.id}
+            walls = set(brep.beside(other.id, EdgeConvexity.SMOOTH)) - {face.id}
             above += [(edge.length, wall) for wall in walls]
     above = list(dict.fromkeys(above))
     ends = [across.ends(face, wall) for _, wall in above]
@@ -183,11 +182,10 @@ def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, i
         if beyond.kind is SurfaceKind.PLANE and dot(beyond.axis, face.axis) < SQUARE - 1:
             found.append((dot(beyond.point, face.axis), other))
         elif edge.convexity is EdgeConvexity.SMOOTH and beyond.outward > 0 and is_blend(brep, beyond):
-            for link, last in brep.neighbours(other):
+            for last in brep.beside(other, EdgeConvexity.SMOOTH):
                 under = brep.faces[last]
-                if link.convexity is EdgeConvexity.SMOOTH and under.kind is SurfaceKind.PLANE:
-                    if dot(under.axis, face.axis) < SQUARE - 1:
-                        found.append((dot(under.point, face.axis), last))
+                if under.kind is SurfaceKind.PLANE and dot(under.axis, face.axis) < SQUARE - 1:
+                    found.append((dot(under.point, face.axis), last))
     return found
 
 
@@ -195,14 +193,14 @@ def _is_extruded(brep: Brep, face: FaceRecord, wall: FaceRecord) -> bool:
     """Is a freeform wall bounded by lines along the normal, and by edges in the plane of the face or across it?"""
     return all(
         abs(dot(sub(edge.end, edge.start), face.axis)) <= SQUARE * edge.length
-        or (edge.kind is EdgeKind.LINE and parallel(unit(sub(edge.end, edge.start)), face.axis, SQUARE))
+        or (edge.kind is EdgeKind.LINE and parallel(edge.direction, face.axis, SQUARE))
         for edge, _ in brep.neighbours(wall.id)
     )
 
 
 def _is_within(brep: Brep, wall: int, side: _Side, tolerances: Tolerances) -> bool:
     """Does a wall end where the plate does, instead of running on past it as the end of a bent sheet?"""
-    points = [p for e in brep.face_edges[wall] for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
+    points = [p for e in brep.face_edges[wall] for p in brep.edges[e].points]
     levels = [dot(point, side.face.axis) for point in points]
     near = 10 * tolerances.length
     return side.level - near <= min(levels) and max(levels) <= dot(side.face.point, side.face.axis) + near

@@ -21,7 +21,7 @@ from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on,
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import parallel, scale
+from querycad_segworker.vectors import parallel, points_up, scale
 
 WIDER = 1.05
 """A chamfer begins about as wide as the cylinder that it is on."""
@@ -37,7 +37,7 @@ FLANGE_RATIO = 1.2
 class Boss:
     """One step that stands out. Metres, frame of the file.
 
-    `normal` points from `base` to `tip` along the axis. `radius` is the widest, `tip_radius` that at the tip.
+    `normal` points from `base` to `tip` along the axis. `radius` is the widest.
     `hole` is the index of the coaxial hole in its tip, of a standoff or ring, `bore_radius` that hole's radius where it
     runs through the step. `breaks` are chamfers at its ends; `step_of` counts the steps of its stack.
     """
@@ -46,7 +46,6 @@ class Boss:
     tip: Vector
     normal: Vector
     radius: float
-    tip_radius: float
     height: float
     tags: tuple[str, ...]
     faces: tuple[int, ...]
@@ -183,8 +182,7 @@ def _boss(
     low, high = _rounded(brep, axis, own, low, high, tolerances)
     low, high = _domed(brep, stack, low, high, faces)
     tip, base = (axis.at(high), axis.at(low)) if tip_high else (axis.at(low), axis.at(high))
-    free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
-    for end in (tip, base) if free else (tip,):
+    for end in (tip, base) if stack.open_both else (tip,):
         end_face = _end_face(brep, axis, wall, axis.position(end), stack)
         if end_face is not None:
             faces.add(end_face)
@@ -195,7 +193,6 @@ def _boss(
         tip=tip,
         normal=axis.direction if tip_high else scale(axis.direction, -1.0),
         radius=wall.radius,
-        tip_radius=radius_at(axis, wall, tip_high),
         height=high - low,
         tags=_tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own)),
         faces=tuple(sorted(faces)),
@@ -224,7 +221,7 @@ def _tags(
     """
     radius = step[0].radius
     place = steps.index(step)
-    free = stack.low_end is End.OPEN and stack.high_end is End.OPEN
+    free = stack.open_both
     ends = ((stack.low_end, 0), (stack.high_end, len(steps) - 1))
     undercut = any(end is End.CLOSED and place == last for end, last in ends)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
@@ -279,7 +276,7 @@ def _rounded(
     for face in own:
         for other in roundings_beside(brep, face):
             torus = brep.faces[other]
-            if not axis.same_line(Axis(torus.origin, torus.axis), tolerances):
+            if not axis.same_line(Axis.of(torus), tolerances):
                 continue
             middle = axis.position(torus.origin)
             ends = [axis.position(brep.edges[e].mid) for e in brep.face_edges[other]]
@@ -295,7 +292,7 @@ def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -
     for at_high in (False, True):
         if abs((stack.high if at_high else stack.low) - (high if at_high else low)) > 1e-3 * (high - low):
             continue
-        for face_id in stack.high_faces if at_high else stack.low_faces:
+        for face_id in stack.beyond(at_high):
             face = brep.faces[face_id]
             on_axis = stack.axis.radius_of(face.origin) < 0.02 * max(face.radius, 1e-12)
             if face.kind is SurfaceKind.SPHERE and face.outward > 0 and on_axis:
@@ -326,8 +323,7 @@ def _tip_is_high(stack: Stack, wall: Wall) -> bool:
     widest = max(stack.walls, key=lambda w: w.radius)
     if widest is not wall and widest.radius > 1.001 * wall.radius:
         return sum(wall_range(stack.axis, wall)) > sum(wall_range(stack.axis, widest))
-    x, y, z = stack.axis.direction
-    return next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True)
+    return points_up(stack.axis.direction)
 
 
 def _end_face(brep: Brep, axis: Axis, wall: Wall, position: float, stack: Stack) -> int | None:
@@ -336,10 +332,8 @@ def _end_face(brep: Brep, axis: Axis, wall: Wall, position: float, stack: Stack)
         face = brep.faces[face_id]
         if face.kind is not SurfaceKind.PLANE or not parallel(face.axis, axis.direction, 1e-2):
             continue
-        (x0, y0, z0), (x1, y1, z1) = face.box
-        reach = max(axis.radius_of((x, y, z)) for x in (x0, x1) for y in (y0, y1) for z in (z0, z1))
         near = abs(axis.position(face.point) - position) <= 0.02 * max(wall.height, wall.radius)
-        if near and reach <= 1.5 * wall.radius:
+        if near and axis.reach(face.box) <= 1.5 * wall.radius:
             return face_id
     return None
 

@@ -11,7 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord, parted
 from querycad_segworker.vectors import OFF_ROUND, binned, cross, dist, dot, mean, sub, unit
 
 MIN_TEETH = 6
@@ -168,7 +168,7 @@ def _gear(brep: Brep, faces: Sequence[FaceRecord], axis: Axis, body: int, tolera
 
 def _looks_out(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
     """Does it look straight away from the axis, as flats, chamfers and tips do and the flanks of teeth do not?"""
-    around = cross(axis.direction, sub(face.point, axis.at(axis.position(face.point))))
+    around = cross(axis.direction, sub(face.point, axis.foot(face.point)))
     return _is_coaxial(face, axis, tolerances) or abs(dot(face.point_normal, unit(around))) < SQUARE
 
 
@@ -183,16 +183,14 @@ def _without_windows(
     brep: Brep, rings: Sequence[tuple[int, list[FaceRecord]]], axis: Axis
 ) -> list[tuple[int, list[FaceRecord]]]:
     """Those rings whose faces are not walls of windows beside the axis: walls that touch and face each other."""
-    left = {face.id: face for _, ring in rings for face in ring}
+    faces = {face.id: face for _, ring in rings for face in ring}
     windows: set[int] = set()
-    while left:
-        together = [left.pop(min(left))]
-        for face in together:
-            together += [left.pop(other) for _, other in brep.neighbours(face.id) if other in left]
+    for ids in parted(sorted(faces), lambda face: {other for _, other in brep.neighbours(face)} & faces.keys()):
+        together = [faces[i] for i in ids]
         middle = mean([face.point for face in together])
         beside = axis.radius_of(middle) > min(axis.radius_of(face.point) for face in together) / 2
         if beside and all(dot(face.point_normal, sub(middle, face.point)) > 0 for face in together):
-            windows.update(face.id for face in together)
+            windows |= ids
     return [(count, ring) for count, ring in rings if not any(face.id in windows for face in ring)]
 
 
@@ -268,7 +266,7 @@ def period(group: Sequence[float]) -> int:
 
 
 def _is_coaxial(face: FaceRecord, axis: Axis, tolerances: Tolerances) -> bool:
-    return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis(face.origin, face.axis), tolerances)
+    return face.kind is SurfaceKind.CYLINDER and axis.same_line(Axis.of(face), tolerances)
 
 
 def _pointed_teeth(brep: Brep, faces: Sequence[int], axis: Axis, tip_radius: float) -> tuple[Tooth, ...]:

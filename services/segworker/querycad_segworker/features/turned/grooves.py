@@ -42,7 +42,6 @@ class TurnedGroove:
     inner: bool
     angle: float | None
     faces: tuple[int, ...]
-    body: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +165,6 @@ def _groove(
         inner=outward < 0,
         angle=angle,
         faces=tuple(sorted(faces)),
-        body=members[0].body,
     )
 
 
@@ -177,14 +175,14 @@ def _shoulder(brep: Brep, stack: Stack, bottom: float, outward: int, *, at_high:
     floor.
     """
     closed = (stack.high_end if at_high else stack.low_end) is End.CLOSED
-    faces = [brep.faces[f] for f in (stack.high_faces if at_high else stack.low_faces)]
+    faces = [brep.faces[f] for f in stack.beyond(at_high)]
     across = [f for f in faces if f.kind is SurfaceKind.PLANE and parallel(f.axis, stack.axis.direction, SQUARE)]
     if not closed or len(faces) != 1 or not across or not across[0].loops or not across[0].loops[0].outer:
         return -math.inf
     if outward < 0:
         return 0.0 if len(across[0].loops) == 1 else -math.inf
     edges = [brep.edges[e] for e in across[0].loops[0].edges]
-    reach = min(stack.axis.radius_of(p) for edge in edges for p in (edge.start, edge.mid, edge.end))
+    reach = min(stack.axis.radius_of(p) for edge in edges for p in edge.points)
     return reach if reach > bottom else -math.inf
 
 

@@ -11,7 +11,7 @@ from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, parted
 from querycad_segworker.vectors import dot, foot, mean, sub
 
 from .gears import KNURL_DEPTH, KNURL_TEETH, main_axes, period
@@ -35,7 +35,6 @@ class Knurl:
     width: float
     center: Vector
     faces: tuple[int, ...]
-    body: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +61,7 @@ def recognise_knurls(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) 
             rows = _rows(brep, body.faces, axis)
             counts = {face: count for count, row in rows for face in row}
             for patch in _touching(brep, counts):
-                knurl = _knurl(brep, axis, patch, counts, body.id)
+                knurl = _knurl(brep, axis, patch, counts)
                 if knurl is not None and not any(set(knurl.faces) & set(other.faces) for other in found):
                     found.append(knurl)
     return sorted(found, key=lambda knurl: knurl.faces[0])
@@ -100,23 +99,12 @@ def _clusters(spots: Sequence[_Spot], key: Callable[[_Spot], float]) -> list[lis
 
 def _touching(brep: Brep, counts: dict[int, int]) -> list[list[int]]:
     """The faces of rows, parted into those that hang together."""
-    patches, seen = [], set[int]()
-    for start in sorted(counts):
-        if start in seen:
-            continue
-        patch, todo = {start}, [start]
-        while todo:
-            new = {other for _, other in brep.neighbours(todo.pop()) if other in counts} - patch
-            patch |= new
-            todo.extend(new)
-        seen |= patch
-        if len(patch) >= MIN_FACES:
-            patches.append(sorted(patch))
-    return patches
+    patches = parted(sorted(counts), lambda face: {other for _, other in brep.neighbours(face) if other in counts})
+    return [sorted(patch) for patch in patches if len(patch) >= MIN_FACES]
 
 
-def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int], body: int) -> Knurl | None:
-    corners = {i: [p for e in brep.face_edges[i] for p in _ends(brep, e)] for i in patch}
+def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int]) -> Knurl | None:
+    corners = {i: [p for e in brep.face_edges[i] for p in (brep.edges[e].start, brep.edges[e].end)] for i in patch}
     radii = [axis.radius_of(p) for points in corners.values() for p in points]
     positions = {i: [axis.position(p) for p in points] for i, points in corners.items()}
     low, high = min(min(p) for p in positions.values()), max(max(p) for p in positions.values())
@@ -134,9 +122,4 @@ def _knurl(brep: Brep, axis: Axis, patch: Sequence[int], counts: dict[int, int],
         width=high - low,
         center=axis.at((low + high) / 2),
         faces=tuple(patch),
-        body=body,
     )
-
-
-def _ends(brep: Brep, edge: int) -> tuple[Vector, Vector]:
-    return brep.edges[edge].start, brep.edges[edge].end

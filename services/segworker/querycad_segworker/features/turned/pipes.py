@@ -6,14 +6,14 @@ import math
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.holes.hole import Bottom, Hole
 from querycad_segworker.features.shared.axes import Axis, Wall
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.walls import Groups
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord, linked
 from querycad_segworker.vectors import dist
 
 from .bosses import Boss
@@ -117,21 +117,19 @@ def _goes_along(bore: _Run, outer: _Run, tolerances: Tolerances) -> bool:
 def _runs(brep: Brep, walls: Sequence[Wall], tolerances: Tolerances) -> Iterator[_Run]:
     bends = {face.id: bend for face in brep.faces if (bend := _bend(brep, face)) is not None}
     wall_of = {face: i for i, wall in enumerate(walls) if wall.kind is SurfaceKind.CYLINDER for face in wall.faces}
-    groups = Groups(bends)
+    pairs: list[tuple[int, int]] = []
     beside: dict[int, set[int]] = defaultdict(set)
     for bend in bends.values():
         for edge, other in brep.neighbours(bend.face):
             if edge.convexity is not EdgeConvexity.SMOOTH or not _is_rim(edge, bend):
                 continue
             if other in bends and abs(bends[other].section - bend.section) <= 3 * tolerances.length:
-                groups.unite(bend.face, other)
+                pairs.append((bend.face, other))
             elif other in wall_of and abs(walls[wall_of[other]].radius - bend.section) <= 3 * tolerances.length:
                 beside[wall_of[other]].add(bend.face)
     for members in beside.values():  # a straight length between two bends
-        first = min(members)
-        for other in members:
-            groups.unite(first, other)
-    for group in groups.all():
+        pairs += pairwise(members)
+    for group in linked(bends, pairs):
         straight = sorted(i for i, members in beside.items() if not members.isdisjoint(group))
         yield _Run(tuple(bends[face] for face in group), tuple(walls[i] for i in straight))
 
@@ -140,7 +138,7 @@ def _bend(brep: Brep, face: FaceRecord) -> Bend | None:
     """Is the face a pipe's bend? Part of a torus that is bounded by whole cross-sections."""
     if face.kind is not SurfaceKind.TORUS or face.sweep > WHOLE_TURN or face.minor_radius >= face.radius:
         return None
-    bend = Bend(face.id, Axis(face.origin, face.axis), face.radius, face.minor_radius, face.sweep, face.outward)
+    bend = Bend(face.id, Axis.of(face), face.radius, face.minor_radius, face.sweep, face.outward)
     turns: dict[Vector, float] = defaultdict(float)
     for e in set(brep.face_edges[face.id]):
         edge = brep.edges[e]
@@ -176,7 +174,9 @@ def bent_measures(pipe: Pipe) -> dict[str, object]:
 def ending_in_bends(holes: Sequence[Hole], pipes: Sequence[Pipe]) -> list[Hole]:
     """The same holes; one that runs on into the bend of a bore has no bottom there."""
     bores = {face for pipe in pipes if pipe.inner is not None for face in pipe.faces}
-    return [_opened(hole) if _runs_on(hole, bores) else hole for hole in holes]
+    return [
+        _opened(hole) if hole.bottom is Bottom.FLAT and not bores.isdisjoint(hole.faces) else hole for hole in holes
+    ]
 
 
 def beside_pipes(brep: Brep, bosses: Sequence[Boss], pipes: Sequence[Pipe]) -> list[Boss]:
@@ -187,10 +187,6 @@ def beside_pipes(brep: Brep, bosses: Sequence[Boss], pipes: Sequence[Pipe]) -> l
         return [face for face in boss.faces if brep.faces[face].kind is SurfaceKind.CYLINDER]
 
     return [boss for boss in bosses if not walls(boss) or not own.issuperset(walls(boss))]
-
-
-def _runs_on(hole: Hole, bores: set[int]) -> bool:
-    return hole.bottom is Bottom.FLAT and not bores.isdisjoint(hole.faces)
 
 
 def _opened(hole: Hole) -> Hole:

@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import BodyRecord, Brep
-from querycad_segworker.vectors import add, dist, mid, scale, sub, unit
+from querycad_segworker.vectors import add, dist, mid, points_up, scale, sub, unit
 
 from .bosses import Boss
 from .gears import Gear
@@ -110,8 +110,8 @@ def turned_body(
     axis = Axis(widest.base, widest.normal)
     near = COAXIAL * widest.radius
     toothed = [g for g in gears if not g.internal and axis.radius_of(g.center) < near]
-    edges = {e for face in record.faces for e in brep.face_edges[face]}
-    points = [p for e in edges for p in (brep.edges[e].start, brep.edges[e].mid, brep.edges[e].end)]
+    edges = brep.edges_of(record.faces)
+    points = [p for e in edges for p in brep.edges[e].points]
     beyond = [p for p in points if axis.radius_of(p) > ROUND * widest.radius]
     if not all(any(_is_within(axis, p, gear) for gear in toothed) for p in beyond):
         if "slender" in widest.tags:
@@ -183,8 +183,7 @@ def tips_of(body: TurnedBody, is_clear: IsClear, model_m: float) -> tuple[Vector
     if abs(at_widest) > 1e-3 * body.length:
         first = body.low if at_widest > 0 else body.high
     else:
-        x, y, z = body.axis.direction
-        first = body.high if next((c > 0 for c in (z, -y, x) if abs(c) > 0.05), True) else body.low
+        first = body.high if points_up(body.axis.direction) else body.low
     second = body.low if first is body.high else body.high
     return free_ends((first, second), body.radius, is_clear, model_m)
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw, ImageFont
 
-from querycad_segworker.render.palette import part_colors, readable_on
+from querycad_segworker.render.palette import part_colors, readable_on, rgb
 from querycad_segworker.render.shading import NEUTRAL, shade
 from querycad_segworker.render.sheet import MUTED, OVERSAMPLING, Sheet
 from querycad_segworker.segcad.pipeline import Looked
@@ -70,9 +70,9 @@ def _boxes(looked: Looked, colors: NDArray[np.uint8]) -> NDArray[np.uint8]:
     draw, line = ImageDraw.Draw(image), _line(image.height)
     for detection, color in zip(looked.detections, colors, strict=True):
         left, top, right, bottom = detection.box
-        draw.rectangle((left, top, max(left, right - 1), max(top, bottom - 1)), outline=_rgb(color), width=line)
+        draw.rectangle((left, top, max(left, right - 1), max(top, bottom - 1)), outline=rgb(color), width=line)
     for detection, color in zip(looked.detections, colors, strict=True):
-        _tag(draw, (detection.box[0], detection.box[1]), f"{detection.score:.2f}", _rgb(color), image.height)
+        _tag(draw, (detection.box[0], detection.box[1]), f"{detection.score:.2f}", rgb(color), image.height)
     return np.asarray(image)
 
 
@@ -82,7 +82,7 @@ def _masks(looked: Looked, colors: NDArray[np.uint8]) -> NDArray[np.uint8]:
     tags = []
     for index in sorted(range(len(colors)), key=lambda i: (i not in gone, -int(looked.masks.masks[i].sum()))):
         mask = looked.masks.masks[index]
-        color = DISCARDED if index in gone else _rgb(colors[index])
+        color = DISCARDED if index in gone else rgb(colors[index])
         picture[mask] = (picture[mask] * (1 - MASKED) + np.array(color) * MASKED).astype(np.uint8)
         outline, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
         cv2.drawContours(picture, outline, -1, color, _line(len(picture)))
@@ -131,7 +131,8 @@ def reduced(looked: Looked) -> Looked:
     smaller = replace(camera, width=width, height=height, pixel_m=camera.pixel_m / min(across, down))
     ids = replace(view.ids, camera=smaller)
     masks = [
-        cv2.resize(mask.view(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST) for mask in _each(looked)
+        cv2.resize(np.ascontiguousarray(mask).view(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST)
+        for mask in looked.masks.masks
     ]
     return replace(
         looked,
@@ -142,10 +143,6 @@ def reduced(looked: Looked) -> Looked:
         ),
         masks=Masks(np.array(masks, dtype=np.bool_).reshape(-1, height, width), looked.masks.scores),
     )
-
-
-def _each(looked: Looked) -> list[NDArray[np.bool_]]:
-    return [np.ascontiguousarray(mask) for mask in looked.masks.masks]
 
 
 def _resized(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -172,8 +169,3 @@ def _tag(
     y = at[1] - high if at[1] >= high else at[1]
     draw.rectangle((x, y, x + wide, y + high), fill=color)
     draw.text((x + pad - left, y + pad - top), text, font=font, fill=readable_on(np.array(color, dtype=np.uint8)))
-
-
-def _rgb(color: NDArray[np.uint8]) -> tuple[int, int, int]:
-    red, green, blue = (int(channel) for channel in color)
-    return (red, green, blue)
