@@ -359,7 +359,7 @@ def test_a_file_whose_workers_die_is_given_up_after_two_of_them(
     found = client.model(uploaded.id, STEP_S)
     assert found.status is ModelStatus.FAILED
     assert found.failure is not None
-    assert "2 workers died of this file" in found.failure.message
+    assert "2 workers crashed on this file" in found.failure.message
     assert client.upload(flange, STEP_S).status is ModelStatus.READY
 
 

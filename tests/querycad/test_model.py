@@ -197,7 +197,7 @@ def test_a_measure_is_that_of_the_part_and_no_stretch_of_it(either: Model) -> No
     assert either.measure(Measure.DEPTH, ["hole-4", "hole-11"]).value == pytest.approx([0.022, 0.053])
     assert either.measure("size").text == "170 x 170 x 53 mm"
     assert either.measure("size", unit="m").text == "0.17 x 0.17 x 0.053 m"
-    with pytest.raises(NoValue, match="across flats is no measure of hole-4, a hole"):
+    with pytest.raises(NoValue, match="across flats is not a measure of hole-4, a hole"):
         either.measure("across_flats", "hole-4")
     with pytest.raises(NoValue, match=r"flange\.step has no color"):
         either.measure("color")

@@ -41,7 +41,7 @@ def test_files_that_are_not_the_right_ones_are_refused(
     for name in ("encoder.onnx", "decoder.onnx"):
         (source / name).write_bytes(b"no network")
     assert main(["models", "pull", "mobile-sam", "--from", str(tmp_path / "elsewhere")]) == 1
-    assert "encoder.onnx of mobile-sam is not what it should be, nothing of it was kept" in capsys.readouterr().err
+    assert "encoder.onnx of mobile-sam has the wrong checksum and was not kept" in capsys.readouterr().err
     assert not list(weights.rglob("*.onnx*"))
 
 
@@ -63,5 +63,5 @@ def test_verify_names_what_is_wrong_and_what_is_missing(weights: Path, capsys: p
     (weights / "mobile-sam/encoder.onnx").write_bytes(b"no network")
     assert main(["models", "verify"]) == 1
     printed = capsys.readouterr().out
-    assert "mobile-sam/encoder.onnx: not what it should be" in printed
+    assert "mobile-sam/encoder.onnx: checksum mismatch" in printed
     assert "mobile-sam/decoder.onnx: absent" in printed

@@ -179,7 +179,7 @@ def test_a_file_that_the_hub_has_not_is_said(hub: Hub, client: httpx.Client, tmp
 
 
 def test_no_server_is_said(client: httpx.Client, tmp_path: Path) -> None:
-    with pytest.raises(PullFailed, match="could not be had"):
+    with pytest.raises(PullFailed, match="could not be downloaded"):
         pull(model(), tmp_path, Download(client, "http://127.0.0.1:9", pause_s=0), silent)
 
 

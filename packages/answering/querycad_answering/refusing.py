@@ -158,7 +158,7 @@ def nothing_asked(asked: Refused, best: Candidate | None) -> Failure | None:
 def unread(asked: Refused) -> Failure:
     """What is said where there is no reading, or none that makes sense of the model's parts."""
     if not asked.reader.readings:
-        message = "no question is recognised in this: ask for a measure, a number or a place of a part"
+        message = "I can't find a question in this: ask for a measure, a number or a place of a part"
         return Failure(category="not_understood", message=message)
     words = [i for i, token in enumerate(asked.reader.text.tokens) if token.kind is Kind.WORD]
     known = sum(bool(asked.reader.text.spans[i]) for i in words)
@@ -169,7 +169,7 @@ def unread(asked: Refused) -> Failure:
     meant = describe(best.form)
     if "named_only" in best.features:
         return Failure(category="not_understood", message=f"nothing is asked that can be answered: '{meant}'")
-    return asked.not_grounded(f"nothing is known here of the '{meant}'")
+    return asked.not_grounded(f"'{meant}' is unknown in this model")
 
 
 def absent(asked: Refused, best: Candidate | None, grounded: Mapping[PartQuery, Sequence[Grounded]]) -> Failure | None:

@@ -363,7 +363,7 @@ def _add_measuring(tool: Callable[[Callable[..., Any]], Any], session: Session) 
     ) -> Ran:
         """Run a short program over the model's parts and faces in a sandbox: no files, no network, SI units."""
         came = session.model(model).run(code)
-        following = "" if came.status is RunStatus.OK else "mend the program; querycad://guest-api lists what there is"
+        following = "" if came.status is RunStatus.OK else "fix the program; querycad://guest-api lists what there is"
         return Ran(
             status=came.status,
             value=came.value,

@@ -452,7 +452,7 @@ def _written(get: Get, grounds: Grounds, whole: Part) -> Written:
     except Unwritable:
         written = None
     if written is None or any(read.grade != "own" and not (own and read.grade == "derived") for read in written.reads):
-        raise NoValue(f"{measure.value.replace('_', ' ')} is no measure of {part.id}, a {part.kind}")
+        raise NoValue(f"{measure.value.replace('_', ' ')} is not a measure of {part.id}, a {part.kind}")
     return written
 
 

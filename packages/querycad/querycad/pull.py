@@ -1,4 +1,4 @@
-"""How do weights come here? Downloaded, going on where it was cut, or copied; kept only when their sum is right."""
+"""Gets weights: downloads them, resuming where it stopped, or copies them; keeps only files whose checksum matches."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ Progress = Callable[[str, int, int | None], None]
 
 
 class PullFailed(Exception):
-    """A file that could not be had; `str()` is the sentence for the user."""
+    """A file that could not be downloaded; `str()` is the sentence for the user."""
 
 
 class _Cut(Exception):
@@ -91,7 +91,7 @@ class Download:
                 raise PullFailed(f"{url}: {error}") from error
         done = part.stat().st_size if part.exists() else 0
         again = f"; {done / 1e6:.1f} MB are kept, the same command goes on from there" if done else ""
-        raise PullFailed(f"{url} could not be had: {str(cause) or type(cause).__name__}{again}") from cause
+        raise PullFailed(f"{url} could not be downloaded: {str(cause) or type(cause).__name__}{again}") from cause
 
     def _go_on(self, url: str, part: Path, progress: Callable[[int, int | None], None]) -> None:
         """One request for what is missing (RFC 9110, section 14)."""
@@ -140,7 +140,7 @@ def _ensure(model: Model, file: WeightFile, folder: Path, source: Source, progre
     if file.sha256 and digest != file.sha256:
         part.unlink()
         raise PullFailed(
-            f"{file.name} of {model.name} is not what it should be, nothing of it was kept: "
+            f"{file.name} of {model.name} has the wrong checksum and was not kept: "
             f"its SHA-256 is {digest}, {file.sha256} was expected"
         )
     record_sum(folder, file.name, digest)
@@ -150,10 +150,10 @@ def _ensure(model: Model, file: WeightFile, folder: Path, source: Source, progre
 
 @contextmanager
 def _alone(folder: Path) -> Iterator[None]:
-    """Two pulls into one file would spoil it. Raises PullFailed while another one is at work."""
+    """Two pulls into one file would spoil it. Raises PullFailed while another one is running."""
     with (folder / ".lock").open("w") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            raise PullFailed(f"another pull into {folder} is at work") from None
+            raise PullFailed(f"another download into {folder} is running") from None
         yield

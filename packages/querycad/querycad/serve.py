@@ -189,7 +189,7 @@ def _only_one(folder: Path) -> Iterator[None]:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
-            message = f"it runs already on {folder}; set QUERYCAD_HOME to another folder for a second one"
+            message = f"already running on {folder}; set QUERYCAD_HOME to another folder for a second one"
             raise ServeProblem(message) from None
         yield
 

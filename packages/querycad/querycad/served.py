@@ -66,7 +66,7 @@ class Served:
     def summary(self) -> ModelSummary:
         """As it was when the model was opened."""
         if self._summary is None:
-            raise flows.ServerUnreachable("the service holds the model, and says nothing of it: not as QueryCAD does")
+            raise flows.ServerUnreachable("the service returned no description of the model: it is not a QueryCAD service")
         return self._summary
 
     def parts(self) -> tuple[Part, ...]:

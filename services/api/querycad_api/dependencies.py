@@ -119,7 +119,7 @@ class PartsShown(StrEnum):
 
 PartsShownDep = Annotated[
     PartsShown,
-    Query(alias="parts", description="`ids`: only `part_ids` are told, and `record.parts` is empty."),
+    Query(alias="parts", description="`ids`: only `part_ids` are returned, and `record.parts` is empty."),
 ]
 
 

@@ -160,7 +160,7 @@ class _Runs:
         if token and not compare_digest(given.encode(), token.encode()):
             return _problem(Problem(title="No valid token", status=401, detail="send the sandbox's token"))
         if "origin" in request.headers:
-            return _problem(Problem(title="Not allowed", status=403, detail="no page of a browser runs programs"))
+            return _problem(Problem(title="Not allowed", status=403, detail="requests from browsers are refused"))
         if not token and request.url.hostname not in LOOPBACK:
             return _problem(Problem(title="Not allowed", status=403, detail="without a token, for this machine alone"))
         sent = request.headers.get("content-type", JSON).partition(";")[0].strip().lower()

@@ -239,7 +239,7 @@ class Guest:
         said = call_text("parts", kind=kind, tags=tags, side=side, diameter=diameter)
         if said not in self._chosen:
             found = chosen_parts(self._inventory(), kind, tags, side, diameter)
-            message = "" if found else f"the model has no part that is so: {said[:SAID_CHARS]}"
+            message = "" if found else f"no part of the model matches: {said[:SAID_CHARS]}"
             self._count()
             self.groundings.append(_grounding(said, found, message))
             self._chosen[said] = [self._part_view(part) for part in found]
@@ -267,7 +267,7 @@ class Guest:
             found = self._ask(lambda: self._segcad.find_faces(query))
             self._takes(found.faces)
             if len(found.faces) > FACES:
-                raise ValueError(f"more than {FACES:,} faces are so: say more of those that are meant")
+                raise ValueError(f"more than {FACES:,} faces match: narrow the query")
             if found.part is not None:
                 self.groundings.append(_grounding(said, (found.part,)))
             self._chosen[said] = [self._face_view(face) for face in found.faces]

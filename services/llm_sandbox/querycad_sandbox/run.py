@@ -140,7 +140,7 @@ class Run:
     def _answer(self, lease: Lease, snapshot: Asking | FutureSnapshot) -> SyncSnapshot:
         """Lets the program go on to its next call, unless this one ended the run."""
         if isinstance(snapshot, FutureSnapshot):
-            raise RunEndedError(RunStatus.REFUSED, "the program awaits what never comes: the guest API is not async")
+            raise RunEndedError(RunStatus.REFUSED, "the program uses await, but the guest API is not async")
         host_call = self._host_call(snapshot)
         if host_call is None:
             return snapshot.resume_auto()

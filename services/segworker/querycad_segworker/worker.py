@@ -160,7 +160,7 @@ def _deaths(redis: Redis, task: str) -> int:
 
 
 def _given_up() -> str:
-    failure = TaskFailure(kind=TaskFailureKind.FILE, message=f"given up: {ATTEMPTS} workers died of this file")
+    failure = TaskFailure(kind=TaskFailureKind.FILE, message=f"abandoned after {ATTEMPTS} workers crashed on this file")
     return TaskOutcome[None](failure=failure).model_dump_json()
 
 

@@ -145,7 +145,7 @@ def test_a_question_that_kills_its_workers_is_given_up(
     failure = client.get(f"/v1/jobs/{task.job}").json()["record"]["failure"]
     assert (failure["category"], failure["message"]) == (
         "internal",
-        "given up: 2 workers died while they answered this",
+        "abandoned after 2 workers crashed while answering this",
     )
 
 

@@ -90,8 +90,8 @@ def _add_ask(commands: Commands[argparse.ArgumentParser]) -> None:
     ask = commands.add_parser("ask", help="answer a question about a STEP file")
     _add_file(ask)
     ask.add_argument("question", nargs="?", metavar="QUESTION", help="the question, in English")
-    ask.add_argument("--questions", metavar="FILE.txt", help="a file with one question a line, instead of QUESTION")
-    ask.add_argument("--json", action="store_true", help="print one JSON object a question and nothing else")
+    ask.add_argument("--questions", metavar="FILE.txt", help="a file with one question per line, instead of QUESTION")
+    ask.add_argument("--json", action="store_true", help="print one JSON object per question and nothing else")
     _add_unit(ask)
     ask.add_argument("--picture", metavar="OUT.png", type=_png, help="draw the parts that the answer rests on")
     ask.add_argument("--all", action="store_true", help="print each part of the answer, with its faces and sides")
@@ -179,7 +179,7 @@ def _add_features(commands: Commands[argparse.ArgumentParser]) -> None:
     _add_file(features)
     features.add_argument("--kind", metavar="KIND", help="of this kind only, such as hole")
     features.add_argument("--all", action="store_true", help="each part by itself, with its faces; surfaces too")
-    features.add_argument("--refused", action="store_true", help="what looked like a feature, and why it is none")
+    features.add_argument("--refused", action="store_true", help="what looked like a feature, and why it is not one")
     _add_unit(features)
     features.add_argument("--symbols", action="store_true", help="write drawing symbols for words: ⌴ ⌵ ↧")
     features.add_argument("--json", action="store_true", help="print one JSON list of all parts and nothing else")
@@ -232,7 +232,7 @@ def _add_serve(commands: Commands[argparse.ArgumentParser]) -> None:
         "--port", type=_port, default=8000, help="port of the HTTP interface (default: 8000; 0: any free)"
     )
     serve.add_argument(
-        "--host", default="127.0.0.1", help="address to listen on (default: %(default)s); any other asks for API keys"
+        "--host", default="127.0.0.1", help="address to listen on (default: %(default)s); any other requires API keys"
     )
     serve.add_argument(
         "--workers", type=_positive, default=1, metavar="N", help="processes that find, and as many that draw (1)"

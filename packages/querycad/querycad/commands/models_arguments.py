@@ -15,11 +15,11 @@ def add_models(commands: Commands) -> None:
         "models",
         help="get the networks that find what geometry has no name for",
         description="The weights of the vision path lie under QUERYCAD_HOME/weights. Nothing is downloaded unless "
-        "`pull` is said; without weights, geometry answers alone.",
+        "you run `pull`; without weights, geometry answers alone.",
     )
     inner = models.add_subparsers(dest="models", required=True, metavar="COMMAND")
     inner.add_parser("list", help="show which there are, and which are here")
-    pull = inner.add_parser("pull", help="download, going on where it was cut, and check")
+    pull = inner.add_parser("pull", help="resume or start the download, and check it")
     pull.add_argument(
         "names", nargs="*", metavar="NAME", help="models of the list (default: one detector, one segmenter)"
     )

@@ -38,7 +38,7 @@ class Gate:
                 await problem_response(error.problem(), error.headers)(scope, receive, send)
                 return
             except (RedisError, OSError) as error:
-                log.warning("who asks cannot be told: %s", error)
+                log.warning("cannot identify the caller: %s", error)
                 problem = ServiceUnavailable("the store cannot be reached; try again in a moment").problem()
                 await problem_response(problem)(scope, receive, send)
                 return

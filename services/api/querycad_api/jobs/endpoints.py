@@ -91,7 +91,7 @@ async def _followed(
     responses={
         **responses(JobNotFound, ServiceUnavailable),
         200: {"description": "Server-sent events; `data` is a JobEvent, `event` its kind. `done` is the last."},
-        204: {"description": "Nothing comes after this event: the job is done, and that was told."},
+        204: {"description": "The job is done; no further events."},
     },
 )
 async def get_events(

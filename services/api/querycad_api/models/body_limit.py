@@ -20,7 +20,7 @@ PAUSE_S = 20.0
 """Longest silence in the middle of a body."""
 
 BYTES_PER_S = 4096
-"""What a body must bring on average, but for one pause."""
+"""How fast a body must arrive on average, apart from one pause."""
 
 
 class BodyLimit:
@@ -63,7 +63,7 @@ class BodyLimit:
             try:
                 message = await asyncio.wait_for(receive(), min(PAUSE_S, max(left_s, 0.0)))
             except TimeoutError:
-                slow = TooSlow(f"a body must bring {BYTES_PER_S} bytes a second")
+                slow = TooSlow(f"the body must arrive at {BYTES_PER_S} bytes/s or faster")
                 raise HTTPException(408, str(slow)) from slow
             arrived += len(message.get("body", b""))
             complete = not message.get("more_body", False)

@@ -141,7 +141,7 @@ class Questions:
         if job is None:
             return None  # done, or deleted
         if job.attempt > ATTEMPTS:
-            message = f"given up: {ATTEMPTS} workers died while they answered this"
+            message = f"abandoned after {ATTEMPTS} workers crashed while answering this"
             self._finish(task, job, AnswerRecord.failed(task.question, Failure(category="internal", message=message)))
             return None
         if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:

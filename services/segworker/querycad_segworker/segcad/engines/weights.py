@@ -86,7 +86,7 @@ class Check(StrEnum):
     GOOD = "good"
     AS_PULLED = "as first pulled"
     UNKNOWN = "nothing to compare with"
-    WRONG = "not what it should be"
+    WRONG = "checksum mismatch"
     ABSENT = "absent"
 
 
