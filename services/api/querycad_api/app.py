@@ -49,7 +49,7 @@ from .problems import (
 from .questions import endpoints as questions
 from .settings import ApiSettings
 from .store.broker import Broker
-from .store.redelivery import redeliver
+from .jobs.redelivery import redeliver
 from .store.state import READ_S, State
 from .web.endpoints import pages
 
