@@ -260,6 +260,21 @@ class PartKind(StrEnum):
         return self in _EDGE_BREAKS
 
     @property
+    def is_whole(self) -> bool:
+        """Is it the model or a body of it, which other parts belong to?"""
+        return self in (PartKind.MODEL, PartKind.BODY)
+
+    @property
+    def is_surface(self) -> bool:
+        """Is it a surface by its shape alone, a piece of some feature?"""
+        return self in _SURFACES
+
+    @property
+    def is_group(self) -> bool:
+        """Is it nothing but its members: holes of a pattern, teeth of a gear?"""
+        return self in (PartKind.PATTERN, PartKind.GEAR)
+
+    @property
     def is_feature(self) -> bool:
         """Is it something that a drawing would name, more than a surface, a body, or a group of other parts?"""
         return self not in _NO_FEATURES
@@ -291,20 +306,24 @@ _CUT_IN = frozenset(
     )
 )
 _EDGE_BREAKS = frozenset((PartKind.CHAMFER, PartKind.FILLET, PartKind.ROUND))
-_NO_FEATURES = frozenset(
+_SURFACES = frozenset(
     (
         PartKind.ARC,
-        PartKind.BODY,
         PartKind.CONE,
         PartKind.CYLINDER,
         PartKind.FACE,
+        PartKind.SPHERE,
+        PartKind.TORUS,
+    )
+)
+_NO_FEATURES = _SURFACES | frozenset(
+    (
+        PartKind.BODY,
         PartKind.FLOOR,
         PartKind.MODEL,
         PartKind.PATTERN,
         PartKind.PRISM,
         PartKind.REGION,
-        PartKind.SPHERE,
-        PartKind.TORUS,
         PartKind.WALL,
     )
 )

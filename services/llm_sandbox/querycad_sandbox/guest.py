@@ -359,7 +359,7 @@ class Guest:
 
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of holes or gears on parallel axes, those axes?"""
-        if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
+        if part.kind == other.kind and part.kind in (PartKind.HOLE, PartKind.GEAR) and part.axis and other.axis:
             apart = [b - a for a, b in zip(part.center, other.center, strict=True)]
             along = sum(a * b for a, b in zip(apart, part.axis, strict=True))
             aside = math.sqrt(max(0.0, sum(a * a for a in apart) - along**2))
@@ -381,7 +381,7 @@ class Guest:
 
         In a pattern of such parts, and in a gear of teeth, is what belongs to it.
         """
-        if other.kind in ("pattern", "gear") and any(child.startswith(f"{part.kind}-") for child in other.children):
+        if other.kind.is_group and any(child.startswith(f"{part.kind}-") for child in other.children):
             return part.id in other.children
         points = [part.center] if part.opening is None else [part.center, part.opening]
         return part.id in other.children or any(

@@ -23,7 +23,6 @@ from querycad_contracts import (
     Attempt,
     Grounding,
     Part,
-    PartKind,
     Program,
     RunOutcome,
     RunStatus,
@@ -385,7 +384,7 @@ def _is_none(answer: Answer) -> bool:
 def _is_feature(question: str, part: Part) -> bool:
     """Is it less than a body, or a body that the question calls by its whole name?"""
     said, name = set(_WORD.findall(question.lower())), _WORD.findall((part.name or "").lower())
-    return part.kind not in (PartKind.BODY, PartKind.MODEL) or (bool(name) and said.issuperset(name))
+    return not part.kind.is_whole or (bool(name) and said.issuperset(name))
 
 
 def _assigns_result(code: str) -> bool:
