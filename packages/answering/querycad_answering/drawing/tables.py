@@ -222,7 +222,7 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _size("depth", lambda part: part.depth),
         _text("type", _type),
         _text("thread", thread_name),
-        _text("suits", lambda part: ", ".join(suits(part))),
+        _text("suits", lambda part: ", ".join(map(str, suits(part)))),
         _CALLOUT,
         _COUNT,
     ),

@@ -247,7 +247,8 @@ def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None, w
     before, tables = set() if shown is None else shown, list[str]()
     lines: list[str] = []
     if why and outcome.status is not RunStatus.OK:
-        lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
+        more = hint(outcome.message, outcome.missing_attribute)
+        lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", more))))
     if outcome.printed:
         lines.append(f"printed: {_within(_short(outcome.printed.strip()), scale * PRINTED_CHARS)}")
     if outcome.status is RunStatus.OK and outcome.value is not None:
@@ -333,7 +334,8 @@ def _row(part: Part, ids: str, places: str) -> str:
 def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str], wide: bool) -> str:
     assert verdict.failure is not None
     told = verdict.failure.message
-    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before, wide)}"
+    more = hint(told, verdict.lacking)
+    return f"No answer: {' '.join(filter(None, (f'{told}.', more)))}\n{look(outcome, False, shown_before, wide)}"
 
 
 def _against(task: Task, program: Program, outcome: RunOutcome, verdict: Verdict, capable: bool) -> list[str]:
