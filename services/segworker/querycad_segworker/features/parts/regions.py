@@ -15,7 +15,7 @@ from querycad_segworker.features.shared.closed_regions import UPRIGHT, Moments, 
 from querycad_segworker.features.shared.extruded_walls import section_of, upwards
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import add, dot, scale
 
@@ -25,8 +25,8 @@ from .volumes import Volumes
 
 TAKEN = 0.5
 """A region with more than this share of its surface in parts of a family is one of them, or made of them."""
-LEVEL = 0.99
-"""A plane within 8 degrees of where a region opens to gives the exact direction."""
+LEVEL = FACING.alike
+"""A plane that looks to where a region opens gives the exact direction."""
 ASIDE = 0.75
 """Cosine of 41 degrees: a rim whose face looks farther off the opening's direction leaves it open there."""
 SQUARE = 1e-2

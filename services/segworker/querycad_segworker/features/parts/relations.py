@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
 
@@ -19,8 +20,8 @@ MIN_FEET = 2
 """One thing on the ground is a base."""
 FOOT_SHARE = 0.5
 """A foot takes less than this share of the model's ground plan; more is a base."""
-UPRIGHT = 0.999
-"""Cosine of the angle to the vertical below which an axis counts as upright: 2.5 degrees."""
+UPRIGHT = FACING.parallel
+"""Cosine of the angle to the vertical below which an axis counts as upright."""
 ALL_OF_LEG = 0.99
 """A block as long as this share of a foot is the foot itself."""
 FILLS = 0.9

@@ -8,6 +8,7 @@ from itertools import combinations
 
 from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, cross, dist, dot, line_distance, mid, norm, scale, sub, unit
 
@@ -165,7 +166,7 @@ def _are_one_bar(a: Part, b: Part) -> bool:
     """Do two ends of one radius point away from each other along one line?"""
     if a.radius is None or b.radius is None or a.normal is None or b.normal is None or a.tip is None or b.tip is None:
         return False
-    alike = abs(a.radius - b.radius) <= 1e-3 * a.radius and dot(a.normal, b.normal) < -0.999
+    alike = abs(a.radius - b.radius) <= 1e-3 * a.radius and dot(a.normal, b.normal) < -FACING.parallel
     between = sub(b.center, a.center)
     apart = dot(between, b.normal) - ((a.height or 0.0) + (b.height or 0.0)) / 2
     return alike and apart > 0 and line_distance(b.center, a.center, a.normal) < NEAR * a.radius
