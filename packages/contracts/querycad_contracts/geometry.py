@@ -329,6 +329,19 @@ _NO_FEATURES = _SURFACES | frozenset(
 )
 
 
+class Bottom(StrEnum):
+    """What does a hole, pocket or slot end in?"""
+
+    THROUGH = "through"
+    FLAT = "flat"
+    CONICAL = "conical"
+    SPHERICAL = "spherical"
+    OPEN = "open"
+    """At a side."""
+    BORE = "bore"
+    """Another bore, inside the material: a cross hole that does not leave it."""
+
+
 class Part(Weighed):
     """A part or feature of the model that words can name: a hole, a boss, a body, a face.
 
@@ -367,7 +380,7 @@ class Part(Weighed):
         description="Unit directions into the material that it is reached along from its mouths, two of what goes "
         "through; of a screw, that it is driven in.",
     )
-    bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
+    bottom: Bottom | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
     local_size: Vector | None = Field(
         None, description="Length, width, height in the part's own frame, longest of the plane first."
     )

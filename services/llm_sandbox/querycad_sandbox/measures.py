@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from querycad_contracts import Body, Face, Outline, Part, PartKind, Shape, Vector
+from querycad_contracts import Body, Bottom, Face, Outline, Part, PartKind, Shape, Vector
 
 Measures = dict[str, Any]
 """Attribute of the guest API -> value: str, bool, int, float, a Vector, or a list of these."""
@@ -74,7 +74,7 @@ def part_measures(part: Part) -> Measures:
             "nominal_length": part.nominal_length,
             "thickness": _first(part.thickness, min(part.local_size or part.extents) if part.opening is None else None),
             "local_size": part.local_size,
-            "bottom": part.bottom,
+            "bottom": part.bottom and part.bottom.value,
             "pitch": part.pitch,
             "count": part.count,
             "angle": part.angle,
@@ -234,7 +234,7 @@ def openings_of(part: Part) -> list[Opening]:
         return []
     outline = _outline(part)
     found = [Opening(part.opening, part.normal, outline)]
-    if part.bottom == "through" and part.depth is not None:
+    if part.bottom is Bottom.THROUGH and part.depth is not None:
         x, y, z = (c - part.depth * n for c, n in zip(part.opening, part.normal, strict=True))
         a, b, c = part.normal
         found.append(Opening((x, y, z), (-a, -b, -c), outline))

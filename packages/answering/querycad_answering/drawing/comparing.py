@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from itertools import groupby
 
-from querycad_contracts import Change, ChangeKind, Comparison, LengthUnit, ModelSummary, Part, Vector
+from querycad_contracts import Bottom, Change, ChangeKind, Comparison, LengthUnit, ModelSummary, Part, Vector
 
 from .callouts import callout, carried_sections, ids_text
 from .describing import featured
@@ -71,7 +71,7 @@ class _Told:
     def __init__(self, part: Part, parts: Sequence[Part], unit: LengthUnit, shift: Vector) -> None:
         self.part = part
         self.text = callout(part, unit, {each.id: each for each in parts})
-        x, y, z = part.center if part.bottom == "through" else part.opening or part.tip or part.center
+        x, y, z = part.center if part.bottom is Bottom.THROUGH else part.opening or part.tip or part.center
         self.place: Vector = (x - shift[0], y - shift[1], z - shift[2])
 
     def is_at(self, other: _Told) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from querycad_contracts import AnswerType, Part, PartKind, PartQuery, Side
+from querycad_contracts import AnswerType, Bottom, Part, PartKind, PartQuery, Side
 from querycad_language import forms
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
 from querycad_language.measures import CUT, WHOLE, along_axis
@@ -220,7 +220,7 @@ def _from_plane(draft: Draft, plane: Plane, other: Anchor | str, mode: str) -> s
 
 def _floor(draft: Draft, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [part for part in draft.of(plane.of) if part.kind in CUT and part.normal and part.bottom != "through"]
+    cut = [p for p in draft.of(plane.of) if p.kind in CUT and p.normal and p.bottom is not Bottom.THROUGH]
     return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
 
 

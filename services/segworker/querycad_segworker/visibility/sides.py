@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from querycad_contracts import Part, PartKind, Side, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity
@@ -239,7 +239,7 @@ def _openings(parts: Sequence[Part]) -> list[_Opening]:
         if part.opening is None or part.normal is None or (_is_open(part) and "through" not in part.tags):
             continue
         ends = [(part.opening, part.normal)]
-        if part.bottom == "through":
+        if part.bottom is Bottom.THROUGH:
             far = sub(scale(part.center, 2.0), part.opening)
             ends.append((far, scale(part.normal, -1.0)))
         reach = part.radius or min(part.width or 0.0, part.length or part.width or 0.0) / 2

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Part, PartKind, SurfaceKind
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, FaceRecord
@@ -95,7 +95,7 @@ def _least(owners: Ids, distances: Reals, counts: NDArray[np.bool_]) -> dict[int
 
 def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict[int, float]:
     """By index of what has a bottom: from all over it away from the opening; from the tip of a drill point, too."""
-    blind = ("flat", "conical", "spherical")
+    blind = (Bottom.FLAT, Bottom.CONICAL, Bottom.SPHERICAL)
     wanted = [
         i
         for i, part in enumerate(parts)
@@ -135,9 +135,9 @@ def _with_floor(part: Part, brep: Brep) -> set[int]:
 def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[np.integer]) -> Reals:
     """Points (N, 3) of the bottom on a face of a blind part; none on its walls."""
     out = np.array(part.normal)
-    if face.kind is SurfaceKind.CONE and part.bottom == "conical" and np.dot(face.axis, out) > FACES_UP:
+    if face.kind is SurfaceKind.CONE and part.bottom is Bottom.CONICAL and np.dot(face.axis, out) > FACES_UP:
         return np.array([face.origin])
-    if face.kind is SurfaceKind.SPHERE and part.bottom == "spherical":
+    if face.kind is SurfaceKind.SPHERE and part.bottom is Bottom.SPHERICAL:
         return np.array([np.array(face.origin) - face.radius * out])
     if face.kind is SurfaceKind.PLANE and np.dot(face.axis, out) > FACES_UP:
         corners = mesh.vertices_m[mesh.triangles[triangles]]

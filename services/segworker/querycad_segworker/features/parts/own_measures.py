@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence, Set
 from typing import Final
 
-from querycad_contracts import Part, PartKind, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.features.shared.reach import reach_along
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
@@ -124,7 +124,7 @@ def _mouth(part: Part) -> Measured:
     """Of a hole, round; of what has upright walls, its volume by its depth."""
     if part.kind == "hole":
         return {} if part.width is None else {"opening_area": math.pi * part.width**2 / 4}
-    standing = part.draft is None and part.mouth_length is None and part.bottom in ("flat", "through")
+    standing = part.draft is None and part.mouth_length is None and part.bottom in (Bottom.FLAT, Bottom.THROUGH)
     return {"opening_area": part.volume / part.depth} if standing and part.volume and part.depth else {}
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 
-from querycad_contracts import Part, PartKind, Shape, Vector
+from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep
@@ -103,7 +103,7 @@ def _ways_in(part: Part) -> tuple[Vector, ...]:
     if not part.kind.cuts_in or part.opening is None or part.normal is None:
         return ()
     into = scale(part.normal, -1.0)
-    return (into, part.normal) if part.bottom == "through" else (into,)
+    return (into, part.normal) if part.bottom is Bottom.THROUGH else (into,)
 
 
 def _place_tags(part: Part, shape: Shape) -> list[str]:
