@@ -200,7 +200,7 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Fe
     parts = grounds[form.target].parts
     if form.reduce is Reduce.EACH and len(parts) == 1:
         features["each_of_one"] = 1.0
-    if parts and parts[0].kind in ("model", "body"):
+    if parts and parts[0].kind.is_whole:
         features["whole_as_part"] = float(parts[0].kind == "model")
         features["overall_is_whole"] = overall
     return features

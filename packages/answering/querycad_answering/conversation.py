@@ -56,9 +56,7 @@ _HOW_MANY = re.compile(
     rf"{_LEAD}how many(?: of (?:them|those|these))?(?: are there| is that| are they)?", re.IGNORECASE
 )
 _FACES = re.compile(r"\b(?:faces?|surfaces?)\b", re.IGNORECASE)
-_NO_FEATURE = (
-    *SURFACES, PartKind.PRISM, PartKind.BODY, PartKind.MODEL, PartKind.PATTERN, PartKind.WALL, PartKind.FLOOR,
-)  # fmt: skip
+_NO_FEATURE = frozenset(kind for kind in PartKind if not kind.is_feature) - {PartKind.REGION}
 _PLAIN_NOUNS = ("one", "ones", "part", "parts", "feature", "features", "selection")
 
 

@@ -11,6 +11,7 @@ from querycad_contracts import (
     Failure,
     Grounding,
     LengthUnit,
+    MissingAttribute,
     Part,
     PartKind,
     Program,
@@ -30,7 +31,8 @@ NO_EXPECTATION = Expectation()
 class Verdict:
     """Exactly one of `answer` and `failure`, what it rests on, and what has to be said with it.
 
-    `missing` is the description without parts that is the reason of a failure 'not_grounded'.
+    `missing` is the description without parts that is the reason of a failure 'not_grounded'. `wrong_type`: the
+    program's result is not of the type that the question asks for.
     """
 
     answer: Answer | None = None
@@ -38,6 +40,7 @@ class Verdict:
     parts: tuple[Part, ...] = ()
     warnings: tuple[str, ...] = ()
     missing: Grounding | None = None
+    wrong_type: bool = False
 
     @property
     def status(self) -> Status:
@@ -46,6 +49,13 @@ class Verdict:
             return Status.ANSWERED
         missing = self.failure is not None and self.failure.category == "not_grounded"
         return Status.NOT_GROUNDED if missing else Status.FAILED
+
+    @property
+    def lacking(self) -> MissingAttribute | None:
+        """The measure for want of which the program ended; not one that it gave as None."""
+        if self.failure is None or self.failure.category != "program" or self.wrong_type:
+            return None
+        return self.failure.missing_attribute
 
 
 def judge(
@@ -70,7 +80,7 @@ def judge(
         absent = outcome.missing_attribute
         of = f" ({absent.part or 'the model'} has no {absent.attribute})" if absent is not None else ""
         failure = Failure(category="program", message=f"{error}{of}", missing_attribute=absent)
-        return Verdict(failure=failure, warnings=warnings)
+        return Verdict(failure=failure, warnings=warnings, wrong_type=True)
     except Unexpected as error:
         return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
     return Verdict(answer=_named(answer, outcome), parts=_parts(outcome), warnings=warnings)

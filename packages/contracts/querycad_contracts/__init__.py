@@ -37,6 +37,7 @@ from .file_kinds import HEAD_BYTES, FileKind, file_kind, is_3mf
 from .files import BucketStore, FileStore, FolderStore, file_store
 from .geometry import (
     Body,
+    Bottom,
     Convexity,
     Evidence,
     Face,

@@ -260,6 +260,21 @@ class PartKind(StrEnum):
         return self in _EDGE_BREAKS
 
     @property
+    def is_whole(self) -> bool:
+        """Is it the model or a body of it, which other parts belong to?"""
+        return self in (PartKind.MODEL, PartKind.BODY)
+
+    @property
+    def is_surface(self) -> bool:
+        """Is it a surface by its shape alone, a piece of some feature?"""
+        return self in _SURFACES
+
+    @property
+    def is_group(self) -> bool:
+        """Is it nothing but its members: holes of a pattern, teeth of a gear?"""
+        return self in (PartKind.PATTERN, PartKind.GEAR)
+
+    @property
     def is_feature(self) -> bool:
         """Is it something that a drawing would name, more than a surface, a body, or a group of other parts?"""
         return self not in _NO_FEATURES
@@ -291,23 +306,40 @@ _CUT_IN = frozenset(
     )
 )
 _EDGE_BREAKS = frozenset((PartKind.CHAMFER, PartKind.FILLET, PartKind.ROUND))
-_NO_FEATURES = frozenset(
+_SURFACES = frozenset(
     (
         PartKind.ARC,
-        PartKind.BODY,
         PartKind.CONE,
         PartKind.CYLINDER,
         PartKind.FACE,
+        PartKind.SPHERE,
+        PartKind.TORUS,
+    )
+)
+_NO_FEATURES = _SURFACES | frozenset(
+    (
+        PartKind.BODY,
         PartKind.FLOOR,
         PartKind.MODEL,
         PartKind.PATTERN,
         PartKind.PRISM,
         PartKind.REGION,
-        PartKind.SPHERE,
-        PartKind.TORUS,
         PartKind.WALL,
     )
 )
+
+
+class Bottom(StrEnum):
+    """What does a hole, pocket or slot end in?"""
+
+    THROUGH = "through"
+    FLAT = "flat"
+    CONICAL = "conical"
+    SPHERICAL = "spherical"
+    OPEN = "open"
+    """At a side."""
+    BORE = "bore"
+    """Another bore, inside the material: a cross hole that does not leave it."""
 
 
 class Part(Weighed):
@@ -348,7 +380,7 @@ class Part(Weighed):
         description="Unit directions into the material that it is reached along from its mouths, two of what goes "
         "through; of a screw, that it is driven in.",
     )
-    bottom: str | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
+    bottom: Bottom | None = Field(None, description="'through', 'flat', 'conical', 'spherical', 'open' or 'bore'.")
     local_size: Vector | None = Field(
         None, description="Length, width, height in the part's own frame, longest of the plane first."
     )

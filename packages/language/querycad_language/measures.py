@@ -8,21 +8,18 @@ from collections.abc import Iterator, Mapping
 from functools import cache
 from typing import Literal
 
-from querycad_contracts import AnswerType, Measure, Part, Side
+from querycad_contracts import AnswerType, Measure, Part, PartKind, Side
 
 Grade = Literal["own", "derived", "foreign", "missing"]
 """Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
 
-STANDING = frozenset(
-    ("boss", "crossbar", "cylinder", "cone", "elevation", "pipe", "protrusion", "prism", "rib", "screw", "tooth")
-)
-CUT = frozenset([
-    "hole", "pocket", "slot", "cutout", "channel", "groove", "notch", "step", "counterbore", "countersink",
-    "spotface", "depression", "dimple", "cavity",
-])  # fmt: skip
+STANDING = frozenset(kind for kind in PartKind if kind.stands_out) | {
+    PartKind.CROSSBAR, PartKind.CYLINDER, PartKind.CONE, PartKind.PIPE, PartKind.TOOTH,
+}  # fmt: skip
+CUT = frozenset(kind for kind in PartKind if kind.cuts_in) | {PartKind.SPOTFACE, PartKind.CAVITY}
 FLAT = 0.5
 """What is lower than this share of its diameter is a disc, a flange or a plate, as in docs/measures.md."""
-WHOLE = frozenset(("model", "body"))
+WHOLE = frozenset(kind for kind in PartKind if kind.is_whole)
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
 COORDINATES = (Measure.X, Measure.Y, Measure.Z)
 

@@ -27,6 +27,7 @@ from .accounts.service import Access
 from .connections import limits
 from .dependencies import Application
 from .jobs import endpoints as jobs
+from .jobs.redelivery import redeliver
 from .models import endpoints as models
 from .models import geometry, parameters, programs
 from .models.body_limit import BodyLimit
@@ -49,7 +50,6 @@ from .problems import (
 from .questions import endpoints as questions
 from .settings import ApiSettings
 from .store.broker import Broker
-from .jobs.redelivery import redeliver
 from .store.state import READ_S, State
 from .web.endpoints import pages
 

@@ -360,7 +360,7 @@ class Guest:
 
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of holes or gears on parallel axes, those axes?"""
-        if part.kind == other.kind and part.kind in ("hole", "gear") and part.axis and other.axis:
+        if part.kind == other.kind and part.kind in (PartKind.HOLE, PartKind.GEAR) and part.axis and other.axis:
             apart = sub(other.center, part.center)
             aside = math.sqrt(max(0.0, dot(apart, apart) - dot(apart, part.axis) ** 2))
             if self.angle_to(part, other) < _PARALLEL and aside > BOX_SLACK_M:
@@ -380,7 +380,7 @@ class Guest:
 
         In a pattern of such parts, and in a gear of teeth, is what belongs to it.
         """
-        if other.kind in ("pattern", "gear") and any(child.startswith(f"{part.kind}-") for child in other.children):
+        if other.kind.is_group and any(child.startswith(f"{part.kind}-") for child in other.children):
             return part.id in other.children
         points = [part.center] if part.opening is None else [part.center, part.opening]
         return part.id in other.children or any(

@@ -189,7 +189,7 @@ def openings_of(part: Part) -> list[Opening]:
         return []
     outline = _outline(part)
     found = [Opening(part.opening, part.normal, outline)]
-    if part.bottom == "through" and part.depth is not None:
+    if part.bottom is Bottom.THROUGH and part.depth is not None:
         x, y, z = (c - part.depth * n for c, n in zip(part.opening, part.normal, strict=True))
         a, b, c = part.normal
         found.append(Opening((x, y, z), (-a, -b, -c), outline))

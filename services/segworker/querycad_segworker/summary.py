@@ -36,7 +36,7 @@ def summary(model: Model) -> ModelSummary:
 
 def _terms(parts: Iterable[Part]) -> Counter[str]:
     """How many parts go by each name? The first words of a label say what a part is; numbered ones go by their kind."""
-    named = ((part.label.partition(",")[0], part.kind) for part in parts if part.kind not in ("body", "model"))
+    named = ((part.label.partition(",")[0], part.kind) for part in parts if not part.kind.is_whole)
     return Counter(kind if any(map(str.isdigit, name)) else name for name, kind in named)
 
 

@@ -1,4 +1,4 @@
-"""How near is the same? Every tolerance of recognition, with its reason, in one object."""
+"""How near is the same? What several families of features share; limits of one family stand in its own module."""
 
 from __future__ import annotations
 
@@ -44,6 +44,8 @@ class Facing:
     """One looks along the axis of an arc within 26 degrees: its mouth is seen."""
     opposed: float = 0.99
     """The flanks of a slot face each other within 8 degrees, as those of a rib do: draft on both leaves so much."""
+    alike: float = 0.99
+    """Planes look one way within 8 degrees: a floor to where its pocket opens, ribs of one row."""
     parallel: float = 0.999
     """Walls, and the axes of holes in a row, are parallel within 2.5 degrees: one saw cut, one line of sight."""
 

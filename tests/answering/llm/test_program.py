@@ -7,6 +7,7 @@ import pytest
 from querycad_answering.llm.checks import problems
 from querycad_answering.llm.hints import hint
 from querycad_answering.llm.program import program_in
+from querycad_contracts import MissingAttribute
 
 FENCED = "```python\n{}\n```"
 
@@ -142,6 +143,13 @@ def test_a_number_that_is_right_is_let_through(question: str, condition: str) ->
 )
 def test_a_repair_names_what_was_meant(message: str, said: str) -> None:
     assert said in hint(message)
+
+
+def test_of_a_measure_that_a_program_ended_for_want_of_the_name_that_was_meant_is_told() -> None:
+    message = "AttributeError: part 'hole-1' has no diametr; it has area, diameter"
+    said = hint(message, MissingAttribute(part="hole-1", attribute="diametr"))
+    assert "Instead of .diametr use .diameter." in said
+    assert hint(message, MissingAttribute(part="hole-1", attribute="diameter")) == hint(message) == ""
 
 
 def test_nothing_is_added_where_nothing_more_is_known() -> None:

@@ -16,6 +16,7 @@ from querycad_contracts import (
     Evidence,
     Expectation,
     Grounding,
+    MissingAttribute,
     Part,
     Program,
     RunOutcome,
@@ -42,8 +43,9 @@ def ok(value: Any, *groundings: Grounding) -> RunOutcome:
     return RunOutcome(status=RunStatus.OK, value=value, groundings=groundings or (FOUND,))
 
 
-def raised(message: str, *groundings: Grounding) -> RunOutcome:
-    return RunOutcome(status=RunStatus.RAISED, message=message, groundings=groundings)
+def raised(message: str, *groundings: Grounding, lacking: str = "") -> RunOutcome:
+    missing = MissingAttribute(part="a", attribute=lacking) if lacking else None
+    return RunOutcome(status=RunStatus.RAISED, message=message, groundings=groundings, missing_attribute=missing)
 
 
 def write(
@@ -85,7 +87,7 @@ def test_a_program_that_answers_is_asked_for_once() -> None:
         (program("solution = 4"), None, "uses neither find_parts, parts, faces nor shape"),
         (program("solution = shape.width * 1000"), None, "leave it in metres"),
         (program(COUNT), raised("NameError: name 'x' is not defined"), "Only these names exist"),
-        (program(COUNT), raised("AttributeError: part 'a' has no position; it has center"), "use .center"),
+        (program(COUNT), raised("AttributeError: part 'a' has no position", lacking="position"), "use .center"),
         (program(COUNT), RunOutcome(status=RunStatus.REFUSED, message="the result is not a finite number"), "finite"),
         (program(COUNT), RunOutcome(status=RunStatus.TIMED_OUT, message="the program ran out of time"), "out of time"),
         (program(COUNT), ok([]), "is not of type count: the question asks for a whole number"),

@@ -16,13 +16,13 @@ from redis.asyncio import Redis as AsyncRedis
 from tests.api.fakes import MODEL, STEP, FakeSandbox
 
 from querycad_api.dependencies import Application
+from querycad_api.jobs.redelivery import redeliver_once
 from querycad_api.questions.tasks import Questions
 from querycad_api.settings import ApiSettings
 from querycad_api.store import keyspace
 from querycad_api.store import state as keeping
 from querycad_api.store.broker import Broker
 from querycad_api.store.keyspace import DAY_S, PENDING, READING, key_of
-from querycad_api.jobs.redelivery import redeliver_once
 from querycad_api.store.state import AGAIN_S, LOST_S, State
 from querycad_contracts import FolderStore, QuestionTask
 

@@ -6,7 +6,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from querycad_contracts import Callout, LengthUnit, Part, PartKind
+from querycad_contracts import Bottom, Callout, LengthUnit, Part, PartKind
 
 from .numbers import degrees, length, sizes, unit_name
 from .threads import thread_name
@@ -98,10 +98,10 @@ def _hole(part: Part, unit: LengthUnit, known: Known) -> str:
 
 
 def _reach(part: Part, unit: LengthUnit) -> str:
-    if part.bottom == "through":
+    if part.bottom is Bottom.THROUGH:
         return "THRU"
     deep = f"depth {length(part.depth, unit)}" if part.depth else ""
-    return f"{deep} into a bore" if part.bottom == "bore" and deep else deep
+    return f"{deep} into a bore" if part.bottom is Bottom.BORE and deep else deep
 
 
 def _section(part: Part, unit: LengthUnit) -> str:

@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from itertools import groupby
 
-from querycad_contracts import Change, ChangeKind, Comparison, LengthUnit, ModelSummary, Part, Vector
+from querycad_contracts import Bottom, Change, ChangeKind, Comparison, LengthUnit, ModelSummary, Part, Vector
 from querycad_contracts.vectors import ORIGIN, sub
 
 from .callouts import callout, carried_sections, ids_text
@@ -72,7 +72,9 @@ class _Told:
     def __init__(self, part: Part, parts: Sequence[Part], unit: LengthUnit, shift: Vector) -> None:
         self.part = part
         self.text = callout(part, unit, {each.id: each for each in parts})
-        self.place = sub(part.center if part.bottom == "through" else part.opening or part.tip or part.center, shift)
+        self.place = sub(
+            part.center if part.bottom is Bottom.THROUGH else part.opening or part.tip or part.center, shift
+        )
 
 
 def _text(told: _Told) -> str:

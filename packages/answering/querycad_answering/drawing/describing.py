@@ -23,14 +23,9 @@ _GRIDS = {"mm": (0.05e-3,), "in": (0.0254 / 64, 0.0254 / 100)}
 _EXACT = 2e-7
 """How near to a round number, metres: files have six decimals of a millimetre, or fewer."""
 
-SURFACES = (
-    PartKind.CYLINDER, PartKind.CONE, PartKind.TORUS, PartKind.SPHERE, PartKind.ARC, PartKind.FACE,
-)  # fmt: skip
+SURFACES = tuple(kind for kind in PartKind if kind.is_surface)
 """Surfaces by their shape alone, each part of some feature."""
-_IN_FEATURES = (
-    *SURFACES, PartKind.PRISM, PartKind.WALL, PartKind.FLOOR, PartKind.TOOTH, PartKind.CROSSBAR, PartKind.BODY,
-    PartKind.MODEL, PartKind.PATTERN, PartKind.REGION,
-)  # fmt: skip
+_IN_FEATURES = frozenset(kind for kind in PartKind if not kind.is_feature) | {PartKind.TOOTH, PartKind.CROSSBAR}
 """Kinds that a description leaves out: blocks and plates of the body, walls between features, and the wholes."""
 
 Ask = Callable[[str], Answer | None]

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Column, LengthUnit, Part, PartKind, Quantity, Table, TableKind, Vector
+from querycad_contracts import Bottom, Column, LengthUnit, Part, PartKind, Quantity, Table, TableKind, Vector
 from querycad_contracts.drawings import Cell
 
 from .callouts import Known, callout, carried_sections, ids_text
@@ -174,10 +174,13 @@ def _at(index: int) -> tuple[Column, Callable[[_Row], Cell]]:
     return column, lambda row: None if row.place is None else row.place[index]
 
 
+_WAYS: Mapping[Bottom | None, str] = {Bottom.THROUGH: "through", Bottom.BORE: "into a bore"}
+
+
 def _type(part: Part) -> str:
     """What a hole is: 'through, counterbored'; what a slot is: 'rectangular pocket'."""
     if part.kind is PartKind.HOLE:
-        ways = {"through": "through", "bore": "into a bore"}.get(part.bottom or "", "blind")
+        ways = _WAYS.get(part.bottom, "blind")
         more = [tag for tag in ("counterbored", "countersunk", "spotfaced", "threaded", "conical") if tag in part.tags]
         return ", ".join((ways, *more))
     return part.label.partition(",")[0].partition(" of ")[0] or part.kind.value
@@ -222,7 +225,7 @@ _CELLS: Mapping[TableKind, _Cells] = {
         _size("depth", lambda part: part.depth),
         _text("type", _type),
         _text("thread", thread_name),
-        _text("suits", lambda part: ", ".join(suits(part))),
+        _text("suits", lambda part: ", ".join(map(str, suits(part)))),
         _CALLOUT,
         _COUNT,
     ),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from querycad_contracts import Answer, AnswerType, Part, PartKind, Unit
 from querycad_language.lexicon import lexicon
@@ -16,10 +16,24 @@ SAME = 2e-5
 """A hole has a diameter of the tables when it differs by less than this, metres: they have two decimals of a
 millimetre, or four of an inch."""
 
-_LIKELY = ("clears", "medium", "close")
+_LIKELY = ("medium", "close", "loose", None)
+"""Fits of holes that screws go through, then taps."""
 _FASTENERS = frozenset(("screw", "bolt", "stud", "fastener", "thread"))
 _ASKED_WITHIN = 4
 """Words between 'what' and the fastener: 'what size of metric screw'."""
+
+
+@dataclass(frozen=True, slots=True)
+class Suited:
+    """What a plain hole may be meant for: a screw that goes through it with a `fit`, or else a thread cut into it."""
+
+    thread: str
+    """As drawings have it: 'M6', 'G1/4'."""
+    fit: str | None = None
+    """'close', 'medium' or 'loose'; None of a hole for a tap."""
+
+    def __str__(self) -> str:
+        return f"tap drill {self.thread}" if self.fit is None else f"clears {self.thread} ({self.fit})"
 
 
 def thread_name(part: Part) -> str | None:
@@ -37,7 +51,7 @@ def thread_name(part: Part) -> str | None:
     return _written(min(found, key=lambda one: (round(one[0], 9), len(one[1])))[1]) if found else None
 
 
-def suits(part: Part) -> tuple[str, ...]:
+def suits(part: Part) -> tuple[Suited, ...]:
     """Which threads may a plain round hole be meant for: 'tap drill M6', 'clears M5 (medium)', 'tap drill G1/4'?
 
     By its diameter alone, after ISO 2306, ISO 273, ASME B1.1, ASME B18.2.8, ISO 228-1 and ASME B1.20.1, without metric
@@ -50,10 +64,10 @@ def suits(part: Part) -> tuple[str, ...]:
         if name.startswith("m") and "x" in name:
             continue
         if abs(part.diameter - holes["tap drill"]) < SAME:
-            found.append(f"tap drill {_written(name)}")
+            found.append(Suited(_written(name)))
         screw = _written(name).partition("-")[0]
         fits = (fit for fit in ("close", "medium", "loose") if fit in holes)
-        found += [f"clears {screw} ({fit})" for fit in fits if abs(part.diameter - holes[fit]) < SAME]
+        found += [Suited(screw, fit) for fit in fits if abs(part.diameter - holes[fit]) < SAME]
     return tuple(dict.fromkeys(found))
 
 
@@ -83,11 +97,10 @@ def with_screw(answer: Answer, parts: Sequence[Part]) -> Answer:
     return Answer(value=value, type=AnswerType.TEXT if one else AnswerType.TEXTS, unit=Unit.NONE, text=text)
 
 
-def _best(suited: Sequence[str]) -> tuple[str, str]:
+def _best(suited: Sequence[Suited]) -> tuple[str, str]:
     """The likeliest of what a hole suits, as a name and in words; nothing where it suits nothing."""
-    likely = sorted(suited, key=lambda one: (" M" not in one, *(word not in one for word in _LIKELY)))
-    found = re.search(r"(?:clears|tap drill) (.+?)(?: \(|$)", likely[0]) if likely else None
-    return (found[1], likely[0]) if found else ("", "")
+    likely = min(suited, key=lambda one: (not one.thread.startswith("M"), _LIKELY.index(one.fit)), default=None)
+    return (likely.thread, str(likely)) if likely is not None else ("", "")
 
 
 def _written(name: str) -> str:

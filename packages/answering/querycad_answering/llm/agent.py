@@ -23,7 +23,6 @@ from querycad_contracts import (
     Attempt,
     Grounding,
     Part,
-    PartKind,
     Program,
     RunOutcome,
     RunStatus,
@@ -249,7 +248,8 @@ def look(outcome: RunOutcome, why: bool = True, shown: set[str] | None = None, w
     before, tables = set() if shown is None else shown, list[str]()
     lines: list[str] = []
     if why and outcome.status is not RunStatus.OK:
-        lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", hint(outcome.message)))))
+        more = hint(outcome.message, outcome.missing_attribute)
+        lines.append(" ".join(filter(None, (f"{outcome.status.value}: {outcome.message}", more))))
     if outcome.printed:
         lines.append(f"printed: {_within(_short(outcome.printed.strip()), scale * PRINTED_CHARS)}")
     if outcome.status is RunStatus.OK and outcome.value is not None:
@@ -335,7 +335,8 @@ def _row(part: Part, ids: str, places: str) -> str:
 def _failed(outcome: RunOutcome, verdict: Verdict, shown_before: set[str], wide: bool) -> str:
     assert verdict.failure is not None
     told = verdict.failure.message
-    return f"No answer: {' '.join(filter(None, (f'{told}.', hint(told))))}\n{look(outcome, False, shown_before, wide)}"
+    more = hint(told, verdict.lacking)
+    return f"No answer: {' '.join(filter(None, (f'{told}.', more)))}\n{look(outcome, False, shown_before, wide)}"
 
 
 def _against(task: Task, program: Program, outcome: RunOutcome, verdict: Verdict, capable: bool) -> list[str]:
@@ -386,7 +387,7 @@ def _is_none(answer: Answer) -> bool:
 def _is_feature(question: str, part: Part) -> bool:
     """Is it less than a body, or a body that the question calls by its whole name?"""
     said, name = set(_WORD.findall(question.lower())), _WORD.findall((part.name or "").lower())
-    return part.kind not in (PartKind.BODY, PartKind.MODEL) or (bool(name) and said.issuperset(name))
+    return not part.kind.is_whole or (bool(name) and said.issuperset(name))
 
 
 def _assigns_result(code: str) -> bool:

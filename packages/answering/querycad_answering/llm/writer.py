@@ -218,9 +218,9 @@ def _problem(task: Task, candidate: Candidate) -> str:
     message = verdict.failure.message
     if verdict.failure.category == "unexpected":
         return f"{message}."
-    if task.wanted is not None and "is not of type" in message:
+    if task.wanted is not None and verdict.wrong_type:
         return f"{message}: the question asks for {in_words(task.wanted)}."
-    return " ".join(filter(None, (f"{message}.", hint(message), _doubt(task, code))))
+    return " ".join(filter(None, (f"{message}.", hint(message, verdict.lacking), _doubt(task, code))))
 
 
 def _unfound(task: Task, verdict: Verdict) -> str:

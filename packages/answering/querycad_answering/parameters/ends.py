@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from querycad_contracts import Part, Side, Vector
+from querycad_contracts import Bottom, Part, Side, Vector
 from querycad_contracts.vectors import add, dot, norm, scale, sub, unit
 
 FACING = 0.7
@@ -56,7 +56,7 @@ def _ends(part: Part) -> list[End]:
     out = part.normal or part.axis
     if part.opening is not None and out is not None:
         found = [End(part.opening, unit(out))]
-        if part.bottom == "through" and part.depth is not None:
+        if part.bottom is Bottom.THROUGH and part.depth is not None:
             found.append(End(sub(part.opening, scale(unit(out), part.depth)), scale(unit(out), -1.0)))
         return found
     if part.tips:

@@ -8,14 +8,14 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from querycad_contracts import AnswerType, Measure, Part, PartQuery
+from querycad_contracts import AnswerType, Measure, Part, PartKind, PartQuery
 from querycad_language.forms import Form
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import CUT, WHOLE, Grade, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 
-_SLIM = ("slot", "channel", "groove")
+_SLIM = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.GROOVE))
 """Kinds whose width is across their length."""
 
 

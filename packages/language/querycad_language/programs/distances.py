@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from querycad_contracts import AnswerType, Part, PartQuery, Side
+from querycad_contracts import AnswerType, Bottom, Part, PartKind, PartQuery, Side
 from querycad_language import forms
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
 from querycad_language.measures import CUT, WHOLE, along_axis
@@ -22,7 +22,7 @@ MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
 _FASTENERS = ["screw", "nut", "washer"]
 """Tags of bodies that hold others."""
-_FLAT = ("body", "prism", "rib", "protrusion", "wall", "face")
+_FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
 _REDUCED = {Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
@@ -220,7 +220,9 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
 
 def _floor(build: Builder, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [part for part in build.of(plane.of) if part.kind in CUT and part.normal and part.bottom != "through"]
+    cut = [
+        part for part in build.of(plane.of) if part.kind in CUT and part.normal and part.bottom is not Bottom.THROUGH
+    ]
     return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
 
 
@@ -326,7 +328,7 @@ def _to_place(build: Builder, first: PartQuery, place: Boundary | Origin | None,
             )
             center, near = {"center": middle}, {"near": f"{middle} - p.half_extents[{i}]"}
             ends = near | {"far": f"{middle} + p.half_extents[{i}]"}
-            round_parts = bool(found) and found[0].kind in ("hole", "boss", "cylinder")
+            round_parts = bool(found) and found[0].kind in (PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER)
             modes = center | ends if form.mode == "centers" or round_parts else ends | center
             modes = near if form.mode == "surfaces" else modes
         case _:

@@ -10,7 +10,7 @@ from typing import Concatenate, ParamSpec, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Part, Refusal, Shape, SurfaceKind, Weighed
+from querycad_contracts import Part, PartKind, Refusal, Shape, SurfaceKind, Weighed
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity
@@ -82,7 +82,7 @@ from .turned.round_bodies import TurnedBody, tips_of, turned_body, with_free_tip
 T = TypeVar("T")
 P = ParamSpec("P")
 R = TypeVar("R", Boss, Hole, Gear)
-PATTERNED = frozenset(("hole", "cutout", "pocket", "slot", "dimple"))
+PATTERNED = frozenset((PartKind.HOLE, PartKind.CUTOUT, PartKind.POCKET, PartKind.SLOT, PartKind.DIMPLE))
 """Kinds that are laid out in patterns."""
 
 
@@ -270,7 +270,7 @@ def _by_body(records: Sequence[R]) -> dict[int, list[R]]:
 def _patterns(brep: Brep, parts: Sequence[Part]) -> list[Part]:
     """Patterns of what is cut in and of what stands out, around whatever is round."""
     members = [part for part in parts if part.kind in PATTERNED or (part.kind == "boss" and "raised" in part.tags)]
-    centers = [part for part in parts if part.kind in ("hole", "boss", "body")]
+    centers = [part for part in parts if part.kind in (PartKind.HOLE, PartKind.BOSS, PartKind.BODY)]
     bodies = [brep.faces[part.faces[0]].body for part in members]
     found = recognise_patterns(members, bodies, centers)
     return [pattern_part(one, n, [members[i] for i in one.members]) for n, one in enumerate(found, start=1)]

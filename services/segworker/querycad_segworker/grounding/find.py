@@ -11,7 +11,7 @@ from querycad_language.phrases import noun_phrase
 
 from .ground import ground, score
 from .inventory import Inventory, values_of
-from .printed import WHOLES, key
+from .printed import key
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")  # features of a grounding whose noun nothing is known of
 FAR = 0.8  # a sense so far from its word is told: a 'bolt' that is a hole
@@ -81,10 +81,10 @@ def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Si
     """What is printed of parts means these; but a word that means bodies, or parts of the kind it names, means them."""
     said = key(asked)
     parts = inventory.printed.get(said, ())
-    bodies = "unknown_whole" not in way.features and any(part.kind in WHOLES for part in way.parts)
+    bodies = "unknown_whole" not in way.features and any(part.kind.is_whole for part in way.parts)
     if not parts or any(part.kind == said for part in way.parts):
         return way
-    if bodies and "," not in asked and parts[0].kind not in WHOLES:
+    if bodies and "," not in asked and not parts[0].kind.is_whole:
         return way
     seen = [part for part in parts if sides is None or set(sides) & set(part.sides)]
     return Grounded(parts=tuple(seen), features={"printed": 1.0})
@@ -102,5 +102,5 @@ def _order(part: Part) -> tuple[str, int]:
 
 def present(inventory: Inventory) -> tuple[str, ...]:
     """The kinds of part that the model has, most frequent first; bodies last, as every model has one."""
-    counts = Counter(part.kind for part in inventory.parts if part.kind not in ("model", "body"))
+    counts = Counter(part.kind for part in inventory.parts if not part.kind.is_whole)
     return (*[kind for kind, _ in counts.most_common(6)], *(("body",) if inventory.bodies else ()))

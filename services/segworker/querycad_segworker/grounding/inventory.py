@@ -7,7 +7,7 @@ from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
 
-from querycad_contracts import Grounded, Measure, Part, PartQuery, Side
+from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.relations import orders
 from querycad_segworker.relations.nearby import Nearby
@@ -230,7 +230,7 @@ def values_of(part: Part, measure: Measure | None) -> list[float]:
             found = [part.thickness, part.height]
         case Measure.DEPTH | Measure.HEIGHT | Measure.ANGLE | Measure.AREA | Measure.VOLUME:
             found = [getattr(part, measure.value)]
-        case _ if part.kind in ("fillet", "round", "bend"):
+        case _ if part.kind in (PartKind.FILLET, PartKind.ROUND, PartKind.BEND):
             found = [part.radius]
         case _ if part.diameter is not None:
             found = [part.diameter, *steps]

@@ -25,7 +25,7 @@ def name_words(name: str | None) -> list[str]:
 
 def vocabulary(parts: Sequence[Part]) -> frozenset[str]:
     """All words of the names of bodies and of the model."""
-    return frozenset(word for part in parts if part.kind in ("body", "model") for word in name_words(part.name))
+    return frozenset(word for part in parts if part.kind.is_whole for word in name_words(part.name))
 
 
 def share(name: str | None, words: Sequence[str]) -> float:

@@ -11,7 +11,6 @@ from querycad_language.lexicon import lexicon
 
 _OF_WHICH = re.compile(r"(?: \d+)? of \w+ \d+(?=,|$)| \d+$")
 """'chamfer of boss 10', 'tooth 3 of gear 1': which one is no matter to a group."""
-WHOLES = ("body", "model")
 _COUNT = re.compile(r"^\d+ ?x (?=[^\W\d])")
 _WORD = re.compile(r"[^\W_]+(?:\.\d+)?")
 
@@ -35,7 +34,7 @@ def printed_labels(parts: Sequence[Part], alone: bool) -> Mapping[str, tuple[Par
 
 
 def _texts(part: Part, alone: bool) -> Iterator[str]:
-    if part.kind in WHOLES:
+    if part.kind.is_whole:
         name = key(part.name or "")
         if name and (" " in name if part.kind == "model" else not alone):
             yield name

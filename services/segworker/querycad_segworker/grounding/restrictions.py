@@ -5,7 +5,7 @@ from __future__ import annotations
 import colorsys
 from collections.abc import Mapping, Sequence
 
-from querycad_contracts import Measure, Part, Relation, SizeFilter
+from querycad_contracts import Measure, Part, PartKind, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
 from querycad_segworker.relations.orders import by_size
 from querycad_segworker.relations.roles import ROLES
@@ -16,12 +16,11 @@ from .names import all_words
 
 DRAWN_M = 0.05e-3
 """Stated sizes are met to drawing accuracy, or to half of their last digit."""
-SURFACES = ("cylinder", "cone", "sphere", "torus", "arc")
+SURFACES = frozenset(kind for kind in PartKind if kind.is_surface) - {PartKind.FACE}
 """Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 _COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
-_WHOLES = ("model", "body")
 TWO = 2
 """Sizes that a comparative chooses between."""
 NEAR = 0.02
@@ -130,7 +129,7 @@ def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | Non
 
 def _lacked(inventory: Inventory, way: Candidate, adjective: Adjective, name: str) -> Sequence[Candidate]:
     """None of the parts is so: it is sure that there is none, or the word is left unchecked."""
-    if adjective.decided and (ROLES.keys() >= set(adjective.tags) or all(p.kind in _WHOLES for p in way.parts)):
+    if adjective.decided and (ROLES.keys() >= set(adjective.tags) or all(p.kind.is_whole for p in way.parts)):
         return [way.to((), "adjective_agrees")]
     if not adjective.tags:
         return [way.to(way.parts, "adjective_unchecked" if adjective.unchecked else "adjective_nothing")]

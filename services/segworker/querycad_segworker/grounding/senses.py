@@ -12,7 +12,7 @@ from querycad_language.tokens import is_english
 from .candidates import Candidate, Request
 from .inventory import Inventory
 
-SOLID = frozenset(("body", "pipe", "ring_sector", "torus", "gear"))
+SOLID = frozenset((PartKind.BODY, PartKind.PIPE, PartKind.RING_SECTOR, PartKind.TORUS, PartKind.GEAR))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
 KIN = (
     tuple(kind for kind in PartKind if kind.cuts_in),
@@ -25,7 +25,7 @@ PIECES = frozenset((PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFAC
 GUESSES = 6
 """So many groups of like parts may be what an unknown noun means."""
 _GENERIC = {"whole_generic": 1.0, "whole_sense": 1.0}
-NAMELESS = frozenset(("depression", "elevation"))
+NAMELESS = frozenset((PartKind.DEPRESSION, PartKind.ELEVATION))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
 
 

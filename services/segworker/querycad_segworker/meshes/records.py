@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from querycad_contracts import SurfaceKind
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import (
     REVOLVED,
     BodyRecord,
@@ -332,7 +333,7 @@ class _Builder:
                 edge, chain = edges[i], self.chains[i]
                 if edge.center is None or edge.axis is None or edge.radius is None:
                     continue
-                if abs(float(np.array(edge.axis) @ surface.axis)) < 0.999:
+                if abs(float(np.array(edge.axis) @ surface.axis)) < FACING.parallel:
                     continue
                 points = mesh.vertices[chain.places][:: 1 if chain.faces[0] == number else -1]
                 angles = np.diff(_turns(points, np.array(edge.center), surface.axis))

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
-from querycad_contracts import Part
+from querycad_contracts import Part, PartKind
 from querycad_segworker.vectors import line_distance, norm, sub
 
 SAME_SIZE = 1.02
 """Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
-_SOLIDS = frozenset(("boss", "protrusion", "prism", "rib"))
+_SOLIDS = frozenset(kind for kind in PartKind if kind.stands_out) - {PartKind.ELEVATION}
 
 
 def off_center(part: Part, model: Part) -> float:

@@ -13,8 +13,6 @@ RING_M = 0.1e-3
 """Parts of one ring differ by less than this in their distance from its axis: drawing accuracy."""
 LEAST_IN_RING = 3
 """Two parts stand beside a third, three around it."""
-MADE_OF = ("pattern", "gear")
-"""Kinds that are nothing but their members: teeth that mesh lie in each other's boxes."""
 
 
 def carries(place: Part, part: Part) -> bool:
@@ -25,9 +23,9 @@ def carries(place: Part, part: Part) -> bool:
 def is_inside(part: Part, place: Part) -> bool:
     """Does the place carry the part, or does the middle of the part or of its opening lie in the place's box?
 
-    In a pattern of such parts, and in a gear of teeth, is what belongs to it.
+    In a pattern of such parts, and in a gear of teeth, is what belongs to it: boxes of teeth that mesh overlap.
     """
-    if place.kind in MADE_OF and any(child.startswith(f"{part.kind}-") for child in place.children):
+    if place.kind.is_group and any(child.startswith(f"{part.kind}-") for child in place.children):
         return part.id in place.children
     points = [part.center] if part.opening is None else [part.center, part.opening]
     return (

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Part
+from querycad_contracts import Part, PartKind
 from querycad_segworker.vectors import dot
 
 from .between import lying_between
 from .nearby import Nearby, to_nearest
 from .places import RING_M, carries, coaxial, encloses, is_inside, surrounding, touches
 
-STANDING_OUT = frozenset(("boss", "protrusion", "elevation", "prism", "rib", "body"))
+STANDING_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {PartKind.BODY}
 _DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
 """(axis, sign) of words for places beside others."""
 
@@ -31,7 +31,7 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             return lying_between(apart, holders, whole=True) or apart
         case "around":
             around = [p for p in found if any(encloses(p, h) for h in holders)]
-            edges = [p for p in found if p.kind in ("fillet", "round", "chamfer")]
+            edges = [p for p in found if p.kind.breaks_edge]
             return around or next_to(edges, holders, nearby) or _ringed(found, holders)
         case "above" | "below" | "left" | "right" | "front" | "behind":
             axis, sign = _DIRECTIONS[relation]
@@ -97,4 +97,4 @@ def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: 
 def _is_of(part: Part, place: Part) -> bool:
     """Is what stands out made of the place itself, so that it is not on it: the outer cylinder of a disc?"""
     raised = part.kind in STANDING_OUT or part.kind == "cylinder"
-    return raised and place.kind in STANDING_OUT - {"body"} and set(part.faces) <= set(place.faces)
+    return raised and place.kind.stands_out and set(part.faces) <= set(place.faces)

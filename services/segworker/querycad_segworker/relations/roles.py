@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Part, Side
+from querycad_contracts import Part, PartKind, Side
 from querycad_segworker.vectors import cross, dot, line_distance, norm, sub, unit
 
 from .places import TOUCH_M, touches
@@ -44,7 +44,7 @@ class Kinds:
         return center, axis, extents, np.array([part.radius for part in found], dtype=np.float64)
 
 
-_CUT = ("slot", "pocket", "cutout", "notch", "channel")
+_CUT = (PartKind.SLOT, PartKind.POCKET, PartKind.CUTOUT, PartKind.NOTCH, PartKind.CHANNEL)
 
 _LONG = 1.5
 """A model has a length of its own where it is that many times as long as it is wide."""

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from querycad_contracts import Part, Side, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, Side, SurfaceKind, Vector
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity
@@ -32,8 +32,8 @@ OPENING_ANGLE_RAD = math.radians(75.0)
 """An opening turned away by more than this shows less than a quarter of its area."""
 TOLD_APART = 0.5
 """A hole narrower than this share of the one that it is seen through is a hole of its own to anybody who looks."""
-_ROUND = ("boss", "cylinder", "cone", "arc", "gear")
-_RUNNING_OUT = ("slot", "channel", "step", "notch")
+_ROUND = frozenset((PartKind.BOSS, PartKind.CYLINDER, PartKind.CONE, PartKind.ARC, PartKind.GEAR))
+_RUNNING_OUT = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.STEP, PartKind.NOTCH))
 _SQUARE = 0.99
 _NEAR = 0.05
 """Of the radius: holes that lie on one axis, or begin in one plane."""
@@ -235,7 +235,7 @@ def _openings(parts: Sequence[Part]) -> list[_Opening]:
         if part.opening is None or part.normal is None or (_is_open(part) and "through" not in part.tags):
             continue
         ends = [(part.opening, part.normal)]
-        if part.bottom == "through":
+        if part.bottom is Bottom.THROUGH:
             far = sub(scale(part.center, 2.0), part.opening)
             ends.append((far, scale(part.normal, -1.0)))
         reach = part.radius or min(part.width or 0.0, part.length or part.width or 0.0) / 2

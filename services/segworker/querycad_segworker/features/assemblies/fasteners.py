@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from querycad_contracts import Part, Vector
+from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.frames import edge_points
 from querycad_segworker.features.shared.part_measures import faces_box, millimetres
 from querycad_segworker.features.shared.refusals import refuse
@@ -50,7 +50,7 @@ def fasteners(parts: Sequence[Part], brep: Brep) -> dict[str, Fastened]:
     owner = {record.id: bodies[record.faces] for record in brep.bodies}
     by_body: dict[int, list[Part]] = defaultdict(list)
     for part in parts:
-        if part.kind in ("boss", "prism", "hole") and part.axis is not None:
+        if part.kind in (PartKind.BOSS, PartKind.PRISM, PartKind.HOLE) and part.axis is not None:
             by_body[brep.faces[part.faces[0]].body].append(part)
     found: dict[str, Fastened] = {}
     for body, members in by_body.items():

@@ -14,7 +14,7 @@ from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_
 from querycad_segworker.features.shared.frames import bow_of, edge_points, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
 from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, scale, span, sub, unit
 
@@ -207,7 +207,7 @@ def _shared_floor(brep: Brep, graph: ConcaveGraph, walls: Sequence[int], normal:
     standing: dict[int, int] = defaultdict(int)
     for wall in walls:
         for other in graph.concave[wall]:
-            if brep.faces[other].kind is SurfaceKind.PLANE and dot(brep.faces[other].axis, normal) > 0.99:
+            if brep.faces[other].kind is SurfaceKind.PLANE and dot(brep.faces[other].axis, normal) > FACING.alike:
                 standing[other] += 1
     return {face for face, count in standing.items() if 2 * count > len(walls)}
 

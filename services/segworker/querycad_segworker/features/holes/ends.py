@@ -6,13 +6,11 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import SurfaceKind, Vector
+from querycad_contracts import Bottom, SurfaceKind, Vector
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, wall_range
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import dot, parallel, points_up, scale, span, sub
-
-from .hole import Bottom
 
 CORE_RATIO = 0.5
 """A boss inside the bore that fills more than this share of its depth leaves a ring: a groove, not a hole."""

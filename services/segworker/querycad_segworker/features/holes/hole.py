@@ -1,22 +1,11 @@
-"""What a hole is: its record, its sections along the axis, and the names of its bottom."""
+"""What a hole is: its record, and its sections along the axis."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
 
-from querycad_contracts import Vector
-
-
-class Bottom(StrEnum):
-    """What a hole ends in."""
-
-    THROUGH = "through"
-    FLAT = "flat"
-    CONICAL = "conical"
-    SPHERICAL = "spherical"
-    BORE = "bore"
-    """Another bore, inside the material: a cross hole that does not leave it."""
+from querycad_contracts import Bottom, Vector
 
 
 class SectionKind(StrEnum):

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Vector
+from querycad_contracts import Bottom, Vector
 from querycad_segworker.features.shared.axes import Axis, by_line
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.vectors import ORIGIN, dist, dot, mid, scale, sub
 
-from .hole import Bottom, Hole
+from .hole import Hole
 from .sections import different_radii
 
 FORK_GAP = 2.0

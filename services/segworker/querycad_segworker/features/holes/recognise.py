@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from querycad_contracts import SurfaceKind
+from querycad_contracts import Bottom, SurfaceKind
 from querycad_segworker.features.depressions.windows import recognise_windows
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
@@ -30,7 +30,7 @@ from .ends import (
     oblique_mouth,
     opens_high,
 )
-from .hole import Bottom, Hole, SectionKind
+from .hole import Hole, SectionKind
 from .line_bores import united_through_walls
 from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
 

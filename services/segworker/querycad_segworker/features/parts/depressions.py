@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from querycad_contracts import Part
+from querycad_contracts import Bottom, Part
 from querycad_segworker.features.blends.fillets_chamfers import Blend
 from querycad_segworker.features.depressions.depression import ELONGATED, Depression, DepressionKind
 from querycad_segworker.features.shared.frames import POLYGONS
@@ -70,10 +70,10 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
     )
 
 
-def _bottom(found: Depression, through: bool) -> str | None:
+def _bottom(found: Depression, through: bool) -> Bottom | None:
     if found.kind is DepressionKind.CAVITY:
         return None
-    return "through" if through else "open" if found.is_open else "flat"
+    return Bottom.THROUGH if through else Bottom.OPEN if found.is_open else Bottom.FLAT
 
 
 def _width(found: Depression) -> float:

@@ -9,10 +9,8 @@ from querycad_contracts import Part, PartKind
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import parallel
 
-CARRIERS = frozenset([
-    "boss", "prism", "protrusion", "elevation", "rib", "pocket", "cutout", "depression", "slot", "channel", "step",
-    "notch", "groove", "gear",
-])  # fmt: skip
+_NARROW = {PartKind.HOLE, PartKind.DIMPLE, PartKind.COUNTERBORE, PartKind.COUNTERSINK}
+CARRIERS = frozenset(kind for kind in PartKind if kind.stands_out or kind.cuts_in) - _NARROW | {PartKind.GEAR}
 """Kinds with faces of their own that others open on or stand on; bodies hold all parts whose faces are theirs."""
 
 

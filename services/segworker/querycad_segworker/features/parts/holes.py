@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Vector
+from querycad_contracts import Bottom, Part, Vector
 from querycad_segworker.features.depressions.dimples import Dimple
-from querycad_segworker.features.holes.hole import Bottom, Hole, Section, SectionKind
+from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
 from querycad_segworker.features.shared.margins import edge_distance
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.topology import Brep
@@ -52,7 +52,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
         width=width,
         length=2 * widest,
         opening=hole.opening,
-        bottom=hole.bottom.value,
+        bottom=hole.bottom,
         pitch=hole.pitch,
         local_size=(2 * widest, 2 * widest, hole.depth),
         angle=next((_angle(s, dist(s.start, s.end)) for s in sunk), None),
@@ -134,7 +134,7 @@ def section_part(brep: Brep, section: Section, part_id: str, owner: str, *, oute
         length=depth,
         width=2 * widest if flat else math.hypot(depth, section.radius - section.end_radius),
         opening=None if outer else section.start,
-        bottom=None if outer else "open",
+        bottom=None if outer else Bottom.OPEN,
         area=faces_area(brep, section.faces),
         radii=(section.radius,) if flat else (section.radius, section.end_radius),
         angle=_angle(section, depth),
@@ -169,7 +169,7 @@ def dimple_part(brep: Brep, found: Dimple, number: int) -> Part:
         width=2 * found.rim_radius,
         depth=found.depth,
         opening=found.opening,
-        bottom="spherical",
+        bottom=Bottom.SPHERICAL,
         area=faces_area(brep, found.faces),
         radii=(found.ball_radius,),
         evidence=geometry("a concave sphere that a circular convex rim bounds, with no bore above it"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import Part, PartKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import geometry, millimetres
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
@@ -80,7 +80,7 @@ def _counterbore(narrow: Part, wide: Part, number: int) -> Part:
             f"depth {millimetres(wide.depth)}",
             "normal": out,
             "opening": opening,
-            "bottom": "flat",
+            "bottom": Bottom.FLAT,
             "length": wide.depth,
             "evidence": geometry(f"a wider hole in the body over {narrow.id}, on one axis"),
         }

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from querycad_contracts import Part, SurfaceKind
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind
 from querycad_segworker.features.shared.clearance import Ahead
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, FaceRecord
 
 Reals = NDArray[np.float64]
 Ids = NDArray[np.int64]
-BLIND = ("hole", "pocket")
-FLOORED = ("slot", "channel", "notch", "counterbore", "spotface")
+BLIND = frozenset((PartKind.HOLE, PartKind.POCKET))
+FLOORED = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.NOTCH, PartKind.COUNTERBORE, PartKind.SPOTFACE))
 """What has a floor though it is open: at a side, or to the bore that it widens."""
 MOST_STARTS = 24
 """Rays from one bottom, from the middles of its largest triangles."""
@@ -95,7 +95,7 @@ def _least(owners: Ids, distances: Reals, counts: NDArray[np.bool_]) -> dict[int
 
 def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict[int, float]:
     """By index of what has a bottom: from all over it away from the opening; from the tip of a drill point, too."""
-    blind = ("flat", "conical", "spherical")
+    blind = (Bottom.FLAT, Bottom.CONICAL, Bottom.SPHERICAL)
     wanted = [
         i
         for i, part in enumerate(parts)
@@ -124,7 +124,8 @@ def _below(parts: Sequence[Part], brep: Brep, faces: _Faces, mesh: Mesh) -> dict
 def _with_floor(part: Part, brep: Brep) -> set[int]:
     """The faces of a part; of a step of a hole with the ring that it ends at."""
     own = set(part.faces)
-    if part.kind not in ("counterbore", "spotface") or part.normal is None or part.opening is None or not part.depth:
+    widened = part.kind in (PartKind.COUNTERBORE, PartKind.SPOTFACE)
+    if not widened or part.normal is None or part.opening is None or not part.depth:
         return own
     low = np.dot(part.normal, part.opening) - part.depth
     around = {i for f in own for _, i in brep.neighbours(f) if brep.faces[i].kind is SurfaceKind.PLANE}
@@ -134,9 +135,9 @@ def _with_floor(part: Part, brep: Brep) -> set[int]:
 def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[np.integer]) -> Reals:
     """Points (N, 3) of the bottom on a face of a blind part; none on its walls."""
     out = np.array(part.normal)
-    if face.kind is SurfaceKind.CONE and part.bottom == "conical" and np.dot(face.axis, out) > FACES_UP:
+    if face.kind is SurfaceKind.CONE and part.bottom is Bottom.CONICAL and np.dot(face.axis, out) > FACES_UP:
         return np.array([face.origin])
-    if face.kind is SurfaceKind.SPHERE and part.bottom == "spherical":
+    if face.kind is SurfaceKind.SPHERE and part.bottom is Bottom.SPHERICAL:
         return np.array([np.array(face.origin) - face.radius * out])
     if face.kind is SurfaceKind.PLANE and np.dot(face.axis, out) > FACES_UP:
         corners = mesh.vertices_m[mesh.triangles[triangles]]

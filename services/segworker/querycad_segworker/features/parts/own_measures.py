@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence, Set
 from typing import Final
 
-from querycad_contracts import Part, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, inclination
 from querycad_segworker.features.shared.reach import reach_along
 from querycad_segworker.features.shared.regular import across_flats_and_corners, flats_on_shaft
@@ -24,8 +24,8 @@ more than this share of its surface in leaning walls narrows."""
 LEANING = (SurfaceKind.CONE, SurfaceKind.FREEFORM)
 """Walls of what narrows without one draft: lofts, and square holes that get round."""
 ROUND_ENDS = frozenset(("obround", "curved"))
-WHOLE = ("body", "model")
-MOUTHS = ("hole", "pocket", "cutout")
+OPENINGS = frozenset((PartKind.POCKET, PartKind.CUTOUT))
+MOUTHS = OPENINGS | {PartKind.HOLE}
 SQUARE_RAD = 1e-3
 """Bends about directions that differ by less are about one."""
 SAME = 0.01
@@ -34,7 +34,7 @@ SAME = 0.01
 
 def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
     """The same parts, each with the measures that its family has beyond its size."""
-    breaks = {face for part in parts if part.kind in ("chamfer", "round", "fillet") for face in part.faces}
+    breaks = {face for part in parts if part.kind.breaks_edge for face in part.faces}
     tori = [part for part in parts if part.kind == "torus"]
     result = []
     for part in parts:
@@ -45,7 +45,7 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
             measures |= look(part, brep)
         if part.kind == "torus":
             measures |= _torus(part, tori)
-        elif part.kind in ("pocket", "cutout"):
+        elif part.kind in OPENINGS:
             measures |= _tapered(part, brep, breaks)
         part = part.model_copy(update=measures) if measures else part
         mouth = _mouth(part) if part.kind in MOUTHS else {}
@@ -58,7 +58,7 @@ def with_own_measures(parts: Sequence[Part], brep: Brep) -> list[Part]:
     if not rings and not wrenched and not bends:
         return result
     return [
-        _laid_flat(_of_hexagon(_of_ring(part, rings), wrenched), bends, brep) if part.kind in WHOLE else part
+        _laid_flat(_of_hexagon(_of_ring(part, rings), wrenched), bends, brep) if part.kind.is_whole else part
         for part in result
     ]
 
@@ -70,7 +70,7 @@ def _of_hexagon(body: Part, hexagons: Sequence[Part]) -> Part:
     """
     own = set(body.faces)
     inside = [part for part in hexagons if own.issuperset(part.faces)]
-    for wrenched in ([p for p in inside if p.kind == "prism"], [p for p in inside if p.kind in ("pocket", "cutout")]):
+    for wrenched in ([p for p in inside if p.kind == "prism"], [p for p in inside if p.kind in OPENINGS]):
         if len(wrenched) == 1:
             flats, corners = wrenched[0].across_flats, wrenched[0].across_corners
             return body.model_copy(update={"across_flats": flats, "across_corners": corners})
@@ -124,7 +124,7 @@ def _mouth(part: Part) -> Measured:
     """Of a hole, round; of what has upright walls, its volume by its depth."""
     if part.kind == "hole":
         return {} if part.width is None else {"opening_area": math.pi * part.width**2 / 4}
-    standing = part.draft is None and part.mouth_length is None and part.bottom in ("flat", "through")
+    standing = part.draft is None and part.mouth_length is None and part.bottom in (Bottom.FLAT, Bottom.THROUGH)
     return {"opening_area": part.volume / part.depth} if standing and part.volume and part.depth else {}
 
 
@@ -267,26 +267,26 @@ def _is_within(inner: Part, outer: Part, near: float) -> bool:
     return alike and inner.radii[1] < outer.radii[1]
 
 
-_OF_PART: Final[dict[str, tuple[Callable[[Part], Measured], ...]]] = {
-    "prism": (_round_ends, _inclined),
-    "wall": (_inclined,),
-    "floor": (_inclined,),
-    "pocket": (_round_ends,),
-    "cutout": (_round_ends,),
-    "slot": (_round_ends,),
-    "protrusion": (_round_ends,),
-    "boss": (_round_part,),
-    "chamfer": (_chamfer,),
-    "cone": (_cone,),
-    "hole": (_tapered_hole,),
-    "pipe": (_round_part,),
-    "bearing": (_round_part,),
-    "groove": (_ring_groove,),
+_OF_PART: Final[dict[PartKind, tuple[Callable[[Part], Measured], ...]]] = {
+    PartKind.PRISM: (_round_ends, _inclined),
+    PartKind.WALL: (_inclined,),
+    PartKind.FLOOR: (_inclined,),
+    PartKind.POCKET: (_round_ends,),
+    PartKind.CUTOUT: (_round_ends,),
+    PartKind.SLOT: (_round_ends,),
+    PartKind.PROTRUSION: (_round_ends,),
+    PartKind.BOSS: (_round_part,),
+    PartKind.CHAMFER: (_chamfer,),
+    PartKind.CONE: (_cone,),
+    PartKind.HOLE: (_tapered_hole,),
+    PartKind.PIPE: (_round_part,),
+    PartKind.BEARING: (_round_part,),
+    PartKind.GROOVE: (_ring_groove,),
 }
-_OF_FACES: Final[dict[str, tuple[Callable[[Part, Brep], Measured], ...]]] = {
-    "prism": (_regular, _square_bar),
-    "pocket": (_regular,),
-    "cutout": (_regular,),
-    "protrusion": (_regular, _drafted),
-    "boss": (_flats,),
+_OF_FACES: Final[dict[PartKind, tuple[Callable[[Part, Brep], Measured], ...]]] = {
+    PartKind.PRISM: (_regular, _square_bar),
+    PartKind.POCKET: (_regular,),
+    PartKind.CUTOUT: (_regular,),
+    PartKind.PROTRUSION: (_regular, _drafted),
+    PartKind.BOSS: (_flats,),
 }

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from querycad_contracts import Part, PartKind, SurfaceKind, Vector
+from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.blends.rolling_balls import normal_at
 from querycad_segworker.features.depressions.depression import DepressionKind, depression_in
 from querycad_segworker.features.protrusions.protrusions import Protrusion, tags_of
@@ -15,7 +15,7 @@ from querycad_segworker.features.shared.closed_regions import UPRIGHT, Moments, 
 from querycad_segworker.features.shared.extruded_walls import section_of
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, Loop
 from querycad_segworker.vectors import add, dot, scale, upwards
 
@@ -25,8 +25,8 @@ from .volumes import Volumes
 
 TAKEN = 0.5
 """A region with more than this share of its surface in parts of a family is one of them, or made of them."""
-LEVEL = 0.99
-"""A plane within 8 degrees of where a region opens to gives the exact direction."""
+LEVEL = FACING.alike
+"""A plane that looks to where a region opens gives the exact direction."""
 ASIDE = 0.75
 """Cosine of 41 degrees: a rim whose face looks farther off the opening's direction leaves it open there."""
 SQUARE = 1e-2
@@ -82,7 +82,7 @@ class _Maker:
         through = region.opening is None
         part = depression_part(self.brep, replace(found, tags=("through",) if through else ()), number, self.volumes)
         exact = not through and self._is_level(rim, normal)
-        bottom = _bottom(floor, normal) if part.bottom == "flat" else part.bottom
+        bottom = _bottom(floor, normal) if part.bottom is Bottom.FLAT else part.bottom
         return part.model_copy(update={"bottom": bottom, "volume": part.volume if exact else None})
 
     def elevation(self, region: Region, number: int) -> Part | None:
@@ -185,12 +185,12 @@ def _reaches(face: FaceRecord, direction: Vector) -> Sequence[float]:
     return [dot(p, direction) for p in (face.point, *inside)]
 
 
-def _bottom(floor: Sequence[FaceRecord], normal: Vector) -> str | None:
+def _bottom(floor: Sequence[FaceRecord], normal: Vector) -> Bottom | None:
     """Which bottom do these faces make? None where it has no name."""
     kinds = {face.kind for face in floor}
     if kinds == {SurfaceKind.PLANE}:
-        return "flat" if all(dot(face.axis, normal) > 1 - SQUARE for face in floor) else None
-    return "spherical" if kinds == {SurfaceKind.SPHERE} else None
+        return Bottom.FLAT if all(dot(face.axis, normal) > 1 - SQUARE for face in floor) else None
+    return Bottom.SPHERICAL if kinds == {SurfaceKind.SPHERE} else None
 
 
 def _is_upright(wall: FaceRecord, normal: Vector) -> bool:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Sequence
 
-from querycad_contracts import Part, Shape, Vector
+from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
 
@@ -19,8 +20,8 @@ MIN_FEET = 2
 """One thing on the ground is a base."""
 FOOT_SHARE = 0.5
 """A foot takes less than this share of the model's ground plan; more is a base."""
-UPRIGHT = 0.999
-"""Cosine of the angle to the vertical below which an axis counts as upright: 2.5 degrees."""
+UPRIGHT = FACING.parallel
+"""Cosine of the angle to the vertical below which an axis counts as upright."""
 ALL_OF_LEG = 0.99
 """A block as long as this share of a foot is the foot itself."""
 FILLS = 0.9
@@ -102,7 +103,7 @@ def _ways_in(part: Part) -> tuple[Vector, ...]:
     if not part.kind.cuts_in or part.opening is None or part.normal is None:
         return ()
     into = scale(part.normal, -1.0)
-    return (into, part.normal) if part.bottom == "through" else (into,)
+    return (into, part.normal) if part.bottom is Bottom.THROUGH else (into,)
 
 
 def _place_tags(part: Part, shape: Shape) -> list[str]:
@@ -154,7 +155,8 @@ def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
     found: dict[str, tuple[str, ...]] = {}
     for foot in _feet(parts, shape):
         own = frozenset(foot.faces)
-        inside = [p for p in parts if p.kind in ("prism", "boss") and p.id != foot.id and own > frozenset(p.faces)]
+        steps = [p for p in parts if p.kind in (PartKind.PRISM, PartKind.BOSS)]
+        inside = [p for p in steps if p.id != foot.id and own > frozenset(p.faces)]
         inside = [p for p in inside if p.axis is not None and abs(p.axis[2]) > UPRIGHT and "plate" not in p.tags]
         longest = max(inside, key=lambda part: part.extents[2], default=foot)
         # A block that is nearly all of the protrusion is the protrusion itself.
@@ -167,13 +169,13 @@ def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
 def _feet(parts: Sequence[Part], shape: Shape) -> list[Part]:
     """Several solid bodies that reach the ground while others do not; else several protrusions that do."""
     top = shape.center[2] + shape.extents[2] / 2
-    for kinds in (("body",), ("boss", "prism", "protrusion")):
+    for kinds in ((PartKind.BODY,), (PartKind.BOSS, PartKind.PRISM, PartKind.PROTRUSION)):
         candidates = _outermost([part for part in parts if part.kind in kinds])
         grounded = [part for part in candidates if _is_grounded(part, shape)]
         slim = [part for part in grounded if max(part.extents[:2]) < FOOT_SHARE * max(shape.extents[:2])]
-        if kinds != ("body",):  # something of the one body stands on them
+        if PartKind.BODY not in kinds:  # something of the one body stands on them
             slim = [p for p in slim if p.center[2] + p.extents[2] / 2 < top - CENTRAL_SHARE * shape.extents[2]]
-        if len(slim) >= MIN_FEET and (kinds != ("body",) or len(slim) < len(candidates)):
+        if len(slim) >= MIN_FEET and (PartKind.BODY not in kinds or len(slim) < len(candidates)):
             return slim
     return []
 

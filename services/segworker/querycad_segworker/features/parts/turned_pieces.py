@@ -6,8 +6,9 @@ from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from querycad_contracts import Part, Vector
+from querycad_contracts import Part, PartKind, Vector
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, cross, dist, dot, line_distance, mid, norm, scale, sub, unit
 
@@ -64,7 +65,7 @@ def _by_body(parts: Sequence[Part], brep: Brep) -> dict[int, list[Part]]:
     own: dict[int, list[Part]] = defaultdict(list)
     for part in parts:
         turned = part.kind == "groove" and "turned" in part.tags
-        if (part.kind in ("boss", "prism") or turned or part.tube_diameter) and part.axis is not None:
+        if (part.kind in (PartKind.BOSS, PartKind.PRISM) or turned or part.tube_diameter) and part.axis is not None:
             own[brep.faces[part.faces[0]].body].append(part)
     return own
 
@@ -77,7 +78,7 @@ def _span(part: Part, axis: Vector) -> tuple[float, float]:
 
 def _chains(members: Sequence[Part]) -> Iterator[list[Part]]:
     """Steps on one axis, in order along it, each with its own place."""
-    left = [part for part in members if part.kind in ("boss", "prism", "groove")]
+    left = [part for part in members if part.kind in (PartKind.BOSS, PartKind.PRISM, PartKind.GROOVE)]
     while left:
         lead = max(left, key=lambda part: (part.kind == "boss", part.height or 0.0))
         if lead.kind != "boss" or not lead.radius or lead.axis is None:
@@ -165,7 +166,7 @@ def _are_one_bar(a: Part, b: Part) -> bool:
     """Do two ends of one radius point away from each other along one line?"""
     if a.radius is None or b.radius is None or a.normal is None or b.normal is None or a.tip is None or b.tip is None:
         return False
-    alike = abs(a.radius - b.radius) <= 1e-3 * a.radius and dot(a.normal, b.normal) < -0.999
+    alike = abs(a.radius - b.radius) <= 1e-3 * a.radius and dot(a.normal, b.normal) < -FACING.parallel
     between = sub(b.center, a.center)
     apart = dot(between, b.normal) - ((a.height or 0.0) + (b.height or 0.0)) / 2
     return alike and apart > 0 and line_distance(b.center, a.center, a.normal) < NEAR * a.radius

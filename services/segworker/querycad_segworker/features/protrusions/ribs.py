@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, cross, dot, parallel, scale, sub, unit
 
@@ -181,7 +181,7 @@ def _opposed(
         sides = [side for side in sides if side[1].id in standing]
     for i, (edge, a) in enumerate(sides):
         for other_edge, b in sides[i + 1 :]:
-            opposed = dot(a.axis, b.axis) < -0.99 and dot(sub(a.point, b.point), a.axis) > 0
+            opposed = dot(a.axis, b.axis) < -FACING.opposed and dot(sub(a.point, b.point), a.axis) > 0
             alike = other_edge.length > 0.3 * edge.length
             if a.id != b.id and opposed and alike and len(standing & {a.id, b.id}) == feet:
                 return a, b
@@ -214,7 +214,7 @@ def _alike(a: Rib, b: Rib, tolerances: Tolerances) -> bool:
         a.body == b.body
         and abs(a.thickness - b.thickness) <= 0.02 * a.thickness + tolerances.length
         and parallel(a.direction, b.direction, 0.02)
-        and dot(a.normal, b.normal) > 0.99
+        and dot(a.normal, b.normal) > FACING.alike
     )
 
 

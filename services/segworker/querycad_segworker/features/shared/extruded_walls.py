@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.tolerances import FACING
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, span, sub, unit
 
@@ -158,7 +159,8 @@ def _behind(brep: Brep, a: FaceRecord, b: FaceRecord, along: Vector) -> bool:
 def _is_obround(a: FaceRecord, b: FaceRecord, rounds: Collection[FaceRecord]) -> bool:
     """Do two flats face each other at the diameter of the rounds between them?"""
     gap = dot(sub(b.point, a.point), a.axis)
-    return dot(a.axis, b.axis) < -0.999 and all(abs(abs(gap) - 2 * f.radius) < 0.02 * abs(gap) for f in rounds)
+    opposed = dot(a.axis, b.axis) < -FACING.parallel
+    return opposed and all(abs(abs(gap) - 2 * f.radius) < 0.02 * abs(gap) for f in rounds)
 
 
 def _is_half_obround(flat: FaceRecord, rounds: Collection[FaceRecord]) -> bool:

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.holes.hole import Bottom, Hole
+from querycad_contracts import Bottom, SurfaceKind, Vector
+from querycad_segworker.features.holes.hole import Hole
 from querycad_segworker.features.shared.axes import Axis, Wall
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances

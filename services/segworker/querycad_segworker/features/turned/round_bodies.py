@@ -6,8 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import Vector
-from querycad_segworker.features.holes.hole import Bottom, Hole
+from querycad_contracts import Bottom, Vector
+from querycad_segworker.features.holes.hole import Hole
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.refusals import refuse
