@@ -66,9 +66,7 @@ class Served:
     def summary(self) -> ModelSummary:
         """As it was when the model was opened."""
         if self._summary is None:
-            raise flows.ServerUnreachable(
-                "the service returned no description of the model: it is not a QueryCAD service"
-            )
+            raise flows.ServerUnreachable("no description of the model came: this is no QueryCAD service")
         return self._summary
 
     def parts(self) -> tuple[Part, ...]:

@@ -25,7 +25,7 @@ _BUSY = (
 
 
 class Bounded(H11Protocol):
-    """HTTP/1.1 for a bounded number of connections; further ones are asked to retry."""
+    """HTTP/1.1 for a bounded number of connections; more are asked to retry."""
 
     most: ClassVar[int]
     most_of_one: ClassVar[int]

@@ -16,9 +16,7 @@ class ApiSettings(WorkerSettings, StorageSettings, LlmSettings):
 
     api_host: str = Field("127.0.0.1", description="Address that the api listens on.")
     api_port: int = Field(8000, ge=1, le=65535, description="Port that the api listens on.")
-    api_connections: int = Field(
-        2000, ge=16, description="Connections at the same time; further ones are asked to retry."
-    )
+    api_connections: int = Field(2000, ge=16, description="Connections at the same time; more are asked to retry.")
     api_address_connections: int = Field(256, ge=1, description="Of these, from one address; a proxy needs more.")
     upload_mib: int = Field(512, ge=1, description="Largest file accepted.")
     wait_s: int = Field(60, ge=0, le=600, description="Longest wait that a client's `Prefer: wait` is granted.")

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from querycad_contracts import Body, Face, Outline, Part, PartKind, Shape, Vector
+from querycad_contracts import Body, Bottom, Face, Outline, Part, PartKind, Shape, Vector
 from querycad_contracts.vectors import add, cross, dot, sub
 
 Measures = dict[str, Any]
@@ -40,7 +40,7 @@ class Opening:
 
 
 _OF_PART: Final = (
-    "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size", "bottom",
+    "id", "label", "name", "center", "opening", "tip", "extents", "axis", "nominal_length", "local_size",
     "pitch", "count", "angle", "outer_diameter", "inner_diameter", "tube_diameter", "across_flats", "across_corners",
     "center_length", "chamfer_size", "draft", "bend_radius", "bend_angle", "mouth_length", "mouth_width",
     "bottom_length", "bottom_width", "opening_area", "bottom_thickness", "minimum_thickness", "wall_distance",
@@ -72,6 +72,7 @@ def part_measures(part: Part) -> Measures:
         _OF_PART,
         {
             "kind": part.kind.value,
+            "bottom": part.bottom and part.bottom.value,
             "tags": list(part.tags),
             "sides": [side.value for side in part.sides],
             "tips": list(part.tips) or (None if part.tip is None else [part.tip]),

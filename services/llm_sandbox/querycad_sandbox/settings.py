@@ -19,7 +19,7 @@ class SandboxSettings(BrokerSettings, WallSettings):
     sandbox_port: int = Field(8101, ge=1, le=65535, description="Port that the sandbox listens on.")
     sandbox_token: SecretStr = Field(
         SecretStr(""),
-        description="Token that callers must send; needed if the service can be reached from other machines.",
+        description="Token that callers must send; needed if other machines can reach this.",
     )
     sandbox_runs: int = Field(
         32, ge=1, le=256, description="Programs under way at the same time, those that wait for SegCAD included."

@@ -121,9 +121,7 @@ def _run_child(
         if any(os.strerror(code) in said for code in DiskFull.CODES):
             raise DiskFull
         if code == -signal.SIGKILL and not timed_out:
-            raise KernelKilled(
-                "the process that read this file was killed, probably because the system ran out of memory"
-            )
+            raise KernelKilled("the process that read this file was killed, probably for lack of memory")
         raise KernelDied(_death(code, timed_out, said, source, limits))
     outcome.unlink()
     if "problem" in result:

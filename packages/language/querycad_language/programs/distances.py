@@ -220,9 +220,7 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
 
 def _floor(build: Builder, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [
-        part for part in build.of(plane.of) if part.kind in CUT and part.normal and part.bottom is not Bottom.THROUGH
-    ]
+    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal and p.bottom is not Bottom.THROUGH]
     return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
 
 
