@@ -28,6 +28,7 @@ from querycad_contracts import (
     NO_ACCOUNTS,
     AnswerRecord,
     Failure,
+    FailureCategory,
     Job,
     ModelSummary,
     QuestionTask,
@@ -183,7 +184,7 @@ def test_a_record_is_bounded_in_size() -> None:
     assert AnswerRecord.model_validate_json(bounded(small)) == small
     for large in (
         small.model_copy(update={"warnings": ("w" * 2 * RECORD_BYTES,)}),
-        AnswerRecord.failed("q" * 2 * RECORD_BYTES, Failure(category="internal", message="m")),
+        AnswerRecord.failed("q" * 2 * RECORD_BYTES, Failure(category=FailureCategory.INTERNAL, message="m")),
     ):
         text = bounded(large)
         assert len(text) <= RECORD_BYTES

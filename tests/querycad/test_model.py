@@ -22,6 +22,7 @@ from querycad import AsyncClient, AsyncModel, Client, EmbeddedRuntime, FileProbl
 from querycad_contracts import (
     AnswerType,
     Failure,
+    FailureCategory,
     Job,
     JobStatus,
     LengthUnit,
@@ -265,7 +266,7 @@ def test_a_file_that_cannot_be_read_says_why(runtime: EmbeddedRuntime, model: Mo
     with pytest.raises(FileProblem, match="no such file"):
         querycad.open(tmp_path / "none.step")
     service = Service(model, ROOT / "examples/flange.step")
-    failure = Failure(category="bad_input", message="it is an HTML document")
+    failure = Failure(category=FailureCategory.BAD_INPUT, message="it is an HTML document")
     service.resource = service.resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure})
     with Client("http://service", transport=httpx.MockTransport(service.answer)) as client:
         with pytest.raises(FileProblem, match="HTML"):

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TypeVar, cast
 
-from querycad_contracts import Failure, Frozen, Part, PartKind, PartQuery
+from querycad_contracts import Failure, FailureCategory, Frozen, Part, PartKind, PartQuery
 from querycad_language.describe import plural_of
 from querycad_language.forms import Distance, Every, Form, Get, Reduce, Which, mapped, queries
 from querycad_language.lexicon import lexicon
@@ -172,7 +172,7 @@ def address(question: str, parts: Sequence[Part]) -> Addressed:
     marked = _ID.sub(finder.full, marked)
     marked = finder.numbered(marked)
     if finder.missing:
-        return Addressed((question,), failure=Failure(category="not_grounded", message=finder.missing))
+        return Addressed((question,), failure=Failure(category=FailureCategory.NOT_GROUNDED, message=finder.missing))
     if not finder.found:
         return Addressed((question,))
     grouped = _JOINED.sub(finder.joined, marked)

@@ -20,6 +20,7 @@ from querycad_contracts import (
     Description,
     Expectation,
     Failure,
+    FailureCategory,
     GroundedBy,
     LengthUnit,
     ModelSummary,
@@ -201,7 +202,7 @@ def _told(
     try:
         as_expected(answer.model_copy(update={"text": meant}), expect)
     except Unexpected as error:
-        return _Outcome(failure=Failure(category="unexpected", message=str(error)))
+        return _Outcome(failure=Failure(category=FailureCategory.UNEXPECTED, message=str(error)))
     program = Program(code="", codegen="parser", expects=AnswerType.TEXT, confidence=1.0)
     verdict = Verdict(answer=answer, parts=parts)
     return _by_parser(Understood(program, verdict, 1.0, meant, notes=addressed.notes))
@@ -225,7 +226,7 @@ def _compound(
 
 
 def _refused(question: str, message: str, clock: _Clock, least: float) -> AnswerRecord:
-    return _Outcome(failure=Failure(category="bad_input", message=message)).record(question, clock, least)
+    return _Outcome(failure=Failure(category=FailureCategory.BAD_INPUT, message=message)).record(question, clock, least)
 
 
 def _seeing(writer: LlmWriter, place: Place | None, wanted: bool) -> Seeing | None:
@@ -274,7 +275,9 @@ def _with_llm(
     if written.error is not None:
         outcome.notes.append(str(written.error))
     if written.question:
-        outcome.failure = Failure(category="not_understood", message=f"the language model asks: {written.question}")
+        outcome.failure = Failure(
+            category=FailureCategory.NOT_UNDERSTOOD, message=f"the language model asks: {written.question}"
+        )
         return outcome
     if written.is_unsure:
         outcome.is_unsure, outcome.chosen, outcome.others = True, answered[0], answered[1:]

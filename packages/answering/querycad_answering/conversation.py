@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import Failure, LengthUnit, Part, PartKind, Selection
+from querycad_contracts import Failure, FailureCategory, LengthUnit, Part, PartKind, Selection
 from querycad_language.readings.question import Question
 
 from .addressing import GROUP, folded
@@ -285,4 +285,4 @@ def _part_of(face: int, known: dict[str, Part], features: Sequence[Part]) -> str
 
 def not_followed(error: NotFollowed) -> Failure:
     """What is said where a question leans on what is not there."""
-    return Failure(category="not_understood", message=str(error))
+    return Failure(category=FailureCategory.NOT_UNDERSTOOD, message=str(error))

@@ -9,6 +9,7 @@ from querycad_contracts import (
     AnswerType,
     Expectation,
     Failure,
+    FailureCategory,
     Grounding,
     LengthUnit,
     MissingAttribute,
@@ -47,7 +48,7 @@ class Verdict:
         """How did the question end?"""
         if self.answer is not None:
             return Status.ANSWERED
-        missing = self.failure is not None and self.failure.category == "not_grounded"
+        missing = self.failure is not None and self.failure.category is FailureCategory.NOT_GROUNDED
         return Status.NOT_GROUNDED if missing else Status.FAILED
 
     @property
@@ -65,12 +66,16 @@ def judge(
     warnings = _warnings(program, outcome)
     missing = _missing(outcome, program)
     if missing is not None:
-        failure = Failure(category="not_grounded", message=missing.message, nearest=missing.nearest)
+        failure = Failure(category=FailureCategory.NOT_GROUNDED, message=missing.message, nearest=missing.nearest)
         return Verdict(failure=failure, warnings=warnings, missing=missing)
     if (lacking := _lacking(program, outcome)) is not None:
         return Verdict(failure=lacking, warnings=warnings)
     if outcome.status is not RunStatus.OK:
-        category = "program" if outcome.status in (RunStatus.RAISED, RunStatus.REFUSED) else "limit"
+        category = (
+            FailureCategory.PROGRAM
+            if outcome.status in (RunStatus.RAISED, RunStatus.REFUSED)
+            else FailureCategory.LIMIT
+        )
         message = outcome.message or f"the program {outcome.status.value}"
         failure = Failure(category=category, message=message, missing_attribute=outcome.missing_attribute)
         return Verdict(failure=failure, warnings=warnings)
@@ -79,10 +84,10 @@ def judge(
     except WrongAnswerType as error:
         absent = outcome.missing_attribute
         of = f" ({absent.part or 'the model'} has no {absent.attribute})" if absent is not None else ""
-        failure = Failure(category="program", message=f"{error}{of}", missing_attribute=absent)
+        failure = Failure(category=FailureCategory.PROGRAM, message=f"{error}{of}", missing_attribute=absent)
         return Verdict(failure=failure, warnings=warnings, wrong_type=True)
     except Unexpected as error:
-        return Verdict(failure=Failure(category="unexpected", message=str(error)), warnings=warnings)
+        return Verdict(failure=Failure(category=FailureCategory.UNEXPECTED, message=str(error)), warnings=warnings)
     return Verdict(answer=_named(answer, outcome), parts=_parts(outcome), warnings=warnings)
 
 
@@ -111,14 +116,14 @@ def _lacking(program: Program, outcome: RunOutcome) -> Failure | None:
     known = _known(outcome)
     if outcome.empty_selection:
         message = f"the model has {len(known)} such part{'' if len(known) == 1 else 's'}: too few for what is asked"
-        return Failure(category="not_grounded", message=message)
+        return Failure(category=FailureCategory.NOT_GROUNDED, message=message)
     missing = outcome.missing_attribute
     if missing is None:
         return None
     label = known[missing.part].label if missing.part in known else missing.part
     whose = f"{label} ({missing.part})" if missing.part else "the whole model"
     message = f"no {missing.attribute.replace('_', ' ')} is known of {whose}"
-    return Failure(category="not_grounded", message=message, missing_attribute=missing)
+    return Failure(category=FailureCategory.NOT_GROUNDED, message=message, missing_attribute=missing)
 
 
 def _typed(program: Program, outcome: RunOutcome, unit: LengthUnit, expect: Expectation) -> Answer:

@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Failure, Grounded, Measure, PartQuery
+from querycad_contracts import Failure, FailureCategory, Grounded, Measure, PartQuery
 from querycad_language.describe import none_such, noun_phrase
 from querycad_language.forms import Check, Count, Every, Exists, Get, queries
 from querycad_language.lexicon import lexicon
@@ -88,7 +88,7 @@ class Refused:
         if "unknown_noun" in grounded.features:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
         if "nothing" not in grounded.features and (none := none_such(query)):
-            return Failure(category="not_grounded", message=none)
+            return Failure(category=FailureCategory.NOT_GROUNDED, message=none)
         narrowed = any(name.endswith("_empties") for name in grounded.features)
         return self.not_grounded((not narrowed and grounded.reason) or f"the model has no '{said}'")
 
@@ -101,7 +101,7 @@ class Refused:
 
     def not_grounded(self, message: str) -> Failure:
         """The failure, with the kinds of part that there are."""
-        return Failure(category="not_grounded", message=message, nearest=self.kinds)
+        return Failure(category=FailureCategory.NOT_GROUNDED, message=message, nearest=self.kinds)
 
 
 def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
@@ -109,17 +109,17 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
     text = asked.reader.text
     beyond = next((message for pattern, message in _BEYOND if pattern.search(text.question)), None)
     if beyond is not None:
-        return Failure(category="not_grounded", message=beyond)
+        return Failure(category=FailureCategory.NOT_GROUNDED, message=beyond)
     if _HOW_MUCH.search(text.question) and not any(text.all(*_AMOUNTS)):
         message = f"{_CANNOT_KNOW['price']}; for an amount name its measure, such as the volume"
-        return Failure(category="not_grounded", message=message)
+        return Failure(category=FailureCategory.NOT_GROUNDED, message=message)
     if any(token.power == DENSITY for token in text.tokens):
         return None
     first = next(iter(asked.reader.readings), None)
     form = first.form if first is not None else None
     weighed = form.left if isinstance(form, Check) else form
     if isinstance(weighed, Get) and weighed.density is None and _WEIGHED & set(weighed.measures):
-        return Failure(category="not_grounded", message=_CANNOT_KNOW["density"])
+        return Failure(category=FailureCategory.NOT_GROUNDED, message=_CANNOT_KNOW["density"])
     start, end = asked.reader.asking
     unknowable = [span for span in text.all("cannot_know") if start <= span.start < end]
     inside = {i for span in unknowable for i in range(span.start, span.end)}
@@ -128,7 +128,7 @@ def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:
         noun = text.find(span.start, "noun")  # 'surface finish' is no surface
         is_used = best is not None and span.start in best.reading.used and noun is not None and noun.end >= span.end
         if not is_used and (not measured or _asks_for(asked, span.start, start)):
-            return Failure(category="not_grounded", message=_CANNOT_KNOW[span.value])
+            return Failure(category=FailureCategory.NOT_GROUNDED, message=_CANNOT_KNOW[span.value])
     return None
 
 
@@ -159,16 +159,18 @@ def unread(asked: Refused) -> Failure:
     """What is said where there is no reading, or none that makes sense of the model's parts."""
     if not asked.reader.readings:
         message = "I can't find a question in this: ask for a measure, a number or a place of a part"
-        return Failure(category="not_understood", message=message)
+        return Failure(category=FailureCategory.NOT_UNDERSTOOD, message=message)
     words = [i for i, token in enumerate(asked.reader.text.tokens) if token.kind is Kind.WORD]
     known = sum(bool(asked.reader.text.spans[i]) for i in words)
     if known < _ENGLISH * len(words):
         message = "hardly a word of this is known here: ask in English for a measure, a number or a place of a part"
-        return Failure(category="not_understood", message=message)
+        return Failure(category=FailureCategory.NOT_UNDERSTOOD, message=message)
     best = asked.reader.readings[0]
     meant = describe(best.form)
     if "named_only" in best.features:
-        return Failure(category="not_understood", message=f"nothing is asked that can be answered: '{meant}'")
+        return Failure(
+            category=FailureCategory.NOT_UNDERSTOOD, message=f"nothing is asked that can be answered: '{meant}'"
+        )
     return asked.not_grounded(f"'{meant}' is unknown in this model")
 
 

@@ -11,6 +11,7 @@ from .answers import (
     Codegen,
     Expectation,
     Failure,
+    FailureCategory,
     Frame,
     LengthUnit,
     LlmOptions,

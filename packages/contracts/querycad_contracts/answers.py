@@ -182,10 +182,23 @@ class MissingAttribute(Frozen):
     attribute: str
 
 
+class FailureCategory(StrEnum):
+    """Why is there no answer, in a word?"""
+
+    NOT_GROUNDED = "not_grounded"
+    NOT_UNDERSTOOD = "not_understood"
+    BAD_INPUT = "bad_input"
+    PROGRAM = "program"
+    LIMIT = "limit"
+    CANCELLED = "cancelled"
+    INTERNAL = "internal"
+    UNEXPECTED = "unexpected"
+
+
 class Failure(Frozen):
     """Why there is no answer."""
 
-    category: str = Field(
+    category: FailureCategory = Field(
         description="'not_grounded', 'not_understood', 'bad_input', 'program', 'limit', 'cancelled', 'internal' or "
         "'unexpected' (the answer is not what the caller expects)."
     )
@@ -278,4 +291,4 @@ class AnswerRecord(Frozen):
     @classmethod
     def cancelled(cls, question: str) -> AnswerRecord:
         """The record of a question that somebody called off."""
-        return cls.failed(question, Failure(category="cancelled", message="the question was cancelled"))
+        return cls.failed(question, Failure(category=FailureCategory.CANCELLED, message="the question was cancelled"))

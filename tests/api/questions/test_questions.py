@@ -23,6 +23,7 @@ from querycad_contracts import (
     DescribeTask,
     Description,
     Failure,
+    FailureCategory,
     Job,
     ModelSummary,
     QuestionTask,
@@ -162,7 +163,7 @@ def test_a_sandbox_that_is_away_is_waited_for_and_then_given_up(
 @pytest.mark.parametrize(
     ("error", "category"),
     [
-        (RunRefused(Failure(category="bad_input", message="the kernel crashed")), "bad_input"),
+        (RunRefused(Failure(category=FailureCategory.BAD_INPUT, message="the kernel crashed")), "bad_input"),
         (RuntimeError("a flaw"), "internal"),
     ],
 )

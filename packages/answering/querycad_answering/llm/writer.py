@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from querycad_answering.judging import Verdict
 from querycad_contracts import (
     Attempt,
+    FailureCategory,
     LlmOptions,
     Program,
     TokenUse,
@@ -216,7 +217,7 @@ def _problem(task: Task, candidate: Candidate) -> str:
         return _doubt(task, code) or _unfound(task, verdict)
     assert verdict.failure is not None
     message = verdict.failure.message
-    if verdict.failure.category == "unexpected":
+    if verdict.failure.category is FailureCategory.UNEXPECTED:
         return f"{message}."
     if task.wanted is not None and verdict.wrong_type:
         return f"{message}: the question asks for {in_words(task.wanted)}."

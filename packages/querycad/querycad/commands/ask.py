@@ -16,7 +16,7 @@ from querycad_answering.drawing.asked_units import asked_unit
 from querycad_answering.drawing.callouts import callout, callouts, with_symbols
 from querycad_answering.drawing.describing import listing
 from querycad_answering.drawing.numbers import unit_name
-from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, LengthUnit, Part, Status
+from querycad_contracts import AnswerRecord, Codegen, Expectation, Failure, FailureCategory, LengthUnit, Part, Status
 from querycad_segworker.errors import FileProblem
 
 from .features import listed
@@ -27,7 +27,9 @@ from .reading import OpenModel
 if TYPE_CHECKING:
     from querycad.model import Reply
 
-_BAD_INPUT = ("bad_input", "not_grounded", "not_understood", "unexpected")
+_BAD_INPUT = frozenset(FailureCategory) - {
+    FailureCategory.PROGRAM, FailureCategory.LIMIT, FailureCategory.CANCELLED, FailureCategory.INTERNAL,
+}  # fmt: skip
 _STAGES = {
     "read": "reading the STEP file",
     "measure": "measuring faces and edges",
@@ -139,7 +141,7 @@ def _questions(options: argparse.Namespace) -> list[str]:
 def _exit_code(record: AnswerRecord) -> int:
     if record.answer is not None:
         return EXIT_DONE
-    category = record.failure.category if record.failure else ""
+    category = record.failure.category if record.failure else None
     return EXIT_BAD_INPUT if category in _BAD_INPUT else EXIT_FAILED
 
 
@@ -213,7 +215,7 @@ def _draw(reply: Reply, options: argparse.Namespace, path: Path) -> int:
 
 
 def _unreadable(question: str, problem: FileProblem) -> AnswerRecord:
-    failure = Failure(category="bad_input", message=str(problem), retryable=problem.retryable)
+    failure = Failure(category=FailureCategory.BAD_INPUT, message=str(problem), retryable=problem.retryable)
     return AnswerRecord.failed(question, failure)
 
 

@@ -14,7 +14,16 @@ from urllib.parse import urlsplit
 from pydantic import ValidationError
 
 from querycad_api.store.keyspace import ModelStale
-from querycad_contracts import Failure, GroundedBy, Problem, Program, RunOutcome, RunRequest, carried_trace
+from querycad_contracts import (
+    Failure,
+    FailureCategory,
+    GroundedBy,
+    Problem,
+    Program,
+    RunOutcome,
+    RunRequest,
+    carried_trace,
+)
 
 CONNECT_S = 3.0
 
@@ -68,7 +77,7 @@ class SandboxClient:
             raise ModelStale(problem.detail)
         if problem.retryable:
             raise SandboxUnavailable(problem.detail)
-        category = "bad_input" if status == HTTPStatus.UNPROCESSABLE_ENTITY else "internal"
+        category = FailureCategory.BAD_INPUT if status == HTTPStatus.UNPROCESSABLE_ENTITY else FailureCategory.INTERNAL
         raise RunRefused(Failure(category=category, message=problem.detail or problem.title))
 
     def _posted(self, body: bytes) -> tuple[int, bytes]:

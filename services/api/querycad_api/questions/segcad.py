@@ -14,6 +14,7 @@ from querycad_answering.understanding import ModelView
 from querycad_api.store.keyspace import ModelStale
 from querycad_contracts import (
     Failure,
+    FailureCategory,
     FileStore,
     FindPartsTask,
     Grounded,
@@ -107,8 +108,12 @@ class SegcadClient:
             self._known.pop(task.model, None)
             raise ModelStale(failure.message)
         if failure is None or failure.kind is not TaskFailureKind.FILE:
-            raise RunRefused(Failure(category="internal", message="the segworker could not do this; its log says why"))
-        raise RunRefused(Failure(category="bad_input", message=failure.message, retryable=failure.retryable))
+            raise RunRefused(
+                Failure(category=FailureCategory.INTERNAL, message="the segworker could not do this; its log says why")
+            )
+        raise RunRefused(
+            Failure(category=FailureCategory.BAD_INPUT, message=failure.message, retryable=failure.retryable)
+        )
 
 
 class ModelPlace:

@@ -31,6 +31,7 @@ from querycad_contracts import (
     DescribeTask,
     Description,
     Failure,
+    FailureCategory,
     GroundedBy,
     ModelResource,
     ModelStatus,
@@ -142,7 +143,8 @@ class Questions:
             return None  # done, or deleted
         if job.attempt > ATTEMPTS:
             message = f"abandoned after {ATTEMPTS} workers crashed while answering this"
-            self._finish(task, job, AnswerRecord.failed(task.question, Failure(category="internal", message=message)))
+            failure = Failure(category=FailureCategory.INTERNAL, message=message)
+            self._finish(task, job, AnswerRecord.failed(task.question, failure))
             return None
         if job.model is not None and job.model.status is ModelStatus.READING and job.age_s < READING_AT_MOST_S:
             self.ledger.wait_job(task.job, BEING_READ)
@@ -159,7 +161,9 @@ class Questions:
             if retries < RETRIES:
                 self.ledger.wait_job(task.job, "the sandbox does not answer")
                 return PAUSE_S
-            failure = Failure(category="internal", message="the sandbox does not answer; try again", retryable=True)
+            failure = Failure(
+                category=FailureCategory.INTERNAL, message="the sandbox does not answer; try again", retryable=True
+            )
             record = AnswerRecord.failed(task.question, failure)
         except SoftTimeLimitExceeded:
             if (time.perf_counter() - start) < self._settings.question_s - 1:
@@ -167,7 +171,9 @@ class Questions:
                 self.ledger.wait_job(task.job, "interrupted")
                 return 0.0
             message = f"not answered within {self._settings.question_s} s"
-            record = AnswerRecord.failed(task.question, Failure(category="limit", message=message, retryable=True))
+            record = AnswerRecord.failed(
+                task.question, Failure(category=FailureCategory.LIMIT, message=message, retryable=True)
+            )
         self._finish(task, job, record)
         return None
 
@@ -217,7 +223,9 @@ class Questions:
         if model is None:  # deleted, as the question came
             return AnswerRecord.cancelled(task.question)
         if model.summary is None:
-            late = Failure(category="internal", message="the model's file was not read in time", retryable=True)
+            late = Failure(
+                category=FailureCategory.INTERNAL, message="the model's file was not read in time", retryable=True
+            )
             return AnswerRecord.failed(task.question, model.failure or late)
         summary = model.summary
 
@@ -239,7 +247,7 @@ class Questions:
         except Exception:
             log.exception("job %s failed", task.job)
             return AnswerRecord.failed(
-                task.question, Failure(category="internal", message="the question could not be answered")
+                task.question, Failure(category=FailureCategory.INTERNAL, message="the question could not be answered")
             )
         warnings = tuple(dict.fromkeys((*summary.warnings, *record.warnings)))
         return record.model_copy(update={"timings_ms": {"model": model_ms, **record.timings_ms}, "warnings": warnings})

@@ -30,6 +30,7 @@ from querycad_api.links import job_links, model_links
 from querycad_contracts import (
     AnswerRecord,
     Failure,
+    FailureCategory,
     Job,
     JobEvent,
     JobEventKind,
@@ -80,7 +81,7 @@ def model_of(fields: dict[str, str]) -> ModelResource | None:
     if outcome.failure is None:
         links = model_links(resource.id, ready=True)
         return resource.model_copy(update={"status": ModelStatus.READY, "summary": outcome.value, "links": links})
-    category = "bad_input" if outcome.failure.kind is TaskFailureKind.FILE else "internal"
+    category = FailureCategory.BAD_INPUT if outcome.failure.kind is TaskFailureKind.FILE else FailureCategory.INTERNAL
     failure = Failure(category=category, message=outcome.failure.message, retryable=outcome.failure.retryable)
     links = model_links(resource.id, ready=False)
     return resource.model_copy(update={"status": ModelStatus.FAILED, "failure": failure, "links": links})
@@ -147,7 +148,9 @@ def bounded(record: AnswerRecord) -> str:
         text = each.model_dump_json(exclude_defaults=True)
         if len(text) <= RECORD_BYTES:
             return text
-    failure = Failure(category="internal", message=f"the answer has more than the {RECORD_BYTES:,} bytes that are kept")
+    failure = Failure(
+        category=FailureCategory.INTERNAL, message=f"the answer has more than the {RECORD_BYTES:,} bytes that are kept"
+    )
     return AnswerRecord.failed(record.question[:LONGEST_QUESTION], failure).model_dump_json(exclude_defaults=True)
 
 
