@@ -210,6 +210,7 @@ def measures(question: str) -> list[Measure]:
         ("What is the dedendum circle diameter?", Measure.ROOT_DIAMETER),
         ("What is the centreline radius of the tube?", Measure.CENTRELINE_RADIUS),
         ("What does the lever measure across?", Measure.DIAMETER),
+        ("How big is the lug across?", Measure.DIAMETER),
     ],
 )
 def test_what_a_length_or_an_angle_is_taken_across_names_its_measure(question: str, measure: Measure) -> None:

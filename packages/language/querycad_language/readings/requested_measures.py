@@ -104,9 +104,6 @@ def _how(text: Text, at: int) -> Requested | None:
     ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
         return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
-    behind = (text.find(i, "reach") for i in range(max(0, at - 3), at) if text.is_word(at + 1, "far", "much"))
-    if (reach := next((span for span in behind if span and span.end == at), None)) is not None:  # 'goes in how far'
-        return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((*reach.tokens, at, at + 1)))
     return None
 
 

@@ -200,6 +200,9 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
     for word, measure in (("flat", Measure.ACROSS_FLATS), ("corner", Measure.ACROSS_CORNERS)):
         if get.measures == (Measure.WIDTH,) and over and text.has(word):
             yield (measure,), over | text.at_words(word)
+    last = {i for i in over if i + 1 == len(text) or text.tokens[i + 1].kind is Kind.SYMBOL}
+    if get.measures == (Measure.MAGNITUDE,) and last:  # 'how big is it across?'
+        yield (Measure.DIAMETER,), last
     if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
         yield (Measure.CENTRE_LENGTH,), centred
     if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
