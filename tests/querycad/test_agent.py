@@ -18,7 +18,7 @@ from tests.querycad.sidecar_eyes import SidecarEyes
 from querycad.cli import main
 from querycad.runtime import EmbeddedRuntime
 from querycad_answering.answering import answer_question
-from querycad_answering.eyes.looking import Eyes
+from querycad_answering.eyes.mark_voting import Eyes
 from querycad_answering.llm.messages import ChatModel, LlmBusy, Message, Reply, Role, TimeLimit
 from querycad_answering.llm.replies import KeptReplies
 from querycad_answering.llm.settings import LlmSettings

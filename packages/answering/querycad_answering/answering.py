@@ -42,8 +42,8 @@ from .conversation import NotFollowed, not_followed, stands_alone
 from .drawing.asked_units import asked_unit, in_asked_unit, without_asked_unit
 from .drawing.callouts import ids_text, told_parts
 from .drawing.describing import describe
-from .eyes.looking import Place
-from .eyes.seeing import Seeing
+from .eyes.mark_voting import Place
+from .eyes.visual_questions import Seeing
 from .judging import Verdict, judge
 from .llm import Candidate, LlmOptionRefused, LlmSettings, LlmWriter, Parsed, Task
 from .llm.reference import BY_SIGHT

@@ -29,16 +29,16 @@ from querycad_language.programs.builder import Read
 from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
-from .beside import beside, is_of_whole, of_height, reads_height, standing
 from .candidates import Candidate, Ground, candidates, with_value
+from .companion_values import beside, is_of_whole, of_height, reads_height, standing
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
 from .drawing.numbers import significant
 from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
 from .ranking import SHOWN, Value, softmax, values
-from .refusing import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 from .typed import is_like
+from .unanswerable import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
 
 UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from querycad_answering.llm.example_retrieval import Nearest, words
 from querycad_answering.llm.facts import BUDGET_CHARS, facts, names
 from querycad_answering.llm.files import VERSION
 from querycad_answering.llm.messages import Role
-from querycad_answering.llm.nearest import Nearest, words
 from querycad_answering.llm.prompt import (
     EXAMPLES,
     agent_conversation,

@@ -10,7 +10,7 @@ import httpx
 import pytest
 from tests.answering.llm.conftest import Script, said, status
 
-from querycad_answering.eyes.looking import Eyes
+from querycad_answering.eyes.mark_voting import Eyes
 from querycad_answering.llm.client import HttpChatModel, open_model
 from querycad_answering.llm.messages import LlmError, Message, Role, TimeLimit
 from querycad_answering.llm.settings import LlmSettings

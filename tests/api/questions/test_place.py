@@ -10,7 +10,7 @@ import pytest
 from redis import Redis
 from tests.querycad.sidecar_eyes import SidecarEyes
 
-from querycad_answering.eyes.looking import Eyes
+from querycad_answering.eyes.mark_voting import Eyes
 from querycad_answering.llm.messages import TimeLimit
 from querycad_answering.llm.settings import LlmSettings
 from querycad_api.questions.segcad import LOOK_S, SegcadClient

@@ -16,8 +16,8 @@ from querycad_contracts import Answer, AnswerType, ModelSummary, Unit
 from querycad_contracts.guest_reference import syntax_of
 
 from .checks import lengths_left_out, literals
+from .example_retrieval import singular
 from .files import prompt_data
-from .nearest import singular
 from .prompt import in_words
 
 _WORD = re.compile(r"[a-z]+")

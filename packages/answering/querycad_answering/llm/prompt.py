@@ -11,10 +11,10 @@ from pydantic import TypeAdapter
 from querycad_contracts import AnswerType, Expectation, Frozen, ModelSummary
 
 from .checks import in_metres
+from .example_retrieval import Nearest
 from .facts import BUDGET_CHARS, CAPABLE_CHARS, facts, names
 from .files import prompt_data, prompt_text
 from .messages import Message, Role
-from .nearest import Nearest
 from .reference import reference
 from .settings import PromptExamples
 from .task import LIMITS, Limits

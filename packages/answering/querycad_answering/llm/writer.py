@@ -19,10 +19,10 @@ from .agent import work
 from .breaker import Breaker
 from .checks import problems
 from .doubts import doubts, odd, other_measure
+from .example_retrieval import words
 from .forms import program_form
 from .hints import hint
 from .messages import ChatModel, LlmError, Message, Reply, Role, TimeLimit
-from .nearest import words
 from .program import program_in
 from .prompt import conversation, in_words, repair
 from .replies import ResumedReplies, Transcript
@@ -30,7 +30,7 @@ from .settings import LlmSettings
 from .task import Candidate, Limits, Task, Written
 
 if TYPE_CHECKING:
-    from querycad_answering.eyes.looking import Eyes
+    from querycad_answering.eyes.mark_voting import Eyes
 
 SAID_CHARS = 2000
 """Of a reply that is sent back with what is wrong with it; an endless one is not."""
@@ -78,7 +78,7 @@ class LlmWriter:
         """Who is shown pictures; None where nobody is."""
         shown = self.settings.eyes()
         if self._eyes is None and shown is not None:
-            from querycad_answering.eyes.looking import Eyes  # here: eyes speak through this package
+            from querycad_answering.eyes.mark_voting import Eyes  # here: eyes speak through this package
 
             self._eyes = Eyes(shown)
         return self._eyes

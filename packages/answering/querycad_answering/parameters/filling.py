@@ -32,10 +32,10 @@ from querycad_contracts.parameters import (
     ParameterValue,
 )
 
-from .found import Candidates, Found, names, plain
+from .candidate_values import Candidates, Found, names, plain
+from .formatting import NotInFrame, Telling
 from .frames import MODEL, Rigid
 from .placing import Placing, frame_of
-from .telling import NotInFrame, Telling
 from .wording import question_of
 
 SHOWN = 5

@@ -12,12 +12,12 @@ from querycad_contracts import AnswerRecord, AnswerType, Part, PartKind, Program
 from querycad_contracts.parameters import Axis, Mate, ParameterRequest, ParameterType, Pose
 from querycad_contracts.vectors import scale
 
+from .candidate_values import Candidates, Found
 from .ends import End, ends_of, is_end
-from .found import Candidates, Found
+from .formatting import Telling, number_text, triple_text
 from .frames import MODEL, Rigid, axis, told
 from .grasping import FACES, PLANES, Flat, grasps
 from .mating import Fit, fits
-from .telling import Telling, number_text, triple_text
 
 FRAME = """frame = find_parts({{"ids": ["{part}"]}})[0].frame
 solution = [list(frame.origin), list(frame.x), list(frame.y), list(frame.z)]"""

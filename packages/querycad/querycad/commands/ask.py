@@ -88,7 +88,7 @@ def prompt(options: argparse.Namespace) -> int:
     if held := held_by(settings):
         print(f"\nReplies are held to their form by:\n\n{json.dumps(held, indent=1)}")
     if settings.eyes() is not None:
-        from querycad_answering.eyes.looking import asked
+        from querycad_answering.eyes.mark_voting import asked
         from querycad_contracts import MarkedPicture, PlacedMark
 
         marks = tuple(PlacedMark(number=number, part="", x=0, y=0) for number in (1, 2, 3))

@@ -31,7 +31,7 @@ from .ends import (
     opens_high,
 )
 from .hole import Hole, SectionKind
-from .line_bores import united_through_walls
+from .inline_bores import united_through_walls
 from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
 
 RECESS_RATIO = 0.25

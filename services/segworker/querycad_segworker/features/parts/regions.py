@@ -11,8 +11,8 @@ from querycad_contracts import Bottom, Part, PartKind, SurfaceKind, Vector
 from querycad_segworker.features.blends.rolling_balls import normal_at
 from querycad_segworker.features.depressions.depression import DepressionKind, depression_in
 from querycad_segworker.features.protrusions.protrusions import Protrusion, tags_of
-from querycad_segworker.features.shared.closed_regions import UPRIGHT, Moments, Region, closed_regions
 from querycad_segworker.features.shared.extruded_walls import section_of
+from querycad_segworker.features.shared.face_regions import UPRIGHT, Moments, Region, closed_regions
 from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.part_measures import faces_area
 from querycad_segworker.tolerances import FACING, Tolerances

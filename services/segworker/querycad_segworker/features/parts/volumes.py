@@ -9,7 +9,7 @@ import numpy as np
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.protrusions.protrusions import Protrusion
-from querycad_segworker.features.shared.closed_regions import Moments
+from querycad_segworker.features.shared.face_regions import Moments
 from querycad_segworker.mesh import Mesh
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
 from querycad_segworker.vectors import cross, dist, dot, scale, sub

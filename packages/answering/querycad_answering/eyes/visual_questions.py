@@ -15,7 +15,7 @@ from querycad_answering.llm.messages import LlmError, TimeLimit
 from querycad_answering.understanding import ModelView, Run
 from querycad_contracts import Grounded, Grounding, PartQuery, PictureRequest, Program, RunOutcome, TokenUse, needs_eyes
 
-from .looking import Eyes, Place
+from .mark_voting import Eyes, Place
 
 ROUNDS = 3
 """How often a program is run again: what it looks for may depend on what it has found."""

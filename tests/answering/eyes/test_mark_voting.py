@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from querycad_answering.eyes.looking import AT_ONCE, Eyes, asked, counted, said_in
+from querycad_answering.eyes.mark_voting import AT_ONCE, Eyes, asked, counted, said_in
 from querycad_answering.llm.messages import LlmBusy, LlmError, LlmTooSlow, Message, Reply, TimeLimit
 from querycad_answering.llm.settings import LlmSettings
 from querycad_contracts import Grounding, MarkedPicture, PartQuery, PictureRequest, PlacedMark, Side, Sight, TokenUse
