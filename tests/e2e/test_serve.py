@@ -468,7 +468,7 @@ def test_a_second_service_on_the_same_folder_is_refused(service: Service) -> Non
     command = [sys.executable, "-m", "querycad.cli", "serve", "--port", "0"]
     done = subprocess.run(command, env=service.environment, capture_output=True, text=True, timeout=STEP_S, check=False)
     assert done.returncode == 2
-    assert "runs already" in done.stderr
+    assert "already running" in done.stderr
 
 
 def test_it_stops_without_leaving_a_process_and_finds_its_data_again(
