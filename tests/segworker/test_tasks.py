@@ -362,7 +362,7 @@ def test_a_file_whose_workers_die_is_given_up(redis_url: str, settings: Segworke
 
     outcomes = [deliver("deadly", redelivered) for redelivered in (False, *[True] * ATTEMPTS)]
     assert [outcome["failure"] is None for outcome in outcomes] == [True] * ATTEMPTS + [False]
-    assert "given up" in outcomes[-1]["failure"]["message"]
+    assert "abandoned" in outcomes[-1]["failure"]["message"]
     assert deliver("another", True)["failure"] is None
     app.close()
 
