@@ -131,9 +131,8 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
             yield _Words(at, scale.end, "centers", set(range(at, scale.end)), level=True)
     elif scale is not None and scale.value.measure is Measure.DEPTH:
-        if below := text.at_words("below", "beneath", "under") & set(
-            range(at + 2, len(text))
-        ):  # 'how deep below the rim'
+        below = {i for i in text.at_words("below", "beneath", "under") if i > at + 1}
+        if below:  # 'how deep below the rim'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
 
 
