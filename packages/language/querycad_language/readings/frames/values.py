@@ -30,7 +30,7 @@ MOST_TOGETHER = 3
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
-_LEANING = {Measure.DRAFT: ("vertical", "plumb", "z"), Measure.INCLINATION: ("horizontal", "table", "underside")}
+_ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
@@ -184,11 +184,10 @@ def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
     if get.measures[0] in (Measure.ANGLE, Measure.INCLINATION) and against:
         found.append(((Measure.DRAFT,), against))  # 'the angle of the cone to the centreline', 'per side'
-    for measure, words in _LEANING.items() if get.measures[0] in (Measure.ANGLE, *_LEANING) else ():
-        for at in text.at_words(*words):  # 'from the vertical', 'to the z axis', 'above the table'
-            begin = at - 1 - text.is_word(at - 1, "the", "global", "world")
-            if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
-                found.append(((measure,), {*range(begin, at + 1), *text.covered("axis")}))
+    for span in text.all("leaning") if get.measures[0] in _ANGLES else ():
+        begin = span.start - 1 - text.is_word(span.start - 1, "the", "global", "world")
+        if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
+            found.append(((Measure(span.value),), {*range(begin, span.end), *text.covered("axis")}))
     for measures, said in found:
         yield Parse(replace(get, measures=measures), {**parse.features, "along_axis": 1.0}, parse.used | said)
     yield parse
