@@ -18,8 +18,8 @@ demo: setup ## answer a question about a model in examples/, with code, timings 
 	@mkdir -p build
 	$(BIN)/querycad ask $(DEMO_MODEL) "$(DEMO_QUESTION)" --show-code --picture build/demo.png
 
-test: setup ## run all tests; arguments for pytest in ARGS
-	$(BIN)/python -m pytest $(ARGS)
+test: setup ## run all tests, as many at a time as there are cores, at most 4, or JOBS; arguments for pytest in ARGS
+	$(BIN)/python -m pytest --numprocesses $(or $(JOBS),auto) --maxprocesses 4 --dist loadfile $(ARGS)
 
 attack: setup ## attack what takes text, files, requests and programs, 2,000 mutants among them; a quarter of an hour
 	QUERYCAD_ATTACK=whole $(BIN)/python -m pytest tests/attack tests/llm_sandbox/test_hostile.py tests/llm_sandbox/test_fuzz.py $(ARGS)
