@@ -88,6 +88,7 @@ class _Host:
                 if key.fileobj is self._control:
                     if not self._fork():
                         self._kill_all()
+                        signal.set_wakeup_fd(-1)  # the socket goes before the last of them is reaped
                         return
                 elif key.fileobj is self._ended:
                     self._tell_ended()
