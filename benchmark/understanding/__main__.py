@@ -16,7 +16,7 @@ from benchmark.scoring.own_models import own_models
 from querycad_language.weights import calibration, weights
 
 from .collect import Row, collect
-from .cross_validation import cross_validated, judged, risk_and_coverage, summary, weights_of
+from .cross_validation import asks_for_missing, cross_validated, judged, risk_and_coverage, summary, weights_of
 from .data import Question, asked, questions
 from .fit import Table
 from .plot import draw
@@ -50,15 +50,16 @@ def _fit(jobs: int, rounds: int) -> int:
         table, doubts = weights_of(rows, prior)
         told = cross_validated(rows, prior)
         text = summary(told)
-        right = sum(one.right for one in told) / len(told)
+        there = [one for one in told if not asks_for_missing(one.fold)]
+        right = sum(one.right for one in there) / len(there)
         write(
             table,
             doubts,
             f"{len(data)} questions, data {_hash(data)}; cross-validated by writer and model: {right:.3f} right",
         )
     print(text)
-    draw(told)
-    curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(told)]
+    draw(there)
+    curve = [{"threshold": t, "coverage": round(c, 4), "risk": round(r, 4)} for t, c, r in risk_and_coverage(there)]
     RESULTS.write_text(
         json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n",
         encoding="utf-8",

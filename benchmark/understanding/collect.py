@@ -10,8 +10,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from querycad_answering.candidates import candidates, with_value
-from querycad_contracts import Part, RunOutcome, RunStatus
+from querycad_answering.candidates import absences, candidates, with_value
+from querycad_contracts import Grounded, Part, PartQuery, RunOutcome, RunStatus
 from querycad_language.readings import read
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
@@ -20,7 +20,7 @@ from querycad_segworker.ingest import ingest
 from querycad_segworker.local import LocalSegCad
 from querycad_segworker.model import ModelStore
 
-from .data import Question, is_right
+from .data import MISSING, Question, is_right
 
 LIMIT = 10
 """Candidates of a question that are run for fitting; more than for an answer, so that weights see what was wrong."""
@@ -34,7 +34,8 @@ class Tried:
     value: Any
     right: bool
     code: str
-    said: str = ""
+    absent: bool = False
+    """Is it the reading of a part that the model lacks? Then there is nothing to run, and that is the answer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +68,16 @@ def _of_model(asked: Sequence[Question], store: Path) -> list[Row]:
 def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) -> list[Tried]:
     found = []
     names = vocabulary(segcad.model.parts)
+    grounded: dict[PartQuery, Sequence[Grounded]] = {}
+
+    def ground(queries: Sequence[PartQuery]) -> Sequence[Sequence[Grounded]]:
+        ways = segcad.ground(queries)
+        grounded.update(zip(queries, ways, strict=True))
+        return ways
+
     try:
-        ranked = candidates(read(one.question, names), segcad.ground, whole, LIMIT)
+        readings = read(one.question, names)
+        ranked = candidates(readings, ground, whole, LIMIT)
     except Exception as error:
         print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
         return []
@@ -89,4 +98,5 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
             continue
         done = with_value(candidate, outcome.value, whole.extents)
         found.append(Tried(done.features, outcome.value, is_right(outcome.value, one), candidate.written.code))
-    return found
+    lacking = one.kind == MISSING
+    return [*found, *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded))]

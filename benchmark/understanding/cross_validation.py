@@ -8,13 +8,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .collect import Row
+from .data import MISSING
 from .fit import Answered, Table, answered, calibrate, fit, sure
 
 SURE = 0.8
 """An answer with this confidence passes as known: people do not check it."""
 PARTS = 5
 """Calibration looks at questions that were left out, so many parts one after the other."""
-LOOKED_AT = 0.2
+LOOKED_AT = 0.4
 """What a question that the lexicon was written with in view counts in calibration, beside one by a hand.
 
 The more they count, the smaller is the calibration error over all and the larger that over the hands; and the more of
@@ -35,6 +36,8 @@ class Told:
     """Is a right value among the candidates that ran?"""
     refused: bool
     confidence: float
+    missing: bool = False
+    """Is what is asked about not there, so that a refusal is right?"""
 
 
 def fold_of(row: Row) -> str:
@@ -48,6 +51,11 @@ def fold_of(row: Row) -> str:
 def is_hand(fold: str) -> bool:
     """Are these the questions of one who saw neither grammar nor lexicon?"""
     return fold not in ("facts", "cad-qa") and not fold.startswith("own-")
+
+
+def asks_for_missing(fold: str) -> bool:
+    """Is this a writer of questions about what the model lacks, with some about what it has beside them?"""
+    return fold.startswith("absent")
 
 
 def cross_validated(rows: Sequence[Row], prior: Table) -> list[Told]:
@@ -105,7 +113,15 @@ def judged(rows: Sequence[Row], table: Table, calibration: Table) -> list[Told]:
         answer = answered(row, table)
         reachable = any(one.right for one in row.tried)
         found.append(
-            Told(fold_of(row), row.question.writer, answer.right, reachable, answer.refused, sure(answer, calibration))
+            Told(
+                fold_of(row),
+                row.question.writer,
+                answer.right,
+                reachable,
+                answer.refused,
+                sure(answer, calibration),
+                row.question.kind == MISSING,
+            )
         )
     return found
 
@@ -137,16 +153,23 @@ def summary(told: Sequence[Told]) -> str:
     """A table by fold, and the figures over all."""
     groups: dict[str, list[Told]] = defaultdict(list)
     for one in told:
+        if asks_for_missing(one.fold):  # half of them and more have no value
+            groups["missing" if one.missing else "not missing"].append(one)
+            continue
         groups[one.fold.partition("-")[0]].append(one)
         groups["all"].append(one)
         if is_hand(one.fold):
             groups["the hands"].append(one)
-    lines = [f"{'left out':14} {'questions':>9} {'right':>6} {'reachable':>9} {'sure':>6} {'wrong and sure':>14}"]
+    titles = f"{'questions':>9} {'right':>6} {'reachable':>9} {'sure':>6} {'wrong and sure':>14} {'refused':>8}"
+    lines = [f"{'left out':14} {titles}"]
     for name, ones in groups.items():
         count = len(ones)
         right, reach = sum(one.right for one in ones) / count, sum(one.reachable for one in ones) / count
         certain = [one for one in ones if one.confidence >= SURE]
         wrong = sum(not one.right for one in certain) / count
-        lines.append(f"{name:14} {count:9} {right:6.3f} {reach:9.3f} {len(certain) / count:6.3f} {wrong:14.3f}")
+        refused = sum(one.refused for one in ones) / count
+        lines.append(
+            f"{name:14} {count:9} {right:6.3f} {reach:9.3f} {len(certain) / count:6.3f} {wrong:14.3f} {refused:8.3f}"
+        )
     lines += [f"calibration error, {name}: {calibration_error(groups[name]):.3f}" for name in ("all", "the hands")]
     return "\n".join(lines)

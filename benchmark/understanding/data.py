@@ -15,6 +15,8 @@ from benchmark.scoring.own_models import LAST_LOOK, MODELS
 
 SHARED = Path("../shared")
 SPECIFIED = Path("benchmark/specified/models")
+MISSING = "absent"
+"""The kind of a question about what its model does not have: the right answer is to say so."""
 SI = {
     "mm": 1e-3, "m": 1.0, "in": 0.0254, "inch": 0.0254, "cm": 1e-2, "deg": math.pi / 180, "rad": 1.0, "mm2": 1e-6,
     "mm3": 1e-9, "in3": 0.0254**3, "cm3": 1e-6, "g": 1e-3, "kg": 1.0, "lb": 0.45359237, "count": 1, "": 1,
@@ -38,7 +40,7 @@ class Question:
 
 def questions(held_out: bool = False) -> list[Question]:
     """All that may be looked at; with `held_out` those that never were."""
-    found = [*_own(held_out), *([] if held_out else [*_examples(), *_asked(), *_facts(), *_published()])]
+    found = [*_own(held_out), *([] if held_out else [*_examples(), *_asked(), *_missing(), *_facts(), *_published()])]
     return [one for one in found if one.file.is_file()]
 
 
@@ -97,6 +99,11 @@ def asked(path: Path) -> Iterator[Question]:
 
 def _asked() -> Iterator[Question]:
     for path in sorted(Path("benchmark/asked").glob("*.json")):
+        yield from asked(path)
+
+
+def _missing() -> Iterator[Question]:
+    for path in sorted(Path("benchmark/missing").glob("*.json")):
         yield from asked(path)
 
 

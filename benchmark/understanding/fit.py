@@ -20,6 +20,7 @@ from scipy.special import logsumexp
 from querycad_answering.ranking import NONE, confidence, doubts, key, odds
 
 from .collect import Row, Tried
+from .data import MISSING
 
 L2 = 0.5
 """Chosen by cross-validation among 0.1, 0.5 and 2."""
@@ -104,14 +105,18 @@ def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[csr_array, NDAr
 
 def answered(row: Row, table: Table) -> Answered:
     """What is answered with these weights; equal values count together."""
-    runs = [one for one in row.tried if one.value is not None and one.value != []]
+    runs = [one for one in row.tried if one.absent or (one.value is not None and one.value != [])]
     if not runs:
-        return Answered(False, 0.0, {}, 0.0, True)
+        return Answered(row.question.kind == MISSING, 0.0, {}, 0.0, True)
     scores = np.array([_score(one, table) for one in runs])
     shares = np.exp(scores - logsumexp([*scores, table.get(NONE, -math.inf)]))
+    absent = math.fsum(share for one, share in zip(runs, shares, strict=True) if one.absent)
+    if absent > math.fsum(shares) - absent:
+        return Answered(row.question.kind == MISSING, 0.0, {}, 0.0, True)
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
-        groups.setdefault(key(one.value), []).append(i)
+        if not one.absent:
+            groups.setdefault(key(one.value), []).append(i)
     best = max(groups.values(), key=lambda members: float(shares[members].sum()))
     top = max(best, key=lambda i: float(scores[i]))
     return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)

@@ -10,7 +10,7 @@ from tests.made import body, hole, inventory, part, view, whole
 
 from querycad_answering.answering import answer_question
 from querycad_answering.candidates import candidates, with_value
-from querycad_answering.ranking import confidence, key, values
+from querycad_answering.ranking import confidence, key, ranked
 from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
     AnswerOptions,
@@ -68,9 +68,9 @@ def test_equal_values_are_one_value_and_what_was_not_run_is_nobodys() -> None:
     model = view(*THREE)
     understanding = Understanding("What is the depth of the hole?", model, Expectation())
     tried = understanding.tried(Counted(*[0.01] * 9), every=True)
-    (alone,) = values(tried)
+    (alone,) = ranked(tried).values
     assert alone.share > 0.95  # the rest: that none is right
-    (less,) = values(tried, [tried[0].score] * 3)
+    (less,) = ranked(tried, [tried[0].score] * 3).values
     assert less.share < alone.share
     assert key([0.01, 0.0100000001]) == key(0.01)
 

@@ -56,9 +56,17 @@ def test_ranks_are_by_measure_or_by_nearness() -> None:
     assert largest.most
     (second,) = noun_phrase("the second deepest slot", NONE).ranks
     assert (second.measure, second.nth) == (Measure.DEPTH, 2)
+    assert not second.is_unordered
     (near,) = noun_phrase("the slot nearest to the boss", NONE).ranks
     assert near.near is not None
     assert near.near.noun == "boss"
+
+
+def test_an_ordinal_alone_says_that_there_are_so_many() -> None:
+    (third,) = noun_phrase("the third slot", NONE).ranks
+    assert (third.nth, third.is_unordered) == (3, True)
+    for phrase in ("the first slot", "the next slot"):
+        assert not noun_phrase(phrase, NONE).ranks
 
 
 def test_places_are_queries_themselves() -> None:

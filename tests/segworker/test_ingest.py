@@ -65,6 +65,13 @@ def test_the_artefacts_hold_the_model_its_faces_and_its_triangles(
     assert left_over(store) == []
 
 
+@pytest.mark.parametrize("file_name", ["gear-rack.step", "gear-rack.step.gz"])
+def test_a_file_that_holds_no_name_is_called_as_it_is_called(file_name: str, drilled: Path, tmp_path: Path) -> None:
+    """'The rack' is then all of it."""
+    model = ingest(drilled, ModelStore(tmp_path / "store"), file_name=file_name).load_model()
+    assert model.shape.name == "gear-rack"
+
+
 def test_a_known_file_is_not_read_again(drilled: Path, store: ModelStore, stages: list[str]) -> None:
     again: list[str] = []
     ingest(drilled, store, IngestLimits(duration_s=0.0), again.append)

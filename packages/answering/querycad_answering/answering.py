@@ -115,7 +115,7 @@ def answer_question(
         return told.record(question, clock, least)
     if codegen is not Codegen.PARSER and writer.settings.is_configured:
         asked = clock.timed("codegen", partial(_asked_type, understanding))
-        parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
+        parsed = cache(lambda: clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
         task = Task(
             asked_for,
             timed_run,
@@ -132,7 +132,7 @@ def answer_question(
         both = _compound(understanding, run, view, unit, lambda one: judged(one, timed_run(one)).answer, least)
         if both is not None and expect.type is None:
             return both.model_copy(update={"question": question})
-        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit, least)))
+        outcome = _by_parser(clock.timed("codegen", lambda: understanding.answered(timed_run, unit)))
         if codegen is not Codegen.PARSER:
             outcome.notes.append("no language model is set up: the parser answered")
     if seeing is not None:

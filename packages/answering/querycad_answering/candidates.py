@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -21,6 +21,8 @@ OPTIONS = 4
 """So many meanings of a measure are followed."""
 RUNS = 6
 """So many programs are run."""
+ABSENCES = 3
+"""So many readings of parts that the model may lack are weighed."""
 
 _ANGLES = (AnswerType.ANGLE, AnswerType.ANGLES)
 _SQUARE = round(math.pi / 2, 7)
@@ -46,8 +48,12 @@ class Candidate:
     @property
     def score(self) -> float:
         """The fitted weights of the features, added up."""
-        table = weights()
-        return math.fsum(table.get(name, 0.0) * value for name, value in self.features.items())
+        return _score(self.features)
+
+
+def _score(features: Features) -> float:
+    table = weights()
+    return math.fsum(table.get(name, 0.0) * value for name, value in features.items())
 
 
 def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: int = RUNS) -> list[Candidate]:
@@ -64,6 +70,60 @@ def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: 
             if known is None or candidate.score > known.score:
                 best[candidate.written.code] = candidate
     return sorted(best.values(), key=lambda one: one.score, reverse=True)[:limit]
+
+
+@dataclass(frozen=True, slots=True)
+class Absence:
+    """A reading of a part that the model lacks, which is answered by saying so; and what speaks for it."""
+
+    query: PartQuery
+    grounded: Grounded
+    features: Features
+
+    @property
+    def score(self) -> float:
+        """The fitted weights of the features, added up."""
+        return _score(self.features)
+
+
+def absences(readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[Grounded]]) -> list[Absence]:
+    """The readings of parts that the model may lack, the best first; a few.
+
+    How many there are, and whether there is one, is answered: none.
+    """
+    best: dict[PartQuery, Absence] = {}
+    for reading in readings:
+        if isinstance(reading.form, Count | Exists | Every):
+            continue
+        for index, query in enumerate(queries(reading.form)):
+            for way in _lacking(query, grounded.get(query, ())):
+                features = {**reading.features, **_of_absence(query, way), "absent_place": float(index > 0)}
+                features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
+                found = Absence(query, way, features)
+                if query not in best or found.score > best[query].score:
+                    best[query] = found
+    return sorted(best.values(), key=lambda one: one.score, reverse=True)[:ABSENCES]
+
+
+def _lacking(query: PartQuery, ways: Sequence[Grounded]) -> Iterator[Grounded]:
+    """The groundings that find nothing; that there is none, where only something else stands in for the noun."""
+    empty = [way for way in ways if not way.parts]
+    yield from empty
+    if query.noun and not query.ids and not empty and all(_stands_in(way) for way in ways):
+        yield Grounded(parts=(), features={"nothing": 1.0})
+
+
+def _stands_in(way: Grounded) -> bool:
+    """Is it a guess, parts of a like kind, or the whole model, for a noun that nothing here is called by?"""
+    return bool(_INSTEAD & way.features.keys()) and not CALLED_SO & way.features.keys()
+
+
+def _of_absence(query: PartQuery, way: Grounded) -> Features:
+    """What is known of the noun of a part that is not there, beside the features of its grounding."""
+    noun = lexicon().nouns.get(query.noun) if query.known else None
+    kind = "unknown" if noun is None else "product" if noun.product else "known"
+    narrowed = any(name.endswith("_empties") for name in way.features)
+    return {**way.features, "absent": 1.0, f"absent_{kind}": 1.0, "absent_narrowed": float(narrowed)}
 
 
 def _told(
@@ -188,6 +248,12 @@ _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
 _STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "whole_sense"))
 """Groundings of a noun that is no name of the parts' kind."""
+_INSTEAD = frozenset(
+    ("guessed", "sense_kin", "sense_wide", "unknown_whole", "whole_generic", "whole_sense", "unknown_words")
+)
+"""Features of groundings to what has another name than the noun."""
+CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
+"""Features of a noun that names the model: its file or its body is called so."""
 _HOLLOW = frozenset((Measure.DEPTH, Measure.OPENING, Measure.BOTTOM, Measure.EDGE_DISTANCE))
 
 

@@ -14,7 +14,7 @@ from typing import Any
 from querycad_contracts import AnswerType
 from querycad_language.weights import calibration, weights
 
-from .candidates import Candidate
+from .candidates import Absence, Candidate
 
 Features = dict[str, float]
 NONE = "none_right"
@@ -24,20 +24,28 @@ SHOWN = 3
 
 _DOUBTS: dict[str, tuple[str, ...]] = {
     "skipped": (
-        "skip_number", "skip_side", "skip_noun", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
+        "skip_number", "skip_side", "skip_measure", "skip_negation", "skip_comparison", "skip_adjective",
     ),
-    "unknown": ("skip_unknown", "unknown_words", "unknown_noun", "unknown_whole", "aside_unknown"),
+    "noun": ("skip_noun",),
+    "unknown": ("skip_unknown", "aside_unknown"),
+    "unknown_words": ("unknown_words",),
+    "unknown_whole": ("unknown_whole",),
+    "guessed": ("guessed",),
+    "passed": ("parts_passed", "owner_passed", "link_whole"),
     "aside": ("aside_noun", "aside_number", "aside_side", "aside_measure", "aside_comparison"),
     "dropped": (
         "adjective_dropped", "size_dropped", "place_dropped", "place_unknown", "compound_dropped", "compound_unknown",
-        "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped",
+        "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped", "nth_dropped",
+        "nth_unchecked",
     ),
     "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
     "chosen": ("group_for_one", "group_for_plural"),
-    "kin": ("sense_kin", "sense_wide"),
-    "stretched": ("sense_stretch", "sense_rank", "measure_derived", "measure_foreign"),
+    "alike": ("alike_for_one",),
+    "kin": ("sense_kin", "sense_wide", "kin_instead"),
+    "stretched": ("sense_stretch", "sense_rank"),
+    "measure": ("measure_derived", "measure_foreign"),
     "miscounted": ("count_differs", "count_group", "one_for_plural"),
-    "whole": ("whole_hollow", "parts_passed", "owner_passed"),
+    "whole": ("whole_hollow",),
     "empty": ("empty", "nothing", "counts_none", "value_zero"),
     "yes_no": ("form_check", "form_every", "form_uniform", "form_exists", "form_parallel", "form_within"),
     "choice": ("form_towards", "form_either", "form_which"),
@@ -45,6 +53,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "long": ("words",),
     "strange": ("strange_words",),
     "whole_model": ("whole_sense",),
+    "named": ("file_named", "by_name"),
     "odd": ("named_only", "value_is_extent", "value_too_large", "material_under", "material_between"),
 }  # fmt: skip
 """What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
@@ -72,21 +81,32 @@ def key(value: Any) -> str:
     return repr(value)
 
 
-def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Value]:
-    """The different values of the candidates that gave one, the most probable first.
+@dataclass(frozen=True, slots=True)
+class Ranked:
+    """The values that can be the answer, and how probable it is that the model lacks what is asked about."""
+
+    values: tuple[Value, ...] = ()
+    """The most probable first."""
+    absent: float = 0.0
+
+    @property
+    def is_absent(self) -> bool:
+        """Is it more probable that the part is not there than that any of the values is right?"""
+        return self.absent > math.fsum(one.share for one in self.values)
+
+
+def ranked(tried: Sequence[Candidate], untried: Sequence[float] = (), absences: Sequence[Absence] = ()) -> Ranked:
+    """The different values of the candidates that gave one, against the readings of parts that are not there.
 
     `untried` are the scores of those that were not run: their share of the probability is nobody's; so is that of none.
     """
     runs = [
         one for one in tried if one.value is not None and (one.value != [] or one.written.expects is AnswerType.PARTS)
     ]
-    if not runs:
-        return []
-    listing = (
-        max(runs, key=lambda one: one.score).written.expects is AnswerType.PARTS
-    )  # no truth that is fitted on is one
+    listing = bool(runs) and max(runs, key=lambda one: one.score).written.expects is AnswerType.PARTS
+    lacking = [] if listing else [one.score for one in absences]  # no truth that is fitted on is a list
     none = -math.inf if listing else weights().get(NONE, -math.inf)
-    shares = softmax([*(one.score for one in runs), *untried, none])
+    shares = softmax([*(one.score for one in runs), *lacking, *untried, none])
     groups: dict[str, list[int]] = {}
     for i, one in enumerate(runs):
         groups.setdefault(key(one.value), []).append(i)
@@ -95,12 +115,14 @@ def values(tried: Sequence[Candidate], untried: Sequence[float] = ()) -> list[Va
         best = max(members, key=lambda i: shares[i])
         share = math.fsum(shares[i] for i in members)
         found.append(Value(runs[best], share, confidence(share, runs[best].features, runs[best].score)))
-    return sorted(found, key=lambda one: one.share, reverse=True)
+    absent = math.fsum(shares[len(runs) : len(runs) + len(lacking)])
+    return Ranked(tuple(sorted(found, key=lambda one: one.share, reverse=True)), absent)
 
 
 def softmax(scores: Sequence[float]) -> list[float]:
     """Shares of one that grow with the scores."""
-    top = max(scores)
+    if (top := max(scores)) == -math.inf:
+        return [0.0] * len(scores)
     weights = [math.exp(score - top) for score in scores]
     total = math.fsum(weights)
     return [weight / total for weight in weights]

@@ -2,37 +2,22 @@
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Failure, FailureCategory, Grounded, Measure, PartQuery
+from querycad_contracts import Failure, FailureCategory, Measure
 from querycad_language.describe import none_such, noun_phrase
-from querycad_language.forms import Check, Count, Every, Exists, Get, queries
-from querycad_language.lexicon import lexicon
+from querycad_language.forms import Check, Get
 from querycad_language.readings import Reader
 from querycad_language.tokens import DENSITY, Kind
-from querycad_language.weights import weights
 
-from .candidates import Candidate
+from .candidates import Absence, Candidate
 from .drawing.meaning import describe
 
-MARGIN = 0.5
-"""By so much the reading of a part that is not there must be better than one that has a value."""
 BEHIND_ASKING = 4
 """So far before what is asked for may the word that asks stand: 'how much does it cost'."""
 TAKEN_FOR_WHOLE = ("unknown_whole", "whole_generic")
 """Features of a noun that the model has no part for, and that may stand for the whole of it."""
-STANDS_IN = (*TAKEN_FOR_WHOLE, "kin_instead", "guessed")
-"""Features of a noun that the model has no part for, and that the whole or parts of another kind may stand in for."""
-CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
-"""Features of a noun that names the model: its file or its body is called so."""
-PART_AS_WHOLE = 0.6
-"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', stands for the whole model or for parts
-of another kind."""
-GUESSED = 0.15
-"""So probable must it be that parts which nothing but a guess takes for an unknown noun are meant."""
 _AMOUNTS = ("measure", "distance", "gap", "scale", "cannot_know", "reach")
 _MEASURED = ("measure", "count", "exists", "distance", "gap")
 
@@ -81,8 +66,9 @@ class Refused:
     kinds: tuple[str, ...]
     """Kinds of part that the model has."""
 
-    def absent(self, query: PartQuery, grounded: Grounded) -> Failure:
+    def absent(self, missing: Absence) -> Failure:
         """The part is not there: which word is missing, and which kinds of part there are?"""
+        query, grounded = missing.query, missing.grounded
         noun = query.noun or "part"
         said = noun_phrase(query).removeprefix("the ")
         if "unknown_noun" in grounded.features:
@@ -91,13 +77,6 @@ class Refused:
             return Failure(category=FailureCategory.NOT_GROUNDED, message=none)
         narrowed = any(name.endswith("_empties") for name in grounded.features)
         return self.not_grounded((not narrowed and grounded.reason) or f"the model has no '{said}'")
-
-    def instead_of(self, query: PartQuery, taken: Grounded, least: float) -> float:
-        """How probable must it be that something else is meant by a part that the model lacks?"""
-        if "guessed" in taken.features:
-            return GUESSED
-        noun = lexicon().nouns.get(query.noun) if query.known else None
-        return max(least, PART_AS_WHOLE) if noun is not None and not noun.product else least
 
     def not_grounded(self, message: str) -> Failure:
         """The failure, with the kinds of part that there are."""
@@ -172,33 +151,3 @@ def unread(asked: Refused) -> Failure:
             category=FailureCategory.NOT_UNDERSTOOD, message=f"nothing is asked that can be answered: '{meant}'"
         )
     return asked.not_grounded(f"'{meant}' is unknown in this model")
-
-
-def absent(asked: Refused, best: Candidate | None, grounded: Mapping[PartQuery, Sequence[Grounded]]) -> Failure | None:
-    """Is a reading of a part that is not there better than all that have a value?
-
-    How many there are, and whether there is one, is answered: none.
-    """
-    if best is not None and not _passes_over(best):
-        return None
-    table = weights()
-    found: tuple[float, Failure] | None = None
-    for reading in asked.reader.readings:
-        if isinstance(reading.form, Count | Exists | Every):
-            continue
-        for query in queries(reading.form):
-            ways = grounded.get(query, ())
-            if not ways or ways[0].parts:
-                continue
-            features = (*reading.features.items(), *ways[0].features.items())
-            score = math.fsum(table.get(name, 0.0) * value for name, value in features)
-            if found is None or score > found[0]:
-                found = score, asked.absent(query, ways[0])
-    if found is None or (best is not None and found[0] < best.score + MARGIN):
-        return None
-    return found[1]
-
-
-def _passes_over(best: Candidate) -> bool:
-    """Does the best candidate leave out a part that is named?"""
-    return any(name in best.features for name in ("parts_passed", "owner_passed", "skip_noun", "link_whole"))

@@ -29,16 +29,16 @@ from querycad_language.programs.builder import Read
 from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
-from .candidates import Candidate, Ground, candidates, with_value
+from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, with_value
 from .companion_values import beside, is_of_whole, of_height, reads_height, standing
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
 from .drawing.numbers import significant
 from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
-from .ranking import SHOWN, Value, softmax, values
+from .ranking import SHOWN, Ranked, Value, ranked, softmax
 from .typed import is_like
-from .unanswerable import CALLED_SO, STANDS_IN, TAKEN_FOR_WHOLE, Refused, absent, cannot_know, nothing_asked, unread
+from .unanswerable import TAKEN_FOR_WHOLE, Refused, cannot_know, nothing_asked, unread
 
 UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
@@ -137,7 +137,13 @@ class Understanding:
             return self.addressed.failure.model_copy(update={"nearest": self._view.kinds})
         asked = self._asked
         best = next(iter(self.ranked), None)
-        return cannot_know(asked, best) or nothing_asked(asked, best) or absent(asked, best, self.grounded)
+        return cannot_know(asked, best) or nothing_asked(asked, best)
+
+    @cached_property
+    def absences(self) -> list[Absence]:
+        """The readings of parts that the model may lack, the best first."""
+        _ = self.ranked  # which grounds the queries
+        return absences(self._asked.reader.readings, self.grounded)
 
     @property
     def readings(self) -> tuple[str, ...]:
@@ -155,9 +161,22 @@ class Understanding:
         scores = [one.score for one in self.ranked]
         for index, candidate in enumerate(self.ranked):
             found.append(self._ran(candidate, run))
-            if not every and _is_settled(values(found, scores[index + 1 :]), found, scores[index + 1 :]):
+            if not every and _is_settled(found, scores[index + 1 :]):
                 break
         return found
+
+    def ranking(self, tried: Sequence[Candidate], untried: Sequence[float] = ()) -> Ranked:
+        """The values of programs that ran, against those that did not, and against parts that are not there."""
+        return ranked(tried, untried, () if self.addressed.ids else self.absences)
+
+    def missing(self, ranking: Ranked) -> Failure | None:
+        """Which part is not there, where that is more probable than all values together?"""
+        return self._asked.absent(self.absences[0]) if ranking.is_absent else None
+
+    def _may_lack(self, ranking: Ranked) -> Iterator[str]:
+        """That the part may be missing, where that is more probable than the best value."""
+        if ranking.absent > max((one.share for one in ranking.values), default=0.0):
+            yield f"it may not be there: {self._asked.absent(self.absences[0]).message}"
 
     def _ran(self, candidate: Candidate, run: Run) -> Candidate:
         code = candidate.written.code
@@ -168,38 +187,41 @@ class Understanding:
             return with_value(candidate, None, self._view.whole.extents)
         return with_value(candidate, outcome.value, self._view.whole.extents)
 
-    def answered(self, run: Run, unit: LengthUnit, least: float = 0.0, every: bool = False) -> Understood:
-        """What is the most probable answer, and what else may be meant?
+    def answered(self, run: Run, unit: LengthUnit, every: bool = False) -> Understood:
+        """What is the most probable answer, and what else may be meant? Or is what is asked about not there?
 
-        A noun that the model has no part for is taken for the whole model only with a confidence of at least `least`.
         Where none that ran first is of the type that is wanted, `every` one runs.
         """
         if self.refused is not None:
             return Understood(verdict=Verdict(failure=self.refused))
         tried = self.tried(run, every)
         untried = [one.score for one in self.ranked[len(tried) :]]
-        found = values(tried, untried)
-        told = math.fsum(one.share for one in found)
+        ranking = self.ranking(tried, untried)
+        if (missing := self.missing(ranking)) is not None:
+            return Understood(verdict=Verdict(failure=missing))
+        found, told = ranking.values, math.fsum(one.share for one in ranking.values)
         for index, best in enumerate(self._certain(one, told) for one in found):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
-                if (missing := self._missing(best, least)) is not None:
+                if (missing := self._none_counted(best.candidate)) is not None:
                     return Understood(verdict=Verdict(failure=missing))
                 rest = [one for i, one in enumerate(found) if i != index]
                 others = self._others(best.candidate, rest, unit)
-                notes = [*beside(best.candidate, unit), *self._because(best.candidate, run, unit)]
+                notes = [
+                    *self._may_lack(ranking),
+                    *beside(best.candidate, unit),
+                    *self._because(best.candidate, run, unit),
+                ]
                 if (other := self._standing(best.candidate, run, unit)) is not None:
                     others, notes = (other[0], *others)[:SHOWN], [*notes, other[1]]
                 return self._understood(best, verdict, others, notes)
             if best.candidate.value == [] and best.candidate.written.expects is AnswerType.PARTS:
                 break  # that none is so is likelier than the other readings
         if untried and self._expect.type is not None:
-            return self.answered(run, unit, least, every=True)
+            return self.answered(run, unit, every=True)
         if not tried:
             return Understood(verdict=Verdict(failure=unread(self._asked)))
         first = found[0].candidate if found else tried[0]
-        if (missing := self._missing(Value(first, 0.0, 0.0), least)) is not None:
-            return Understood(verdict=Verdict(failure=missing))
         return Understood(_program(first), self._verdict(first, 0.0, unit), understood_as=meant(first))
 
     def _certain(self, best: Value, told: float) -> Value:
@@ -235,22 +257,12 @@ class Understanding:
             for query, found in zip(restricted, ways, strict=True)
         )
 
-    def _missing(self, best: Value, least: float) -> Failure | None:
-        """The part that the words name and the model lacks, where the whole model stands in for it too boldly.
-
-        Whoever counts parts, or asks whether there are any, does not mean the whole by them.
-        """
-        counts = isinstance(best.candidate.reading.form, Count | Exists)
-        for query, taken in best.candidate.grounds.items():
+    def _none_counted(self, best: Candidate) -> Failure | None:
+        """The part that is counted, or looked for, where nothing but the whole model or a guess stands for it."""
+        for query, taken in best.grounds.items() if isinstance(best.reading.form, Count | Exists) else ():
             whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
-            if counts and (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole"):
-                return self._asked.absent(query, taken)  # no propeller is on a flange
-            if any(taken.features.get(name) for name in STANDS_IN):
-                empty = next((way for way in self.grounded.get(query, ()) if not way.parts), None)
-                if empty is not None and (
-                    (counts and whole) or best.confidence < self._asked.instead_of(query, taken, least)
-                ):
-                    return self._asked.absent(query, empty)
+            if (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole"):
+                return self._asked.absent(Absence(query, taken, {}))  # no propeller is on a flange
         return None
 
     def _verdict(self, candidate: Candidate, confidence: float, unit: LengthUnit) -> Verdict:
@@ -395,10 +407,11 @@ def _program(candidate: Candidate, confidence: float = 0.0) -> Program:
     )
 
 
-def _is_settled(found: Sequence[Value], tried: Sequence[Candidate], untried: Sequence[float]) -> bool:
+def _is_settled(tried: Sequence[Candidate], untried: Sequence[float]) -> bool:
     """Can no program that is left make another value the best?"""
     if not untried:
         return True
+    found = ranked(tried, untried).values
     if not found:
         return False
     runs = [one.score for one in tried if one.value is not None and one.value != []]

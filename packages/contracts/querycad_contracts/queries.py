@@ -136,7 +136,10 @@ class SizeFilter(Frozen):
 
 
 class Rank(Frozen):
-    """Which of several: the first `count` in an order, or the `nth`. Exactly one of the orders is set."""
+    """Which of several: the first `count` in an order, or the `nth`.
+
+    One of the orders is set; or none, where the words say none: for 'the second hole' there must be two.
+    """
 
     measure: Measure | None = None
     side: Side | None = Field(None, description="The part that lies farthest towards this side.")
@@ -145,6 +148,11 @@ class Rank(Frozen):
     most: bool = True
     nth: int = 1
     count: int = 1
+
+    @property
+    def is_unordered(self) -> bool:
+        """Is no order said?"""
+        return self.measure is None and self.side is None and self.near is None and not self.edge
 
 
 class Place(Frozen):

@@ -44,7 +44,7 @@ def noun_phrase(query: PartQuery | None, several: bool = False) -> str:
         return ", ".join(query.ids)
     words = [
         *([str(query.count)] if query.count else []),
-        *(_rank(rank) for rank in query.ranks if rank.measure or rank.side),
+        *(_rank(rank) for rank in query.ranks if not (rank.near or rank.edge)),
         *query.ends,
         *(f"no {name}" for name in query.lacking),
         *query.colors,
@@ -83,6 +83,8 @@ def _rank(rank: Rank) -> str:
     nth = {1: "", 2: "second ", 3: "third "}.get(rank.nth, f"{rank.nth}th ")
     if rank.side:
         return f"{nth}{rank.side.value}most"
+    if rank.is_unordered:
+        return nth.strip()
     by = "" if rank.measure in (None, Measure.MAGNITUDE) else f" (by {measure_name(rank.measure)})"
     return f"{nth}{'largest' if rank.most else 'smallest'}{by}"
 

@@ -140,8 +140,8 @@ def _kernel_faces(
     if strange := strange_number(source, kind):
         raise UnreadableFile(f"the file is damaged: {strange}, which is no size of anything")
     content = read_file(source, kind)
-    if kind in (FileKind.IGES, FileKind.BREP):  # these have names of entities, not of the model
-        content = replace(content, name=Path(file_name).stem)
+    if kind in (FileKind.IGES, FileKind.BREP) or not content.name:  # these have names of entities, not of the model
+        content = replace(content, name=_name_of(file_name))
     clock.begin("measure")
     extracted = extract(content)
     save_faces(extracted.faces, artefacts.kernel_faces)
@@ -149,11 +149,17 @@ def _kernel_faces(
     return extracted.brep, tessellate(extracted.faces, dist(*extracted.brep.box)), content.units
 
 
+def _name_of(file_name: str) -> str:
+    """What a file without a name in it is called: 'gear-rack' of gear-rack.step.gz."""
+    path = Path(file_name)
+    return Path(path.stem).stem if path.suffix.lower() in (".gz", ".zip") else path.stem
+
+
 def _mesh(source: Path, kind: FileKind, file_name: str, clock: _Clock) -> tuple[Brep, Mesh, tuple[str, ...]]:
     """As `_kernel_faces`, of triangles: faces are fitted to them, and nothing is there for the kernel."""
     file = read_mesh_file(source, kind)
     clock.begin("measure")
-    brep, triangles = fitted(file, Path(file_name).stem)
+    brep, triangles = fitted(file, _name_of(file_name))
     return brep, triangles, file.units
 
 

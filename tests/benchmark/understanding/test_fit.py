@@ -15,7 +15,7 @@ from benchmark.understanding.cross_validation import (
     risk_and_coverage,
     weights_of,
 )
-from benchmark.understanding.data import Question, is_right
+from benchmark.understanding.data import MISSING, Question, is_right
 from benchmark.understanding.fit import answered, fit
 from benchmark.understanding.table import _inline
 
@@ -44,6 +44,20 @@ def test_where_no_candidate_is_right_none_gets_the_share() -> None:
     rows = [row("w", f"own:{i}") for i in range(50)] + [hopeless] * 50
     table = fit(rows, {})
     assert answered(rows[0], table).probability > 0.5 > answered(hopeless, table).probability
+
+
+def test_that_the_part_is_not_there_is_learned_as_an_answer_of_its_own() -> None:
+    """A guess is right where the part is there, and a refusal where it is not."""
+    guess = {"named": Tried({"named": 1.0}, 1.0, True, "a"), "guessed": Tried({"guessed": 1.0}, 1.0, False, "b")}
+    absent = {"named": Tried({"absent": 1.0}, None, False, "", absent=True)}
+    absent["guessed"] = Tried({"absent": 1.0}, None, True, "", absent=True)
+    there = [Row(question("w", f"own:{i}"), (guess["named"], absent["named"])) for i in range(50)]
+    missing = [
+        Row(question("absent_w", f"own:{i}", None, MISSING), (guess["guessed"], absent["guessed"])) for i in range(50)
+    ]
+    table = fit([*there, *missing], {})
+    assert (answered(there[0], table).right, answered(there[0], table).refused) == (True, False)
+    assert (answered(missing[0], table).right, answered(missing[0], table).refused) == (True, True)
 
 
 def test_several_programs_with_one_value_add_up() -> None:

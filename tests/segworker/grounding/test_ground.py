@@ -197,6 +197,15 @@ def test_a_rank_takes_the_first_of_an_order() -> None:
     assert ids(best(asked(plural=False, ranks=(near,)))) == {"hole-3"}
 
 
+def test_an_ordinal_needs_so_many_and_which_one_it_is_stays_unchecked() -> None:
+    there = best(asked(plural=False, ranks=(Rank(nth=2),)))
+    assert there.parts
+    assert "which is number 2" in there.unchecked
+    ways = ground(PLATE, asked(plural=False, ranks=(Rank(nth=9),)))
+    assert {bool(way.parts) for way in ways} == {True, False}
+    assert all(("nth_dropped" if way.parts else "nth_empties") in way.features for way in ways)
+
+
 def test_one_of_several_is_every_way_to_choose() -> None:
     ways = ground(PLATE, PartQuery(noun="hole", words=("hole",), definite=True))
     chosen = {name for way in ways for name in way.features}

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import argparse
 import json
+from collections.abc import Sequence
 from typing import Any
 
 from querycad.runtime import EmbeddedRuntime
-from querycad_answering.candidates import Candidate
-from querycad_answering.ranking import Value, key, softmax, values
+from querycad_answering.candidates import Absence, Candidate
+from querycad_answering.ranking import Value, key, softmax
 from querycad_answering.typed import WrongAnswerType, typed_answer
 from querycad_answering.understanding import Understanding, meant, skipped, unchecked
 from querycad_contracts import Expectation, LengthUnit
+from querycad_language.describe import noun_phrase
 from querycad_language.weights import weights
 from querycad_segworker.errors import FileProblem
 
@@ -30,12 +32,14 @@ def explain(options: argparse.Namespace) -> int:
             tried = understanding.tried(runtime.runner(options.file), every=True)
         except FileProblem as problem:
             return complain_of(options.file, problem)
-    refused = understanding.refused
+    ranking = understanding.ranking(tried)
+    refused = understanding.refused or understanding.missing(ranking)
     unit = LengthUnit(options.unit)
-    told = _told(tried, values(tried), unit)
+    told = _told(tried, ranking.values, unit)
+    lacking = [_lacking(one) for one in understanding.absences]
     if options.json:
         refusal = refused.model_dump(mode="json") if refused is not None else None
-        print(json.dumps({"question": options.question, "refused": refusal, "readings": told}))
+        print(json.dumps({"question": options.question, "refused": refusal, "readings": told, "absent": lacking}))
         return EXIT_DONE
     if refused is not None:
         print(f"refused: {refused.message}")
@@ -43,10 +47,20 @@ def explain(options: argparse.Namespace) -> int:
         print("no reading")
     for number, reading in enumerate(told, 1):
         _print(number, reading)
+    if lacking:
+        print(f"the part may be missing, probability {ranking.absent:.2f}:")
+    for one in lacking:
+        print(f"-  {one['part']}: score {one['score']:.2f}")
     return EXIT_DONE
 
 
-def _told(tried: list[Candidate], found: list[Value], unit: LengthUnit) -> list[dict[str, Any]]:
+def _lacking(absence: Absence) -> dict[str, Any]:
+    """A part that the model may lack, and what speaks for that."""
+    part = noun_phrase(absence.query)
+    return {"part": part, "score": round(absence.score, 3), "features": _features(absence)}
+
+
+def _told(tried: list[Candidate], found: Sequence[Value], unit: LengthUnit) -> list[dict[str, Any]]:
     """Each program that was run, with the confidence of its value."""
     shares = softmax([one.score for one in tried]) if tried else []
     sure = {key(value.candidate.value): value.confidence for value in found}
@@ -70,7 +84,7 @@ def _told(tried: list[Candidate], found: list[Value], unit: LengthUnit) -> list[
     return readings
 
 
-def _features(candidate: Candidate) -> dict[str, dict[str, float]]:
+def _features(candidate: Candidate | Absence) -> dict[str, dict[str, float]]:
     """Each feature with its value, weight and product, those that decide most first."""
     table = weights()
     found = {

@@ -11,7 +11,7 @@ from querycad_segworker.relations.nearby import to_nearest
 from querycad_segworker.relations.orders import by_size, extreme, measured, size
 from querycad_segworker.vectors import dot
 
-from .candidates import Candidate, Request
+from .candidates import Candidate, Request, kept, through
 
 MOST_GROUPS = 8
 """Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
@@ -39,15 +39,21 @@ def joined(request: Request, way: Candidate) -> Iterator[Candidate]:
     yield way if not request.query.also else way.to(parts, "joined")
 
 
-def ranked(request: Request, way: Candidate) -> Iterator[Candidate]:
-    """'the largest', 'the second deepest', 'the one nearest to the edge'."""
-    for rank in request.query.ranks:
-        if len(way.parts) > 1:
-            kept = _first_of(request, way.parts, rank)
-            way = way.to(kept or way.parts, "ranked" if kept else "rank_dropped")
-        elif way.parts:
-            way = way.to(way.parts, "rank_of_one")
-    yield way
+def ranked(request: Request, way: Candidate) -> Sequence[Candidate]:
+    """'the largest', 'the second deepest', 'the one nearest to the edge'; there must be two for 'the second bore'."""
+    return through([way], request.query.ranks, lambda way, rank: _in_order(request, way, rank))
+
+
+def _in_order(request: Request, way: Candidate, rank: Rank) -> Sequence[Candidate]:
+    if rank.is_unordered:
+        unchecked = f"which is number {rank.nth}"
+        if len(way.parts) >= rank.nth:
+            return [way.to(way.parts, "nth_unchecked", unchecked=unchecked)]
+        return kept(way, (), "nth", unchecked)
+    if len(way.parts) > 1:
+        first = _first_of(request, way.parts, rank)
+        return [way.to(first or way.parts, "ranked" if first else "rank_dropped")]
+    return [way.to(way.parts, "rank_of_one")] if way.parts else [way]
 
 
 def _first_of(request: Request, parts: Sequence[Part], rank: Rank) -> list[Part]:
