@@ -56,6 +56,9 @@ LIKELY = 0.15
 
 PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
+KIN = 0.45
+"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', means parts of a like kind where the
+model has none of its own: less would be an unsure answer about parts that are called otherwise."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
@@ -203,7 +206,7 @@ class Understanding:
         for index, best in enumerate(self._certain(one, told) for one in found):
             verdict = self._verdict(best.candidate, best.confidence, unit)
             if verdict.answer is not None:
-                if (missing := self._none_counted(best.candidate)) is not None:
+                if (missing := self._stood_in_for(best)) is not None:
                     return Understood(verdict=Verdict(failure=missing))
                 rest = [one for i, one in enumerate(found) if i != index]
                 others = self._others(best.candidate, rest, unit)
@@ -257,11 +260,18 @@ class Understanding:
             for query, found in zip(restricted, ways, strict=True)
         )
 
-    def _none_counted(self, best: Candidate) -> Failure | None:
-        """The part that is counted, or looked for, where nothing but the whole model or a guess stands for it."""
-        for query, taken in best.grounds.items() if isinstance(best.reading.form, Count | Exists) else ():
+    def _stood_in_for(self, best: Value) -> Failure | None:
+        """The part that is counted, or looked for, where only the whole model or a guess stands for it.
+
+        Of what is measured, the part that is no product, a keyway or a rib, where parts of a like kind hardly do.
+        """
+        counts = isinstance(best.candidate.reading.form, Count | Exists)
+        for query, taken in best.candidate.grounds.items():
+            noun = lexicon().nouns.get(query.noun) if query.known else None
             whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
-            if (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole"):
+            unlikely = noun is not None and not noun.product and best.confidence < KIN
+            guess = counts and (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole")
+            if guess or (unlikely and "kin_instead" in taken.features):
                 return self._asked.absent(Absence(query, taken, {}))  # no propeller is on a flange
         return None
 

@@ -1,7 +1,4 @@
-"""Noun phrases: 'the two 5 mm holes in the flange that are visible from the top' as a typed query for parts.
-
-One reader for all: questions, the grounding's free text, and the phrases that language models write.
-"""
+"""Noun phrases as typed queries: one reader for questions, free text for grounding, and phrases of language models."""
 
 from .mention import Mention, bare_of, placed_in, places_of, replace_fields
 from .reader import Phrases, noun_phrase

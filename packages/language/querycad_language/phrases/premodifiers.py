@@ -128,7 +128,7 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
         most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
         build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))
         return scale.end
-    if ordinal and ordinal.value > 1 and not text.is_word(at, "next") and noun_follows(text, ordinal.end):
+    if ordinal and ordinal.value > 1 and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
         build.ranks.append(Rank(nth=ordinal.value))
         return ordinal.end
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
@@ -158,6 +158,10 @@ def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
         if is_noun(text, side.end):
             build.ends.append(side.value)
             return side.end
+    axis = text.find(at, "axis")
+    if axis and axis.value in range(3) and axis.end > at + 1 and text.find(axis.end, "noun") and not build.nouns:
+        build.adjectives.append(f"{'xyz'[axis.value]} parallel")  # 'z direction lugs'
+        return axis.end
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
         build.colors.append(color.value)
         return color.end

@@ -144,10 +144,7 @@ def seen_from(query: PartQuery, view: Mention) -> PartQuery:
 
 
 def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
-    """The sentence that asks, and whether it is a claim that a tag makes a question of: '…. Is that correct?'
-
-    It is the last one with a question word or an order, else the last one.
-    """
+    """The last sentence with a question word or an order, else the last; and is it a claim: '…. Is that correct?'"""
     best: tuple[int, int, int, int] = (-1, 0, 0, len(text))
     for index, (start, end) in enumerate(text.sentences):
         words = range(start, end)

@@ -15,10 +15,7 @@ BODIES = PartQuery(noun="body", words=("body",), plural=True)
 
 
 def contacts(question: Question) -> Iterator[Parse]:
-    """'Which discs does the spindle touch?', 'What do the bolts hold together?', 'What is held by the bolts?'
-
-    What carries a body touches it; what fasteners hold touches them, and is no fastener itself.
-    """
+    """'Which discs does the spindle touch?', 'What do the bolts hold together?': what fasteners hold is no fastener."""
     text = question.text
     asks = next((i for i in range(*question.asking) if text.is_word(i, "which", "what")), None)
     if asks is None or any(text.find(i, "noun", "measure", "count") for i in range(question.asking[0], asks)):

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery
-from querycad_language.forms import Check, Combine, Count, Exists
+from querycad_contracts import Measure, PartQuery, Side
+from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
 from querycad_language.readings.parses import Features, Parse
@@ -112,7 +112,7 @@ def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Parse:
 def _count_of(
     text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
 ) -> Iterator[Parse]:
-    """How many of them; of another part's, or of each, where one is named: 'how many ribs does the bracket have?'"""
+    """How many of them; on each side, or of another part, or of each: 'how many ribs does the bracket have?'"""
     if mention.pronoun:
         return
     each = text.at_words("each", "every", "per")
@@ -120,6 +120,8 @@ def _count_of(
     noun = text.lexicon.nouns.get(query.noun)
     of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
     yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
+    if each and any(text.is_word(i + 1, "side", "face") for i in each):
+        yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
         if owner.query is not None:
             stands = text.find(owner.start - 1, "place")
