@@ -1,8 +1,9 @@
 """Fits the weights that rank readings: a log-linear model with the programs latent, learned from the truths alone.
 
 The probability of a candidate is the softmax of its features times the weights; a question's likelihood is the
-probability of all candidates whose value is right (several programs can give it). How probable it is that none is right
-is fitted after that. L2 keeps weights near their rough first guess.
+probability of all candidates whose value is right (several programs can give it). That the part is not there is a
+candidate too, right where it is missing. How probable it is that none is right is fitted after that. L2 keeps weights
+near their rough first guess.
 """
 
 from __future__ import annotations
@@ -104,7 +105,7 @@ def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[csr_array, NDAr
 
 
 def answered(row: Row, table: Table) -> Answered:
-    """What is answered with these weights; equal values count together."""
+    """What is answered with these weights; equal values count together. Refused where `Ranked.is_absent` would be."""
     runs = [one for one in row.tried if one.absent or (one.value is not None and one.value != [])]
     if not runs:
         return Answered(row.question.kind == MISSING, 0.0, {}, 0.0, True)

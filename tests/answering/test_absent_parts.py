@@ -20,7 +20,7 @@ def asked(question: str) -> Understanding:
     return Understanding(question, view(*HOLES), Expectation())
 
 
-@pytest.mark.parametrize("noun", ["keyway", "mattress"])
+@pytest.mark.parametrize("noun", ["keyway", "wardrobe"])
 def test_a_noun_that_only_something_else_stands_for_may_be_missing(noun: str) -> None:
     assert noun in {one.query.noun for one in asked(f"How long is the {noun}?").absences}
 
@@ -41,14 +41,14 @@ def test_a_keyway_that_is_not_there_is_refused_with_its_name_and_what_there_is()
     assert "hole" in failure.nearest
 
 
-@pytest.mark.parametrize("question", ["How long is the mattress?", "How wide is the second keyway?"])
+@pytest.mark.parametrize("question", ["How long is the wardrobe?", "How wide is the second keyway?"])
 def test_what_is_not_there_is_never_answered_as_if_it_were_sure(question: str) -> None:
     told = asked(question).answered(ten_millimetres, LengthUnit.MM)
     assert told.verdict.failure is not None or (told.confidence is not None and told.confidence < 0.6)
 
 
 def test_a_part_that_may_be_missing_lowers_the_confidence_of_every_value() -> None:
-    understanding = asked("How long is the mattress?")
+    understanding = asked("How long is the wardrobe?")
     tried = understanding.tried(ten_millimetres, every=True)
     (alone,), (beside,) = ranked(tried).values, ranked(tried, (), understanding.absences).values
     assert understanding.absences
@@ -56,9 +56,9 @@ def test_a_part_that_may_be_missing_lowers_the_confidence_of_every_value() -> No
 
 
 def test_where_it_is_likelier_than_the_best_value_a_note_says_that_it_may_be_missing() -> None:
-    told = asked("How long is the mattress?").answered(ten_millimetres, LengthUnit.MM)
+    told = asked("How long is the wardrobe?").answered(ten_millimetres, LengthUnit.MM)
     failure = told.verdict.failure
-    assert "mattress" in (failure.message if failure is not None else " ".join(told.notes))
+    assert "wardrobe" in (failure.message if failure is not None else " ".join(told.notes))
 
 
 def test_missing_is_what_is_likelier_than_all_values_together() -> None:

@@ -62,6 +62,7 @@ def test_no_question_of_the_benchmark_stands_in_what_reads_it_or_in_its_tests() 
         *ROOT.glob("benchmark/questions/*.json"),
         *ROOT.glob("benchmark/asked/*.json"),
         *ROOT.glob("benchmark/last_look/*.json"),
+        *ROOT.glob("benchmark/missing/*.json"),
         *ROOT.glob("benchmark/plain/*.json"),
         *ROOT.glob("benchmark/specified/*.json"),
         *ROOT.glob("benchmark/talks/*.json"),

@@ -63,6 +63,7 @@ def test_seen_from_none_of_the_sides() -> None:
     [
         "Forget the largest one, how many lugs remain?",
         "How many lugs are there, not counting the largest?",
+        "How many lugs are smaller than the largest one?",
         "Number of lugs minus the largest",
     ],
 )

@@ -248,9 +248,7 @@ _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
 _STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "whole_sense"))
 """Groundings of a noun that is no name of the parts' kind."""
-_INSTEAD = frozenset(
-    ("guessed", "sense_kin", "sense_wide", "unknown_whole", "whole_generic", "whole_sense", "unknown_words")
-)
+_INSTEAD = frozenset(("guessed", "sense_kin", "sense_wide", "unknown_words", "whole_sense"))
 """Features of groundings to what has another name than the noun."""
 CALLED_SO = frozenset(("by_name", "file_named", "name_all"))
 """Features of a noun that names the model: its file or its body is called so."""

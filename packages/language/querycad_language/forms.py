@@ -214,11 +214,7 @@ class Touching:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of the sides do the parts lie, or open?
-
-    From which are 'most', or 'none', of them seen, and how many from 'each'; from which does their 'way' in begin, of a
-    tool or a screw?
-    """
+    """Where do parts lie or open? Seen most, seen by none, numbers on each side, or the way in of a tool or a screw."""
 
     target: PartQuery
     sides: tuple[Side, ...]

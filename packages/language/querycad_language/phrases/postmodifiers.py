@@ -282,11 +282,15 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     text = phrases.text
     if depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
-    if (span := text.find(at, "except", "minus")) is None:
-        return at
-    begin = text.skip(span.end, "article")
-    the_largest = begin > span.end and superlative(text, begin)
-    other = phrases.at(span.end, depth + 1) if span.category == "except" or the_largest else None  # 'minus the largest'
+    than, end = text.find(at, "scale"), superlative(text, at + 3)
+    span = text.find(at, "except", "minus")
+    start = span.end if span is not None else at + 2
+    if than and end and text.is_word(at + 1, "than") and text.is_word(at + 2, "the"):  # 'smaller than the largest'
+        excludes = (than.value.degree, end.value.degree) in (("less", "most"), ("more", "least"))
+    else:
+        the_largest = text.skip(start, "article") > start and superlative(text, text.skip(start, "article"))
+        excludes = span is not None and (span.category == "except" or bool(the_largest))  # 'minus the largest'
+    other = phrases.at(start, depth + 1) if excludes else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)

@@ -18,10 +18,7 @@ FAR = 0.8  # a sense so far from its word is told: a 'bolt' that is a hole
 
 
 def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | None = None) -> Grounding:
-    """Which parts are meant? Free text is read as a noun phrase; what could not be checked is among the warnings.
-
-    Of several ways to ground a query the best is taken, or the one that its `sense` says.
-    """
+    """Which parts are meant, in the best way to ground it, or that of its `sense`? Warnings say what is not checked."""
     query = asked if isinstance(asked, PartQuery) else noun_phrase(asked, inventory.names)
     unnumbered = isinstance(asked, str) and not query.plural and not query.definite
     if unnumbered:
