@@ -76,8 +76,8 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
 def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     """An adjective, a rank, a side, a colour, a noun, or a word that is not known."""
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
-    if noun and text.find(at, "reach", "passing") and not (build.article and text.find(at - 1, "article", "adjective")):
-        noun = None  # 'ring sticks up': a verb, but behind an article
+    if noun and text.find(at, "reach", "passing") and not (build.article and _names(text, at)):
+        noun = None  # 'ring sticks up': a verb
     if _is_over(text, at, build, noun) or _is_measure(text, build, noun, adjective, measure):
         return at
     if (end := _ranked(text, at, build)) > at:
@@ -94,6 +94,13 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
         build.adjectives.append(phrase if phrase in text.lexicon.adjectives else adjective.value.name)
         return adjective.end
     return _attribute(text, at, build) or _unknown(text, at, build, measure)
+
+
+def _names(text: Text, at: int) -> bool:
+    """Is a word that can be a verb a noun here: 'the recess', 'the seal recess', but 'do the rings recess'?"""
+    inflected = text.tokens[at].plural or text.tokens[at - 1].plural
+    acts = inflected or any(text.find(i, "do") for i in range(at - 12, at))
+    return bool(text.find(at - 1, "article", "adjective")) or not acts
 
 
 def _is_over(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bool:
