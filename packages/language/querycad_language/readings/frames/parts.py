@@ -13,6 +13,8 @@ from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+from .remaining_material import material
+
 _HOLES = ("hole", "bore")
 MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
@@ -140,6 +142,8 @@ def bare(question: Question) -> Iterator[Parse]:
     """No measure is named at all: 'keyways of the spindle?', 'the spindle?'"""
     for mention in question.mentions[:3]:
         if (query := mention.query) is not None:
-            yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, mention.used)
+            get = Get((_named_by(query),), query)
+            yield Parse(get, {"named_only": 1.0}, mention.used)
+            yield from material(question, get, {"named_only": 1.0}, mention.used)  # 'the narrowest web between bores'
             if query.plural:
                 yield Parse(Count(query), {"named_only": 1.0}, mention.used)
