@@ -188,7 +188,7 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         yield Parse(Every(replace_fields(target, threads=()), _all_such(target)))
     if target.sides:
         yield Parse(Every(replace_fields(target, sides=()), _all_such(target)), {"check_side": 1.0})
-    if target.places:  # 'Do the cross holes run into the bore?'
+    if target.places and target.places[-1].relation:  # 'Do the cross holes run into the bore?', no compound
         yield Parse(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
     if end > mention.end and text.is_word(end, "through") and not target.threads:  # 'Do they go right through?'
