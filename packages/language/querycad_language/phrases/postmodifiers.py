@@ -17,7 +17,7 @@ from .words import is_noun, noun_follows, superlative
 if TYPE_CHECKING:
     from .reader import Phrases
 
-_OPENING = ("open", "opens", "break", "breaks", "emerge", "emerges", "exit", "exits")
+_OPENING = ("open", "opens", "break", "breaks", "out")
 _GAP = ("be", "do", "seeing", "function", "have")
 """Words that may lead to a modifier: 'that are', 'which has'."""
 
@@ -35,13 +35,15 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
     text = phrases.text
     relative = False
     for at in range(start, min(len(text), start + 6)):
-        to_side = text.find(at + 1, "side_preposition") and not text.is_word(at + 2, "both", "one")
+        opening = text.find(at, "emerging")
+        to_side = text.find(opening.end if opening else at + 1, "side_preposition")
+        to_side = to_side if to_side and not text.is_word(to_side.end, "both", "one") else None
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
             after = _joins(phrases, at, build, depth, joined) or _left_out(phrases, at + 1, build, depth)
             if after == at + 1 and _opens(text, at):
                 continue
-        elif to_side and text.is_word(at, *_OPENING):
-            continue  # 'that open on the top', 'break into the bore'
+        elif to_side and (opening or text.is_word(at, *_OPENING)):
+            continue  # 'that open on the top', 'break into the bore', 'come out in the pocket'
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         else:
