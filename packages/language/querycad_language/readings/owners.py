@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import Target
-from querycad_language.phrases import Mention, noun_follows, placed_in, replace_fields
+from querycad_language.lexicon import lexicon
+from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields
 
 from .parses import Features
 from .question import Question
@@ -15,6 +16,7 @@ from .requested_measures import Requested
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
+_SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
 """What closes a hollow model there."""
 MAX_OWNERS = 12
@@ -53,6 +55,8 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
+        for holder in _part_of(mention.query):
+            yield Owner(holder, used, features)
     yield from _compound_of(linked, asked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
@@ -65,6 +69,13 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     features["parts_passed"] = float(bool(question.parts))
     sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
     yield Owner(None, sides, features)
+
+
+def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
+    """The hole of 'the wider part of the hole': what is said of the part tells which of its diameters is meant."""
+    for _, holder in places_of(query, "of") if query is not None and query.noun in _SECTIONS else ():
+        if (noun := lexicon().nouns.get(holder.noun)) and all(PartKind(kind).cuts_in for kind in noun.senses[0].kind):
+            yield replace_fields(holder, adjectives=(*holder.adjectives, *query.adjectives))
 
 
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
