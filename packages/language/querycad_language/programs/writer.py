@@ -121,7 +121,8 @@ def _count(build: Builder, target: PartQuery, measure: Measure | None) -> str:
         if any("axisymmetric" in part.tags for part in build.of(target)):  # they are more than can be counted
             raise Unwritable
         return f"sum(len(p.mirror_planes) for p in {build.parts(target)})"
-    return f"len(different({_values(build, measure, target, steps=measure in _STEPPED)}))"
+    apart = ", 1e-10" if measure is Measure.VOLUME else ""  # m³; as metres, bodies of a mm³ more or less were alike
+    return f"len(different({_values(build, measure, target, steps=measure in _STEPPED)}{apart}))"
 
 
 def _values(build: Builder, measure: Measure, target: PartQuery, steps: bool = False) -> str:
