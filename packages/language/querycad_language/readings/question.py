@@ -173,7 +173,7 @@ def _adds_nothing(text: Text, start: int, end: int) -> bool:
 
 LONGEST_ECHO = 6
 """Words of a question that only asks which of those before are meant."""
-_IN_TAGS = ("confirm", "be", "do", "negation", "pronoun", "article", "function", "whole")
+_IN_TAGS = ("confirm", "be", "do", "modal", "negation", "pronoun", "article", "function", "whole")
 _CLAIMED = ("confirm", "negation")
 _ASKS_IF = (
     "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
