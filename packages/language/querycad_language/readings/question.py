@@ -192,7 +192,7 @@ _OPEN = ("give", "possible")
 def _tag(text: Text, start: int, end: int) -> int:
     """Where a tag such as ', right?' or 'is this correct?' begins; the sentence's end where there is none."""
     begin = end
-    while begin > start and (text.find(begin - 1, *_IN_TAGS) or text.words[begin - 1] == ","):
+    while begin > start and (text.find(begin - 1, *_IN_TAGS) or text.is_word(begin - 1, ",", "you", "we")):
         begin -= 1
     if begin > start:  # within a sentence the tag stands behind a comma
         begin = next((i for i in range(begin, end) if text.words[i] == ","), end)

@@ -46,6 +46,9 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
         behind = next((m for m in parts if m.start > mention.end), None)
         sized = _sized(question, mention, asked)
         said = _restricted(text, start, mention, behind) if mention.query is not None else ()
+        if question.claims and mention.query is not None and mention.query.count:  # 'It has ten holes. Is that right?'
+            many, said_many = forms.Count(replace_fields(mention.query, count=None)), float(mention.query.count)
+            yield Parse(Check(many, Relation.EQUAL, said_many), {"count_far": float(index)}, set(mention.used))
         for parse in (*sized, *_predicates(text, mention, parts[index + 1 :]), *said):
             yield parse.with_more({"count_far": float(index)}, mention.used)
 
