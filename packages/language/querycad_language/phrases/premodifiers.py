@@ -76,7 +76,7 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
 def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     """An adjective, a rank, a side, a colour, a noun, or a word that is not known."""
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
-    if noun and text.find(at, "reach", "passing") and not (build.article and _names(text, at)):
+    if noun and text.find(at, "reach", "passing") and not _names(text, at, build.article):
         noun = None  # 'ring sticks up': a verb
     if _is_over(text, at, build, noun) or _is_measure(text, build, noun, adjective, measure):
         return at
@@ -96,11 +96,13 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     return _attribute(text, at, build) or _unknown(text, at, build, measure)
 
 
-def _names(text: Text, at: int) -> bool:
+def _names(text: Text, at: int, article: bool) -> bool:
     """Is a word that can be a verb a noun here: 'the recess', 'the seal recess', but 'do the rings recess'?"""
-    inflected = text.tokens[at].plural or text.tokens[at - 1].plural
-    acts = inflected or any(text.find(i, "do") for i in range(at - 12, at))
-    return bool(text.find(at - 1, "article", "adjective")) or not acts
+    if text.find(at - 1, "article", "adjective"):
+        return article
+    acts = text.find(at, "adjective") or (text.find(at, "passing") and not article)
+    acts = acts or text.tokens[at].plural or (at > 0 and text.tokens[at - 1].plural)
+    return not acts and not any(text.find(i, "do") for i in range(at - 12, at))
 
 
 def _is_over(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bool:
