@@ -51,7 +51,8 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
         whole = whole.to(way.parts, "whole_deictic") if place.what and place.what.deictic else whole
         return [whole] if place.side is None else _from_sides(request, whole, [place.side])  # 'from its top'
     parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
-    if place.relation in ("in", "of") and {p.id for p in grounded.parts} <= {p.id for p in way.parts}:
+    among = all(part.kind == "body" and part in way.parts for part in grounded.parts)
+    if place.relation in ("in", "of") and among:
         return []  # 'the parts of this hinge' are no parts of the bodies that are called so
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     kept = [p for p in kept if place.side in p.sides] or kept
