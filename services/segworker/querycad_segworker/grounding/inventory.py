@@ -66,9 +66,14 @@ class Inventory:
 
     @cached_property
     def alike(self) -> list[list[Part]]:
-        """What is cut in or stands out, in groups of one kind and size: most parts first, then the largest."""
+        """What is cut in or stands out, in groups of one kind and size: most parts first, then the largest.
+
+        Before them the bodies of an assembly, the largest first.
+        """
         groups = orders.by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
-        return sorted(groups, key=lambda group: (len(group), orders.size(group[0])), reverse=True)
+        groups.sort(key=lambda group: (len(group), orders.size(group[0])), reverse=True)
+        bodies = orders.by_size(self.bodies if len(self.bodies) > 1 else ())
+        return [*sorted(bodies, key=lambda group: orders.size(group[0]), reverse=True)[:3], *groups]
 
     @cached_property
     def largest(self) -> float:
