@@ -98,8 +98,8 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
 
 def _names(text: Text, at: int, article: bool) -> bool:
     """Is a word that can be a verb a noun here: 'the recess', 'the seal recess', but 'do the rings recess'?"""
-    if text.find(at - 1, "article", "adjective"):
-        return article
+    if article and text.find(at - 1, "article", "adjective"):
+        return True
     acts = text.find(at, "adjective") or (text.find(at, "passing") and not article)
     acts = acts or text.tokens[at].plural or (at > 0 and text.tokens[at - 1].plural)
     return not acts and not any(text.find(i, "do") for i in range(at - 12, at))
