@@ -68,6 +68,22 @@ def test_three_and_more_stand_around_the_axis_that_their_middle_is_on() -> None:
     assert surrounding(odd, middle) == odd  # as far from it but for rounding
 
 
+def test_in_a_body_is_what_has_faces_of_it_whatever_its_box_holds() -> None:
+    body = part("body-1", extents=(0.1, 0.1, 0.01), faces=(1, 2, 3))
+    assert is_inside(hole(1, faces=(2,)), body)
+    assert is_inside(hole(2, faces=(3, 9)), body)  # through two bodies
+    assert not is_inside(hole(3, faces=(7,)), body)  # in the middle of its box, in another body
+    assert is_inside(part("body-2", faces=(7,)), body)  # a body in a body shares no face with it
+
+
+def test_in_a_ring_is_what_reaches_into_its_wall_or_lies_on_its_axis() -> None:
+    ring = part("boss-1", extents=(0.1, 0.1, 0.01), axis=(0.0, 0.0, 1.0), radius=0.05, radii=(0.03, 0.05))
+    assert is_inside(hole(1, 40), ring)
+    assert is_inside(hole(2, diameter=0.06), ring)  # its bore
+    assert not is_inside(hole(3, 15), ring)  # within the bore
+    assert not is_inside(hole(4, 45, 45), ring)  # in a corner of its box
+
+
 def test_next_to_is_what_meets_else_what_is_nearest() -> None:
     slot, close, far = part("slot-1"), hole(1, 30), hole(2, 60)
     assert related([close, far], "near", [slot], Nearby([slot, close, far])) == [close]

@@ -42,8 +42,8 @@ class Nearby:
 
     def _near(self, part: Part) -> tuple[str, ...]:
         if part.id not in self._of:
-            keys: tuple[str | int, ...] = (part.id, *part.faces[:1])
-            near = [*self._meeting(part), *(i for key in keys for i in self._carriers.get(key, []))]
+            keys: tuple[str | int, ...] = (part.id, *part.faces)
+            near = [*self._meeting(part), *(i for key in keys for i in self._carriers.get(key, ()))]
             self._of[part.id] = tuple(dict.fromkeys(near)) if part.faces else self._ids  # no faces are among any
         return self._of[part.id]
 
