@@ -56,6 +56,8 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
         return []  # 'the parts of this hinge' are no parts of the bodies that are called so
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     kept = [p for p in kept if place.side in p.sides] or kept
+    if place.relation:  # nothing is in itself, but 'a flange plate' may be both
+        kept = [p for p in kept if p not in grounded.parts] or kept
     if place.negated:
         known = {id(p) for p in kept}
         kept = [p for p in way.parts if id(p) not in known]
