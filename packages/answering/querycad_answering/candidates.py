@@ -9,7 +9,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
+from querycad_language.forms import (
+    Angle, Check, Combine, Count, Distance, Either, Every, Exists, Form, Get, Parallel, Parts, Reduce, Which, queries,
+)  # fmt: skip
 from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
 from querycad_language.readings import Reading
@@ -210,6 +212,9 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
             features["count_dropped"] = 1.0
         if "sense_kin" in features:
             features["count_kin"] = 1.0
+    if isinstance(form, Distance | Check | Combine | Angle | Parallel | Which):
+        named = {query.noun: frozenset(part.id for part in way.parts) for query, way in grounds.items()}
+        features["same_parts"] = float(len(named) > len(set(named.values())))
     features.update(_of_steps(form, written.code))
     return features
 
