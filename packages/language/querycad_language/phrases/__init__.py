@@ -1,6 +1,6 @@
 """Noun phrases as typed queries: one reader for questions, free text for grounding, and phrases of language models."""
 
-from .mention import Mention, bare_of, placed_in, places_of, replace_fields
+from .mention import Mention, bare_of, placed_in, places_of, replace_fields, without
 from .reader import Phrases, noun_phrase
 from .sizes import stated_size
 from .words import noun_follows
@@ -15,4 +15,5 @@ __all__ = [
     "places_of",
     "replace_fields",
     "stated_size",
+    "without",
 ]

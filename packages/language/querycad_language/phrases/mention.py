@@ -79,6 +79,11 @@ def placed_in(query: PartQuery, relation: str, other: PartQuery) -> PartQuery:
     return replace_fields(query, excluded=excluded, places=(*query.places, Place(relation=relation, what=other)))
 
 
+def without(query: PartQuery, place: Place) -> PartQuery:
+    """The part without that place."""
+    return replace_fields(query, places=tuple(one for one in query.places if one is not place))
+
+
 def places_of(query: PartQuery | None, *relations: str) -> list[tuple[Place, PartQuery]]:
     """Where the parts are by other parts, in any of the relations, with those others."""
     places = query.places if query is not None else ()

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields
+from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields, without
 
 from .parses import Features
 from .question import Question
@@ -16,6 +16,7 @@ from .requested_measures import Requested
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
+_CUTS = frozenset(kind.value for kind in PartKind if kind.cuts_in)
 _SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
 """What closes a hollow model there."""
@@ -72,10 +73,17 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
 
 
 def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
-    """The hole of 'the wider part of the hole': what is said of the part tells which of its diameters is meant."""
-    for _, holder in places_of(query, "of") if query is not None and query.noun in _SECTIONS else ():
-        if (noun := lexicon().nouns.get(holder.noun)) and all(PartKind(kind).cuts_in for kind in noun.senses[0].kind):
-            yield replace_fields(holder, adjectives=(*holder.adjectives, *query.adjectives))
+    """The hole of 'the wider part of the hole', the taper of 'the taper at its thin end': as wide as is said there."""
+    if query is None:
+        return
+    for relation, ends in (("of", _CUTS | {"cone"}), ("", {"cone"})):
+        for _, holder in places_of(query, relation) if query.noun in _SECTIONS else ():
+            if (noun := lexicon().nouns.get(holder.noun)) is not None and ends.issuperset(noun.senses[0].kind):
+                yield replace_fields(holder, adjectives=(*holder.adjectives, *query.adjectives))
+    noun = lexicon().nouns.get(query.noun)
+    for place, end in places_of(query, "on") if noun is not None and "cone" in noun.senses[0].kind else ():
+        if end.noun == "end" and end.adjectives:
+            yield replace_fields(without(query, place), adjectives=(*query.adjectives, *end.adjectives))
 
 
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal, NamedTuple, TypeAlias
 
-from querycad_contracts import Measure, PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Anchor, Boundary, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
@@ -13,11 +13,6 @@ from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
-
-
-def without(query: PartQuery, place: Place) -> PartQuery:
-    """The part without that place."""
-    return replace_fields(query, places=tuple(one for one in query.places if one is not place))
 
 
 def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:

@@ -8,14 +8,12 @@ from itertools import pairwise, takewhile
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, bare_of, places_of
+from querycad_language.phrases import Mention, bare_of, places_of, without
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
-
-from .anchors import without
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 _NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}

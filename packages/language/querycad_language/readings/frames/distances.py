@@ -9,13 +9,13 @@ from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Distance, Plane, Reduce, Several
-from querycad_language.phrases import places_of, replace_fields
+from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
-from .anchors import Spot, anchors_of, ends_between, plane_of, without
+from .anchors import Spot, anchors_of, ends_between, plane_of
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]

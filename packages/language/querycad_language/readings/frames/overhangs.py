@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from querycad_contracts import PartQuery, Side
 from querycad_language.forms import Distance, Plane
-from querycad_language.phrases import places_of
+from querycad_language.phrases import places_of, without
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 
-from .anchors import planes_of, rimmed, without
+from .anchors import planes_of, rimmed
 
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
