@@ -124,6 +124,8 @@ def _is_loose(query: PartQuery, way: Candidate) -> bool:
     """Is some word of it not checked? Nothing checks the 'vent' of a vent slot; a tag checks a blind hole's 'blind'."""
     if way.unchecked or query.unknown or any(not place.relation for place in query.places):
         return True
+    if way.features.get("sense_stretch") == 1:  # holes, where no screw is there
+        return True
     noun = lexicon().nouns.get(query.noun)
     if noun is None or " " not in query.noun:
         return False
