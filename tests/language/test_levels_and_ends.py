@@ -9,7 +9,7 @@ from querycad_contracts import Measure, Part, PartQuery, Side
 from querycad_language.forms import LONGEST, SHORTER, Check, Distance, Form, Get, Plane, Several, Towards
 from querycad_language.measures import options
 from querycad_language.programs import write
-from querycad_language.readings.frames.overhangs import overhangs
+from querycad_language.readings.frames.distances import overhangs
 from querycad_language.readings.question import Question
 from querycad_language.readings.reader import read
 

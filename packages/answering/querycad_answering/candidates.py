@@ -10,7 +10,21 @@ from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import (
-    Angle, Check, Combine, Count, Distance, Either, Every, Exists, Form, Get, Parallel, Parts, Reduce, Which, queries,
+    Angle,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Either,
+    Every,
+    Exists,
+    Form,
+    Get,
+    Parallel,
+    Parts,
+    Reduce,
+    Which,
+    queries,
 )  # fmt: skip
 from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
@@ -212,11 +226,17 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
             features["count_dropped"] = 1.0
         if "sense_kin" in features:
             features["count_kin"] = 1.0
-    if isinstance(form, Distance | Check | Combine | Angle | Parallel | Which):
-        named = {query.noun: frozenset(part.id for part in way.parts) for query, way in grounds.items()}
-        features["same_parts"] = float(len(named) > len(set(named.values())))
+    features.update(_of_two(form, grounds))
     features.update(_of_steps(form, written.code))
     return features
+
+
+def _of_two(form: Form, grounds: dict[PartQuery, Grounded]) -> Features:
+    """Are two parts that have different names the same one? Then one of them is hardly meant."""
+    if not isinstance(form, Distance | Check | Combine | Angle | Parallel | Which):
+        return {}
+    named = {query.noun: frozenset(part.id for part in way.parts) for query, way in grounds.items()}
+    return {"same_parts": float(len(named) > len(set(named.values())))}
 
 
 def _of_steps(form: Form, code: str) -> Features:

@@ -6,14 +6,6 @@ from .sizes import stated_size
 from .words import noun_follows
 
 __all__ = [
-    "Mention",
-    "Phrases",
-    "bare_of",
-    "noun_follows",
-    "noun_phrase",
-    "placed_in",
-    "places_of",
-    "replace_fields",
-    "stated_size",
-    "without",
-]
+    "Mention", "Phrases", "bare_of", "noun_follows", "noun_phrase", "placed_in",
+    "places_of", "replace_fields", "stated_size", "without",
+]  # fmt: skip

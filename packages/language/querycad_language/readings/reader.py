@@ -14,8 +14,7 @@ from querycad_language.weights import weights
 from .frames.comparisons import comparisons
 from .frames.contacts import contacts
 from .frames.counts import counts, exists
-from .frames.distances import angles, distances
-from .frames.overhangs import overhangs
+from .frames.distances import angles, distances, overhangs
 from .frames.parts import bare, mating, parts
 from .frames.values import values, wholes
 from .frames.yes_no import within, yes_no

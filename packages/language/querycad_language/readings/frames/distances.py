@@ -1,4 +1,4 @@
-"""Distances and angles: between two parts, every two of several, or a part and a plane or place."""
+"""Distances and angles: between two parts, every two of several, a part and a plane or place; and overhangs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
-from .anchors import Spot, anchors_of, ends_between, plane_of
+from .anchors import Spot, anchors_of, ends_between, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
@@ -24,6 +24,7 @@ _CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
+_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
 class _Words(NamedTuple):
@@ -253,6 +254,40 @@ def _from_model(spot: Spot) -> Iterator[_Pair]:
             for other in (holder, plane_of(holder)):
                 if other is not None:
                     yield _Pair(without(spot.anchor, place), other, spot.used, {"place_as_anchor": 1.0})
+
+
+def overhangs(question: Question) -> Iterator[Parse]:
+    """'By how much does the spindle project above the nut?', 'How far below the hub does the lug end?'"""
+    text = question.text
+    reach = next(iter(text.all("reach")), None)
+    nouns = question.parts
+    word = min(text.at_words(*_BEYOND, *(("from",) if reach else ())), default=None)
+    if word is None or not nouns or not (reach or text.has("projection", "overhang", "protrusion", "much", "far")):
+        return
+    first, other = nouns[0], next((mention for mention in nouns[1:] if mention.head > word), None)
+    side = Side.BOTTOM if text.has("below") else Side.TOP
+    if first.start > word and other is not None:  # 'how far below the rim do they end'
+        first, other, side = other, first, side.opposite
+    plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
+    used = {word, *first.used, *(reach.tokens if reach else ())}
+    used |= text.at_words("how", "much", "far", "projection", "overhang")
+    if plane is not None and isinstance(plane.anchor, Plane):
+        yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
+    elif other is not None:
+        base, used = rimmed(other.part) or other.part, used | other.used
+        yield from _beyond(first.part, base, side, used)
+        around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
+        if around := around | text.at_words("sideways", "radially"):
+            form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
+            yield Parse(form, {"overhang": 1.0}, used | around)
+    for place, holder in places_of(first.part, "above", "below", "of", "on"):
+        towards = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
+        yield from _beyond(without(first.part, place), holder, towards, used)
+
+
+def _beyond(part: PartQuery, other: PartQuery, side: Side, used: set[int]) -> Iterator[Parse]:
+    yield Parse(Distance(Plane(side, part), Plane(side, other)), {"overhang": 1.0, "overhang_side": 1.0}, used)
+    yield Parse(Distance(Plane(None, part), Plane(None, other)), {"overhang": 1.0}, used)
 
 
 def angles(question: Question) -> Iterator[Parse]:

@@ -15,8 +15,7 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
-from .distances import distances
-from .overhangs import overhangs
+from .distances import distances, overhangs
 from .values import density_of
 
 
