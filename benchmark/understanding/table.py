@@ -22,8 +22,8 @@ def write(table: Table, doubts: Table, fitted: str) -> None:
         "# Written by `make fit`; docs/understanding.md explains each feature. Positive weights speak for a reading.",
         f"# {fitted}.",
         f"calibration = {_inline(doubts, 0.0)}",
-        "", "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
-        "", "[measures]",
+        "[weights]", *(f"{name} = {_inline(of)}" for name, of in families(table).items()),
+        "[measures]",
     ]  # fmt: skip
     for measure, groups in grouped(table).items():
         told = {group: of for group, of in groups.items() if max(map(abs, of.values())) >= LEAST}
