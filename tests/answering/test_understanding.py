@@ -209,3 +209,10 @@ def test_an_angle_of_its_own_may_well_be_a_right_one() -> None:
     model = view(part("countersink-1", angle=math.pi / 2))
     asked = candidates(read("What is the angle of the countersink?"), model.ground, model.whole)[0]
     assert "value_square" not in with_value(asked, math.pi / 2, model.whole.extents).features
+
+
+@pytest.mark.parametrize(("other", "same"), [("bore", 1.0), ("slot", 0.0)])
+def test_two_names_in_one_question_are_seldom_one_part(other: str, same: float) -> None:
+    model = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004))
+    asked = candidates(read(f"How far is the hole from the {other}?"), model.ground, model.whole)[0]
+    assert asked.features["same_parts"] == same

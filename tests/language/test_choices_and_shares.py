@@ -131,3 +131,37 @@ def test_as_wide_as_is_as_much() -> None:
 def test_a_ratio_of_two_parts_is_of_what_they_are_named_by() -> None:
     form = next(form for form in forms("What is the ratio of the bore to the lug?") if isinstance(form, Combine))
     assert [get.measures for get in (form.left, form.right) if isinstance(get, Get)] == [(Measure.MAGNITUDE,)] * 2
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["The cover has six slots. Is that correct?", "It has six slots. Is this number right?"],
+)
+def test_a_number_that_is_told_is_compared_with_that_of_the_parts(question: str) -> None:
+    check = next(form for form in forms(question) if isinstance(form, Check))
+    assert isinstance(check.left, Count)
+    assert (check.left.target.count, check.relation, check.low) == (None, Relation.EQUAL, 6.0)
+
+
+def test_to_come_out_at_a_side_is_said_of_the_parts() -> None:
+    asked = next(form for form in forms("Do the slots on the left come out at the top?") if isinstance(form, Every))
+    assert (asked.target.sides, asked.among.sides) == ((Side.LEFT,), (Side.TOP,))
+
+
+def test_a_word_before_a_noun_is_not_what_is_asked_of_it() -> None:
+    asked = [form for form in forms("Are the lever slots through?") if isinstance(form, Every)]
+    assert asked
+    assert all(form.among.places == form.target.places for form in asked)
+
+
+@pytest.mark.parametrize(
+    ("question", "noun", "word"),
+    [
+        ("How wide is the wider part of the slot?", "slot", "wider"),
+        ("How wide is the narrow end of the taper?", "taper", "narrow"),
+        ("How wide is the taper at its thin end?", "taper", "thin"),
+    ],
+)
+def test_a_part_of_a_hole_or_a_cone_is_measured_on_it(question: str, noun: str, word: str) -> None:
+    targets = [form.target for form in forms(question) if isinstance(form, Get) and form.target]
+    assert any(target.noun == noun and word in target.adjectives and not target.places for target in targets)

@@ -235,6 +235,35 @@ def test_names_of_bodies_are_words_for_them() -> None:
     assert other.parts == ()
 
 
+def test_an_unknown_noun_may_be_a_body_of_an_assembly() -> None:
+    small, large = body(1, "a", faces=(1,)), body(2, "b", (0.05, 0.0, 0.0), extents=(0.02, 0.02, 0.05), faces=(2,))
+    vestibule = PartQuery(noun="vestibule", known=False, words=("vestibule",), definite=True)
+    guesses = [way for way in ground(Inventory((whole("stand"), small, large)), vestibule) if "guessed" in way.features]
+    assert [ids(way) for way in guesses][:2] == [{"body-2"}, {"body-1"}]
+
+
+def test_screws_that_are_not_there_may_be_the_holes_of_one_size() -> None:
+    screws = PartQuery(noun="screw", words=("screw",), plural=True)
+    ways = ground(inventory(SMALL, LARGE, hole(3, 20)), screws)
+    assert any("sense_stretch" in way.features and ids(way) == {"hole-1", "hole-3"} for way in ways)
+
+
+def test_the_parts_of_a_hinge_are_no_parts_of_the_bodies_that_are_called_so() -> None:
+    halves = [body(n, "hinge", extents=(n * 0.01,) * 3, faces=(n,)) for n in (1, 2, 3)]
+    hinge = PartQuery(noun="hinge", known=False, words=("hinge",), definite=True)
+    pieces = PartQuery(noun="body", words=("part",), plural=True, places=(Place(relation="in", what=hinge),))
+    ways = ground(Inventory((whole("stand"), *halves)), pieces)
+    assert ids(ways[0]) == {"body-1", "body-2", "body-3"}
+    assert not any("place_holds" in way.features for way in ways)
+
+
+def test_no_part_lies_in_itself() -> None:
+    wide = PartQuery(noun="hole", words=("hole",), ids=("hole-2",))
+    inside = asked(places=(Place(relation="in", what=wide),))
+    ways = [way for way in ground(inventory(hole(1, 2), LARGE), inside) if "place_holds" in way.features]
+    assert [ids(way) for way in ways] == [{"hole-1"}]
+
+
 def test_free_text_without_a_number_means_all() -> None:
     assert len(find(PLATE, "hole").parts) == 3
     assert len(find(PLATE, "slot").parts) == 1
