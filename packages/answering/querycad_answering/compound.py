@@ -19,7 +19,8 @@ Judged = Callable[[Program], Answer | None]
 
 _JOINT = re.compile(
     r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?"
-    r"(?:how|what|where (?:is|are|do|does)|(?:at|on|in|by|to) (?:what|which)|is|are|does|do)\b)",
+    r"(?:how|what|where (?:is|are|do|does)|(?:at|on|in|by|to) (?:what|which)|is|are|does|do)\b)"
+    r"|,? (?:and|vs\.?|versus) (?=(?:(?:the|its) )?(?:[\w-]+ ){1,3}of\b)",  # 'and the width of the slot'
     re.IGNORECASE,
 )
 _EACH = re.compile(r"\beach(?= ?[?.!]?$)", re.IGNORECASE)
@@ -46,22 +47,25 @@ def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
         starts = (0, size - len(second.text))
         asked = [_asked(one, start) for one, start in zip((first, second), starts, strict=True)]
         used = best.reading.used if best is not None else frozenset[int]()
-        if all(asked) and any(used.isdisjoint(one) for one in asked):
+        if all(asked) and any(used.isdisjoint(each) for one in asked for each in one):
             rest = _EACH.sub(r"\g<0> of them", question[joint.end() :].strip())
             return question[: joint.start()].strip(" ,;") + "?", rest
     return ()
 
 
-def _asked(clause: Question, start: int) -> set[int]:
-    """Where the clause says what it asks, or of what; nowhere, if it asks nothing or names nothing."""
+def _asked(clause: Question, start: int) -> list[set[int]]:
+    """Where the clause says what it asks, and of which named part; nowhere, if it asks nothing or names nothing."""
     text = clause.text
     named = clause.mentions or text.at_words(*_LEANING)
-    if not named or not any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING))):
-        return set()
+    first = text.find(text.skip(0, "article"), "measure", "count")
+    begins = first is not None and text.has("of") and text.is_word(first.end - text.is_word(first.end - 1, "of"), "of")
+    if not named or not (begins or any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING)))):
+        return []
     how = text.at_words("how")
     pronouns = {i for mention in clause.mentions if mention.pronoun for i in mention.used}
     asked = how or pronouns or {i for i in range(len(text)) if text.find(i, *_ASKED)}
-    return {start + i for i in asked}
+    owner = {clause.parts[0].head} if begins and clause.parts else set()
+    return [{start + i for i in one} for one in (asked, owner) if one]
 
 
 def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | None:

@@ -75,7 +75,7 @@ class Question:
             return True
         if not text.is_word(end, "?") or any(text.find(i, *_ASKING) for i in range(start, end)):
             return False
-        return bool(text.at_phrases("same"))
+        return any(start <= at < end for at in text.at_phrases("same"))
 
     def _asks_yes_no(self, begin: int) -> bool:
         """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""
@@ -130,6 +130,14 @@ class Question:
         """The units that the answer shall have, their tokens and powers: 'in cm', 'in square millimetres'."""
         units = ((at, self.unit(at + 1)) for at in sorted(self.text.at_words("in")))
         return [(set(range(at, unit[0])), unit[1]) for at, unit in units if unit is not None]
+
+    @cached_property
+    def in_degrees(self) -> bool:
+        """Is an angle asked for: 'how many degrees apart', 'how far in degrees'?"""
+        counted = (self.unit(at + 2) for at in self.text.at_words("how") if self.text.is_word(at + 1, "many"))
+        return any(
+            unit is not None and unit[1] == 0 for unit in (*counted, self.unit_asked and (0, self.unit_asked[1]))
+        )
 
     @property
     def unit_asked(self) -> tuple[set[int], int] | None:

@@ -64,6 +64,11 @@ def distances(question: Question) -> Iterator[Parse]:
             if reduce in EXTREMES.values() and isinstance(first, PartQuery):
                 if second == "each other" or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
                     first = replace_fields(first, count=None, ranks=(), plural=True)
+            if question.in_degrees:  # 'how far apart in degrees'
+                if isinstance(first, PartQuery) and isinstance(second, PartQuery | str):
+                    other = second if isinstance(second, PartQuery) else None
+                    yield Parse(Angle(first, other), {"angle_of_parts": 1.0}, used | more)
+                continue
             across = second == "each other" and reduce is Reduce.ONE and opposed
             form = Distance(first, second, mode, axis, Reduce.LARGEST if across else reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
@@ -299,7 +304,11 @@ def angles(question: Question) -> Iterator[Parse]:
         between = bool(text.at_phrases("between"))
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
         for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
-            used = set(asked.used) | first.used | (text.at_phrases("between", "neighbor") if between else set())
+            used = (
+                set(asked.used)
+                | first.used
+                | (text.at_phrases("between", "neighbor") if between else text.at_words("apart"))
+            )
             several = first.plural or text.at_phrases("neighbor")
             if several or any(place.relation == "between" for place in first.part.places):
                 yield Parse(Angle(first.part, None), features, used)

@@ -85,8 +85,8 @@ def _either(question: Question) -> Iterator[Parse]:
     """'Are the bores blind or through?', 'Is it solid or hollow?'"""
     text = question.text
     for at in text.at_words("or") if question.closed else ():
-        first = next((span for span in text.all("adjective") if span.end == at), None)
-        second = text.find(text.skip(at + 1, "article"), "adjective")
+        first = next((span for span in text.all("adjective") if span.end == at - text.is_word(at - 1, ",")), None)
+        second = text.find(text.skip(at + 1, "article", "pronoun", "be", "completely"), "adjective")
         mention = next((m for m in question.mentions if m.start < at), None)
         if first is not None and second is not None and mention is not None:
             names = (first.value.name, second.value.name)
