@@ -479,3 +479,14 @@ def test_a_colour_behind_the_verb_says_which() -> None:
     shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
     assert shown.target.colors == ("red",)
     assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))
+
+
+@pytest.mark.parametrize("question", ["How many degrees apart are the lugs?", "How far apart in degrees are the lugs?"])
+def test_what_is_asked_in_degrees_is_an_angle(question: str) -> None:
+    assert any(isinstance(form, Angle) for form in forms(question))
+    assert not any(isinstance(form, Distance) for form in forms(question))
+
+
+def test_what_is_stated_beside_a_question_is_not_asked() -> None:
+    assert not any(isinstance(form, Uniform) for form in forms("Slot width, please? They are all equal, I guess"))
+    assert any(isinstance(form, Uniform) for form in forms("Slots all equal?"))
