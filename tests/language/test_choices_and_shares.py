@@ -135,7 +135,7 @@ def test_a_ratio_of_two_parts_is_of_what_they_are_named_by() -> None:
 
 @pytest.mark.parametrize(
     "question",
-    ["The cover has six slots. Is that correct?", "It has six slots. Is this number right?"],
+    ["The cover has six slots. Is that correct?", "It has six slots. Is that number correct?"],
 )
 def test_a_number_that_is_told_is_compared_with_that_of_the_parts(question: str) -> None:
     check = next(form for form in forms(question) if isinstance(form, Check))
@@ -144,7 +144,7 @@ def test_a_number_that_is_told_is_compared_with_that_of_the_parts(question: str)
 
 
 def test_to_come_out_at_a_side_is_said_of_the_parts() -> None:
-    asked = next(form for form in forms("Do the slots on the left come out at the top?") if isinstance(form, Every))
+    asked = next(form for form in forms("Do the keyways on the left emerge at the top?") if isinstance(form, Every))
     assert (asked.target.sides, asked.among.sides) == ((Side.LEFT,), (Side.TOP,))
 
 
@@ -157,9 +157,9 @@ def test_a_word_before_a_noun_is_not_what_is_asked_of_it() -> None:
 @pytest.mark.parametrize(
     ("question", "noun", "word"),
     [
-        ("How wide is the wider part of the slot?", "slot", "wider"),
-        ("How wide is the narrow end of the taper?", "taper", "narrow"),
-        ("How wide is the taper at its thin end?", "taper", "thin"),
+        ("How wide is the narrower section of the keyway?", "keyway", "narrower"),
+        ("How wide is the slender end of the cone?", "cone", "slender"),
+        ("How wide is the cone at its slender end?", "cone", "slender"),
     ],
 )
 def test_a_part_of_a_hole_or_a_cone_is_measured_on_it(question: str, noun: str, word: str) -> None:

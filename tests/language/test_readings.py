@@ -481,7 +481,9 @@ def test_a_colour_behind_the_verb_says_which() -> None:
     assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))
 
 
-@pytest.mark.parametrize("question", ["How many degrees apart are the lugs?", "How far apart in degrees are the lugs?"])
+@pytest.mark.parametrize(
+    "question", ["How many degrees do the lugs lie apart?", "How far apart in degrees are the lugs?"]
+)
 def test_what_is_asked_in_degrees_is_an_angle(question: str) -> None:
     assert any(isinstance(form, Angle) for form in forms(question))
     assert not any(isinstance(form, Distance) for form in forms(question))

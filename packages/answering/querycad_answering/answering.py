@@ -23,6 +23,7 @@ from querycad_contracts import (
     FailureCategory,
     GroundedBy,
     LengthUnit,
+    Measure,
     ModelSummary,
     Part,
     PartKind,
@@ -34,6 +35,7 @@ from querycad_contracts import (
     Unit,
 )
 from querycad_contracts.answers import LEAST_CONFIDENCE
+from querycad_language.forms import Get
 from querycad_language.tokens import MAX_CHARS
 
 from .addressing import folded
@@ -249,6 +251,9 @@ def _asked_type(understanding: Understanding) -> AnswerType | None:
     best = next(iter(understanding.ranked), None)
     if best is None or understanding.refused is not None or "named_only" in best.features:
         return None
+    form = best.reading.form
+    if isinstance(form, Get) and Measure.MAGNITUDE in form.measures:
+        return None  # 'how large': which size is meant, no word says
     return best.written.expects
 
 

@@ -9,23 +9,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import (
-    Angle,
-    Check,
-    Combine,
-    Count,
-    Distance,
-    Either,
-    Every,
-    Exists,
-    Form,
-    Get,
-    Parallel,
-    Parts,
-    Reduce,
-    Which,
-    queries,
-)  # fmt: skip
+from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.programs import Unwritable, Written, write
 from querycad_language.readings import Reading
@@ -232,8 +216,8 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
 
 
 def _of_two(form: Form, grounds: dict[PartQuery, Grounded]) -> Features:
-    """Are two parts that have different names the same one? Then one of them is hardly meant."""
-    if not isinstance(form, Distance | Check | Combine | Angle | Parallel | Which):
+    """Are two parts that have different names the same one? Then one of them is hardly meant, unless that is asked."""
+    if isinstance(form, Every):
         return {}
     named = {query.noun: frozenset(part.id for part in way.parts) for query, way in grounds.items()}
     return {"same_parts": float(len(named) > len(set(named.values())))}

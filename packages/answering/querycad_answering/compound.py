@@ -26,6 +26,8 @@ _JOINT = re.compile(
 _EACH = re.compile(r"\beach(?= ?[?.!]?$)", re.IGNORECASE)
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
+_OF_TWO = ("between", "same", "different", "operation", "comparing", "total", "minus")
+"""What makes one value of two measures: 'the ratio of the width of … and the height of …'."""
 _ASKED = ("measure", "scale", "count", "distance", "gap", "where")
 MAX_CHARS = 300
 """Longer texts are not looked at for a second question; so three or four are answered at most, one after the other."""
@@ -41,11 +43,14 @@ _NUMERIC = {*SCALARS, *map(of_several, SCALARS)}
 def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
     """The two questions, where the best reading of both as one passes over what one of them asks; else none."""
     joints = list(_JOINT.finditer(question)) if len(question) <= MAX_CHARS else []
-    size = len(Question(question).text) if joints else 0
+    whole = Question(question) if joints else None
+    if whole is None:
+        return ()
+    one_value = whole.closed or bool(whole.text.at_phrases(*_OF_TWO))
     for joint in joints[:MAX_JOINTS]:
         first, second = (Question(one) for one in (question[: joint.start()], question[joint.end() :]))
-        starts = (0, size - len(second.text))
-        asked = [_asked(one, start) for one, start in zip((first, second), starts, strict=True)]
+        starts = (0, len(whole.text) - len(second.text))
+        asked = [_asked(one, start, not one_value) for one, start in zip((first, second), starts, strict=True)]
         used = best.reading.used if best is not None else frozenset[int]()
         if all(asked) and any(used.isdisjoint(each) for one in asked for each in one):
             rest = _EACH.sub(r"\g<0> of them", question[joint.end() :].strip())
@@ -53,12 +58,15 @@ def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
     return ()
 
 
-def _asked(clause: Question, start: int) -> list[set[int]]:
-    """Where the clause says what it asks, and of which named part; nowhere, if it asks nothing or names nothing."""
+def _asked(clause: Question, start: int, names: bool) -> list[set[int]]:
+    """Where the clause says what it asks, and of which part; nowhere, if it asks nothing or names nothing.
+
+    `names`: to name a measure of a part is to ask for it.
+    """
     text = clause.text
     named = clause.mentions or text.at_words(*_LEANING)
     first = text.find(text.skip(0, "article"), "measure", "count")
-    begins = first is not None and text.has("of") and text.is_word(first.end - text.is_word(first.end - 1, "of"), "of")
+    begins = names and first is not None and "of" in text.words[first.end - 1 : first.end + 1]
     if not named or not (begins or any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING)))):
         return []
     how = text.at_words("how")

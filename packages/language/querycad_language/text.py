@@ -15,7 +15,7 @@ CLOSED = frozenset([
     "minus", "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
     "remaining", "axis", "stuff", "operation", "left_out", "leaving", "overview", "overlap", "contact", "carry",
-    "fasten", "comparing",
+    "fasten", "comparing", "emerging",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))

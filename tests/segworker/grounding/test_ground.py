@@ -198,7 +198,8 @@ def test_a_rank_takes_the_first_of_an_order() -> None:
 
 
 def test_an_ordinal_needs_so_many_and_which_one_it_is_stays_unchecked() -> None:
-    there = next(way for way in ground(PLATE, asked(plural=False, ranks=(Rank(nth=2),))) if way.parts)
+    there = best(asked(plural=False, ranks=(Rank(nth=2),)))
+    assert there.parts
     assert "which is number 2" in there.unchecked
     ways = ground(PLATE, asked(plural=False, ranks=(Rank(nth=9),)))
     assert {bool(way.parts) for way in ways} == {True, False}

@@ -48,7 +48,7 @@ def ends_do_question(text: Text, at: int) -> bool:
 def is_verb(text: Text, at: int) -> bool:
     """Does an unknown word stand where a verb stands: 'holes coming in from the side', 'the hub overtops the rim'?"""
     noun = at > 0 and text.tokens[at - 1].kind is Kind.WORD and text.find(at - 1, "noun", "whole", "pronoun")
-    behind_noun = noun and not text.is_word(at - 1, "one")  # 'one clamping flat'
+    behind_noun = noun and not text.is_word(at - 1, "one")  # 'one guiding lug'
     if text.words[at].endswith(("ing", "ed")) and (behind_noun or text.find(at + 1, "article", "place")):
         return True
     bare = not text.find(at - 1, "article", "adjective", "number", "ask", "quantifier", "each", "place", "scale")

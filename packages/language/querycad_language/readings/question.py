@@ -134,10 +134,8 @@ class Question:
     @cached_property
     def in_degrees(self) -> bool:
         """Is an angle asked for: 'how many degrees apart', 'how far in degrees'?"""
-        counted = (self.unit(at + 2) for at in self.text.at_words("how") if self.text.is_word(at + 1, "many"))
-        return any(
-            unit is not None and unit[1] == 0 for unit in (*counted, self.unit_asked and (0, self.unit_asked[1]))
-        )
+        counted = [self.unit(at + 2) for at in self.text.at_words("how") if self.text.is_word(at + 1, "many")]
+        return any(unit is not None and unit[1] == 0 for unit in (*counted, self.unit_asked))
 
     @property
     def unit_asked(self) -> tuple[set[int], int] | None:
@@ -182,6 +180,7 @@ def _adds_nothing(text: Text, start: int, end: int) -> bool:
 LONGEST_ECHO = 6
 """Words of a question that only asks which of those before are meant."""
 _IN_TAGS = ("confirm", "be", "do", "modal", "negation", "pronoun", "article", "function", "whole")
+_TOLD = (",", "you", "we", "number", "value", "dimension", "count", "with")
 _CLAIMED = ("confirm", "negation")
 _ASKS_IF = (
     "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
@@ -200,7 +199,7 @@ _OPEN = ("give", "possible")
 def _tag(text: Text, start: int, end: int) -> int:
     """Where a tag such as ', right?' or 'is this correct?' begins; the sentence's end where there is none."""
     begin = end
-    while begin > start and (text.find(begin - 1, *_IN_TAGS) or text.is_word(begin - 1, ",", "you", "we")):
+    while begin > start and (text.find(begin - 1, *_IN_TAGS) or text.is_word(begin - 1, *_TOLD)):
         begin -= 1
     if begin > start:  # within a sentence the tag stands behind a comma
         begin = next((i for i in range(begin, end) if text.words[i] == ","), end)

@@ -42,6 +42,7 @@ def _ways(inventory: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
     ways = list(bases(request))
     for step in STEPS:
         ways = pruned([after for way in ways for after in step(request, way)])
+    ways = [way for way in ways if way.parts or "sense_kin" not in way.features]  # no other kind's lack says anything
     return [Grounded(parts=way.parts, features=way.features, unchecked=way.unchecked) for way in ways]
 
 

@@ -302,13 +302,10 @@ def angles(question: Question) -> Iterator[Parse]:
         if asked.measures != (Measure.ANGLE,) or not question.in_question(asked.start):
             continue
         between = bool(text.at_phrases("between"))
+        joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart")
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
         for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
-            used = (
-                set(asked.used)
-                | first.used
-                | (text.at_phrases("between", "neighbor") if between else text.at_words("apart"))
-            )
+            used = {*asked.used, *first.used, *joining}
             several = first.plural or text.at_phrases("neighbor")
             if several or any(place.relation == "between" for place in first.part.places):
                 yield Parse(Angle(first.part, None), features, used)

@@ -144,6 +144,8 @@ def bare(question: Question) -> Iterator[Parse]:
         if (query := mention.query) is not None:
             get = Get((_named_by(query),), query)
             yield Parse(get, {"named_only": 1.0}, mention.used)
-            yield from material(question, get, {"named_only": 1.0}, mention.used)  # 'the narrowest web between bores'
+            yield from material(
+                question, get, {"named_only": 1.0}, mention.used
+            )  # 'the thinnest wall between the keyways'
             if query.plural:
                 yield Parse(Count(query), {"named_only": 1.0}, mention.used)

@@ -188,7 +188,7 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         yield Parse(Every(bare, _all_such(target)))
     if target.threads:
         yield Parse(Every(replace_fields(target, threads=()), _all_such(target)))
-    if target.sides:  # 'Do the lugs on the left come out at the top?'
+    if target.sides:  # 'Do the keyways on the left emerge at the top?'
         such = _all_such(replace_fields(target, sides=target.sides[-1:]))
         yield Parse(Every(replace_fields(target, sides=target.sides[:-1]), such), {"check_side": 1.0})
     if target.places and target.places[-1].relation:  # 'Do the cross holes run into the bore?', no compound
