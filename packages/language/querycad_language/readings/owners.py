@@ -73,7 +73,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
 
 
 def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
-    """The keyway of 'the narrower section of the keyway', the cone of 'the cone at its slender end': as wide as is said there."""
+    """'The narrower section of the keyway', 'the cone at its slender end': the cut or cone, as wide as is said."""
     if query is None:
         return
     for relation, ends in (("of", _CUTS | {"cone"}), ("", {"cone"})):
