@@ -66,7 +66,7 @@ class Inventory:
 
     @cached_property
     def alike(self) -> list[list[Part]]:
-        """An assembly's largest bodies; what is cut in or stands out, by kind and size: most first, then the largest."""
+        """An assembly's largest bodies; what is cut in or stands out, by kind and size: most first, then largest."""
         groups = orders.by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
         groups.sort(key=lambda group: (len(group), orders.size(group[0])), reverse=True)
         bodies = orders.by_size(self.bodies if len(self.bodies) > 1 else ())
