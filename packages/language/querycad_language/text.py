@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 from .ellipsis import restored
@@ -18,6 +19,10 @@ CLOSED = frozenset([
     "fasten", "comparing", "emerging",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
+EXTENTS = ("over_all", "facewise", "surface_to_surface")
+"""Categories of the adverbs that say from where to where, such as 'end to end'."""
+ROUNDED = ("radius", "fillet", "filleted", "rounded", "rounding", "round", "blend", "blended")
+"""Words that tell that the edges are rounded which a question speaks of."""
 BREAKS = frozenset((".", "?", "!", ";", ":"))
 """Symbols that end a clause for good."""
 
@@ -32,15 +37,34 @@ class Text:
         moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
         if moved != self.tokens:
             self._tell(moved)
-        self._all: dict[tuple[str, ...], list[Span]] = {}
-        self._begins: dict[tuple[str, ...], frozenset[int]] = {}
+        if self.has(*ROUNDED) and not self.at_phrases("distance", "where"):
+            self._tell(self._rounded())
         self._content = [self._names_something(at) for at in range(len(self.tokens))]
+
+    def _rounded(self) -> tuple[Token, ...]:
+        """'The radius of the vertical edges': of the rounded corners there."""
+        named = self.covered("noun", "measure", "outside_to_outside", "surface_to_surface")
+        edges = self.at_words("edge") - named
+        return tuple(replace(one, word="corner") if at in edges else one for at, one in enumerate(self.tokens))
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:
         self.tokens = tokens
+        self._all: dict[tuple[str, ...], list[Span]] = {}
+        self._begins: dict[tuple[str, ...], frozenset[int]] = {}
         self.words = [token.word for token in tokens]
         self._said = frozenset(self.words)
         self.spans: list[list[Span]] = self.lexicon.spans(self.words)
+        self._extents: set[int] = set()
+        for at in range(1, len(tokens) - 2):
+            if self.words[at + 1] == "to" and self.words[at] == self.words[at + 2] and self.find(at, *EXTENTS):
+                self._stands_alone(at)
+
+    def _stands_alone(self, start: int) -> None:
+        """In 'the rod end to end' nothing reaches into the adverb from before it: it is no rod end."""
+        self.spans[:start] = [[s for s in spans if s.end <= start] for spans in self.spans[:start]]
+        self.spans[start] = [s for s in self.spans[start] if s.category in EXTENTS]
+        self.spans[start + 1] = self.spans[start + 2] = []
+        self._extents.update(range(start, start + 3))
 
     def __len__(self) -> int:
         return len(self.tokens)
@@ -106,7 +130,7 @@ class Text:
 
     def _names_something(self, at: int) -> bool:
         token = self.tokens[at]
-        if token.kind is not Kind.WORD:
+        if token.kind is not Kind.WORD or at in self._extents:
             return False
         if not self.spans[at] and token.word.endswith(("ly", "wise", "wards")):
             return False  # an adverb

@@ -162,10 +162,17 @@ def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...
                 tokens += _words(raw, names)
             case "possessive":
                 tokens.append(Token("'s", raw, Kind.POSSESSIVE))
+            case _ if raw == "." and tokens and _shortened(tokens[-1]) and re.match(r"\s[a-z]", text[position:]):
+                pass  # 'ext. dia. of the eye'
             case _ if not re.fullmatch(r"\w-\w", text[max(0, position - 2) : position + 1]):  # a hyphen parts words
                 plain = {"–": "-", "—": "-", "×": "x"}.get(raw, raw)
                 tokens.append(Token(_MARKS[raw].value, raw) if raw in _MARKS else Token(plain, raw, Kind.SYMBOL))
     return _joined(tokens)
+
+
+def _shortened(token: Token) -> bool:
+    """Is a word written shorter than it is spelt?"""
+    return len(lexicon().spelling.get(token.raw.lower(), "")) > len(token.raw) + 1
 
 
 def _number(text: str, rest: str, position: int) -> tuple[Token, int]:

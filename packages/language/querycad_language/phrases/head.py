@@ -74,6 +74,11 @@ def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mentio
     named = " ".join(text.words[noun.start : noun.end]) if noun is not None else " ".join(unknown)
     if noun is not None and named not in text.lexicon.nouns:
         named = noun.value.name
+    told = (build.adjectives or build.ranks or build.ends) and any(
+        place.relation == "of" and place.what for place in build.places
+    )
+    if noun is not None and noun.value.name == "object" and told:
+        named = "section"  # 'the thinnest part of the shaft'
     known = noun is not None or not unknown
     head = noun.end - 1 if noun is not None else build.unknown[-1] if build.unknown else start
     plural = any(text.tokens[i].plural for i in (noun.tokens if noun is not None else (head,)))

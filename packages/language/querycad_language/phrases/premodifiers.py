@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Rank, SizeFilter
+from querycad_contracts import Measure, Rank, SizeFilter
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -78,6 +78,8 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
     if noun and text.find(at, "reach", "passing") and not _names(text, at, build.article):
         noun = None  # 'ring sticks up': a verb
+    if not build.nouns and (end := _by_measure(text, at, build)) > at:
+        return end
     if _is_over(text, at, build, noun) or _is_measure(text, build, noun, adjective, measure):
         return at
     if (end := _ranked(text, at, build)) > at:
@@ -94,6 +96,24 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
         build.adjectives.append(phrase if phrase in text.lexicon.adjectives else adjective.value.name)
         return adjective.end
     return _attribute(text, at, build) or _unknown(text, at, build, measure)
+
+
+def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:
+    """'The large diameter section', 'of the thinnest section', 'the middle step': words of measures that tell parts."""
+    scale, measure = text.find(at, "scale"), text.find(at, "measure")
+    if scale is not None and text.is_word(at + 1, "diameter") and text.find(at + 2, "noun"):
+        if scale.value.degree in ("most", "least"):
+            build.ranks.append(Rank(measure=Measure.DIAMETER, most=scale.value.degree == "most"))
+        else:
+            build.adjectives.append(text.words[at])
+        return at + 2
+    if measure is not None and text.find(at + 1, "noun"):
+        if text.is_word(at, "middle") and measure.end == at + 1:
+            build.adjectives.append("central")
+            return at + 1
+        if superlative(text, at) and measure.end == at + 2 and text.is_word(at - 2, "of"):
+            return _ranked(text, at, build)
+    return at
 
 
 def _names(text: Text, at: int, article: bool) -> bool:
@@ -124,6 +144,8 @@ def _is_measure(
     """Is the word a measure, and no part that has one: 'mouth diameter'?"""
     if measure is None or (noun and noun.end > measure.end) or (adjective and adjective.end > measure.end):
         return False
+    if noun is not None and text.tokens[noun.end - 1].plural:
+        return False  # 'the cogs'
     if noun is None or noun.end != measure.end or build.article or build.nouns:
         return True
     return text.find(noun.end, "measure") is None

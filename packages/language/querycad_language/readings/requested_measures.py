@@ -19,6 +19,10 @@ UNITS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AR
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
 _WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
 """Measures that narrower ones are of: the position of the tip, the size of the diameter."""
+_EXTENDING = {
+    Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.SIZE, Measure.MAGNITUDE, Measure.VOLUME,
+}  # fmt: skip
+"""Measures that a hollow part has twice: outside, and of the space within."""
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
@@ -35,6 +39,8 @@ class Requested:
     how: Literal["noun", "how", "verb", "reach", "where"]
     reduce: Reduce | None = None
     used: frozenset[int] = frozenset()
+    inside: bool = False
+    """'Inner length', 'internal height': of the space within."""
 
 
 def asked_in(question: Question) -> list[Requested]:
@@ -191,7 +197,10 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Requested:
         if meant is None:
             break
         reduce, start = reduce or meant, start - 1
-    return Requested(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)))
+    side = text.find(start - 1, "adjective") if set(measures) <= _EXTENDING and start - 1 not in taken else None
+    inside = side is not None and side.value.name == "inner"
+    start -= inside or (side is not None and side.value.name == "outer")
+    return Requested(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)), inside)
 
 
 def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:

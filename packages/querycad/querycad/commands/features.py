@@ -11,6 +11,7 @@ from querycad_answering.drawing.callouts import callout, callouts, carried_secti
 from querycad_answering.drawing.describing import SURFACES, listing
 from querycad_answering.drawing.numbers import unit_name
 from querycad_contracts import LengthUnit, Part, PartKind
+from querycad_language.describe import plural_of
 from querycad_segworker.model import Artefacts
 
 from .outcomes import EXIT_BAD_INPUT, EXIT_DONE, complain
@@ -78,7 +79,7 @@ def _grouped(wanted: Sequence[Part], parts: Sequence[Part], options: argparse.Na
     yield f"lengths in {unit_name(unit)}"
     yield from listing(callouts(told, unit, known, symbols=options.symbols))
     if surfaces:
-        counted = ", ".join(f"{count} {kind}{'' if count == 1 else 's'}" for kind, count in surfaces.items())
+        counted = ", ".join(f"{count} {kind if count == 1 else plural_of(kind)}" for kind, count in surfaces.items())
         yield f"surfaces by shape: {counted}; --kind lists those of one, --all each part"
 
 

@@ -120,7 +120,7 @@ def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | Non
         return [way.to(having, "adjective_agrees")]
     if wider:
         return [way.to(wider, "adjective_wider")]
-    if adjective.order:
+    if adjective.order and not all(inventory.has(p, adjective.opposite) for p in way.parts):
         return _ordered(inventory, way, adjective, count, name)
     if adjective.lacks:
         return [way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")]
@@ -146,7 +146,8 @@ def _ordered(
     ordered = inventory.ordered(way.parts, adjective, count)
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
     if len(ordered) == len(way.parts):
-        return [way.to(ordered, "adjective_nothing"), *empty]
+        same = way.to(ordered, "adjective_nothing")  # 'the smaller bore' where there is one: a step of it is meant
+        return [same.to(ordered, "comparative_nothing") if lexicon().is_comparative(name) else same, *empty]
     beside = [part for part in way.parts if "central" not in part.tags]
     if lexicon().is_comparative(name) and len(by_size(way.parts)) > TWO == len(by_size(beside)):
         # 'the larger hole' is one of two sizes: the opening in the middle is none of them

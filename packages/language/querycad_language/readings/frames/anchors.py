@@ -52,9 +52,11 @@ def anchors_of(question: Question) -> list[Spot]:
 
 
 def floored(query: PartQuery) -> PartQuery | None:
-    """The cut of 'the floor of the keyway', 'the bottom of the groove'."""
-    named = query.noun in ("floor", "bottom", "ground", "base")
-    return next((cut for _, cut in places_of(query, "of", "below", "") if named), None)
+    """The cut of 'the floor of the keyway', 'the bottom of the groove', 'the counterbore floor'."""
+    if query.noun not in ("floor", "bottom", "ground", "base"):
+        return None
+    said = [PartQuery(noun=name, words=(name,)) for name in query.adjectives if name in lexicon().nouns]
+    return next((cut for _, cut in places_of(query, "of", "below", "")), next(iter(said), None))
 
 
 def rimmed(query: PartQuery) -> PartQuery | None:

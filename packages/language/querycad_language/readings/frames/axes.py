@@ -24,6 +24,9 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
                 return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
             if word in _MEASURES and text.is_word(at, "along"):
                 return _MEASURES[word], set(range(at, side.end))
+    for at in text.at_words("vertical") - taken:
+        if text.find(at + 1, "distance", "gap") or (text.find(at + 1, "measure") and question.in_question(at)):
+            return 2, {at}  # 'the vertical distance'
     for span in text.all("axis"):
         if span.start in taken:
             continue

@@ -140,6 +140,10 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         below = {i for i in text.at_words("below", "beneath", "under") if i > at + 1}
         if below:  # 'how deep below the rim'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
+    elif scale is not None and scale.value.measure is Measure.LENGTH:
+        ends = {i for i in text.at_words("from", "to") if i > at + 1}
+        if len(ends) > 1:  # 'how long is the arm from the hub to the pin'
+            yield _Words(at, scale.end, "usual", {*range(at, scale.end), *ends}, level=True)
 
 
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
@@ -182,6 +186,13 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     for spot in chain.from_iterable(named):
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
+            behind = max(spot.used) + 1
+            for other in chain.from_iterable(named) if question.text.is_word(behind, "and") else ():
+                if (
+                    second == "each other" and behind < min(other.used) <= behind + 3
+                ):  # 'the wall between the bore and the edge'
+                    first, near = replace_fields(first, plural=False), question.text.at_words(*_CLOSE)
+                    yield _Pair(first, other.anchor, spot.used | other.used | near, {"place_between": 1.0})
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
@@ -214,14 +225,15 @@ def _ends(question: Question) -> list[list[Spot]]:
 
 
 def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
-    """Are two ends named: 'between the slot and the edge'? Then it is not asked of every two slots."""
+    """Are two ends named: 'between the slot and the edge', 'from the rim'? Then it is not asked of every two slots."""
     text = question.text
     for at in text.at_words("between"):
         for also in sorted(i for i in text.at_words("and", "to") if i > at):
             first = any(all(at < i < also for spot in spots for i in spot.used) for spots in ends)
             if first and any(also < min(min(spot.used) for spot in spots) <= also + 3 for spots in ends):
                 return True
-    return False
+    begins = {min(min(spot.used) for spot in spots) for spots in ends}
+    return len(ends) > 1 and any(at < begin <= at + 3 for at in text.at_words("from") for begin in begins)
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
@@ -237,6 +249,10 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """'How high above the base is the bore?': from the top or the underside of what is named, or from the ground."""
     text = question.text
+    sides: tuple[tuple[Side, Features], ...] = (
+        (Side.BOTTOM, {"level": 1.0}),
+        (Side.TOP, {"level": 1.0, "level_top": 1.0}),
+    )
     for span in text.all("place"):
         if span.value not in ("above", "below"):
             continue
@@ -245,11 +261,12 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
             for spot, base in product(other, behind or ()):
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
                     used = spot.used | base.used | set(span.tokens)
-                    yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
+                    for side, features in sides:
+                        yield _Pair(Plane(side, base.anchor), spot.anchor, used, features)
     for spot in chain.from_iterable(ends):
         if isinstance(spot.anchor, PartQuery):
-            for place, under in places_of(spot.anchor, "above", "below"):
-                yield _Pair(Plane(Side.BOTTOM, under), without(spot.anchor, place), spot.used, {"level": 1.0})
+            for (place, under), (side, features) in product(places_of(spot.anchor, "above", "below"), sides):
+                yield _Pair(Plane(side, under), without(spot.anchor, place), spot.used, features)
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:

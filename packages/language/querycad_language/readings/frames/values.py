@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Place
+from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
 from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_language.lexicon import lexicon
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
-from querycad_language.phrases import bare_of, replace_fields
+from querycad_language.phrases import bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -30,6 +31,10 @@ MOST_TOGETHER = 3
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
+_INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
+_OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
+_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
+_TUBES = ("ring", "pipe", "cavity")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
@@ -48,6 +53,8 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _circle(question, asked, get, parse)
             yield from _surface(get, parse)
+            yield from _of_its_round(get, parse)
+            yield from _of_its_end(question, asked, get, parse)
             yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
@@ -60,6 +67,7 @@ def values(question: Question) -> Iterator[Parse]:
                 yield Parse(floor, parse.features, parse.used)  # 'the floor thickness of the tray'
             if get.measures == (Measure.ROOT_DIAMETER,):
                 yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
+                yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)  # of a groove
             yield from less(question, get, parse.features, parse.used)
             yield from material(question, get, parse.features, parse.used)
 
@@ -90,7 +98,7 @@ def _is_place(text: Text, start: int) -> bool:
 
 def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     """The measures of one owner."""
-    text, target = question.text, owner.target
+    text, target = question.text, _within(owner.target) if asked.inside else owner.target
     compound = target is not None and "link_compound" in owner.features
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
     if compound and target is not None and several and len(asked.measures) == 1:
@@ -113,6 +121,8 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
         lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
         end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
         features["vector_for_length"] = float(end or any(lengths))
+    if asked.measures == (Measure.HEIGHT,) and places_of(target, "above", "below"):
+        features["height_above"] = 1.0  # 'how high is the window above the floor': not how tall
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
     counted = text.at_words("incl", "included", "including") and not text.has("not")
@@ -123,8 +133,22 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     over_all = asked.measures in ((Measure.LENGTH,), (Measure.THICKNESS,)) and bool(
         overall or counted or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
     )
+    used |= text.covered("over_all") if over_all else set()
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Parse(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
+
+
+def _within(target: Target) -> PartQuery:
+    """The space within a part; a cut is such a space itself."""
+    if target is None:
+        return PartQuery(noun="inside", words=("inside",), definite=True)
+    return target if _is_cut(target) else placed_in(_within(None), "of", target)
+
+
+def _is_cut(target: Target) -> bool:
+    """Is it a space, not what is around one?"""
+    noun = lexicon().nouns.get(target.noun) if target is not None else None
+    return noun is not None and all(PartKind(kind).cuts_in or kind in _TUBES for kind in noun.senses[0].kind)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -132,7 +156,13 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
     text = question.text
     leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
     is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
-    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED)):
+    asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
+    if is_round and get.target is not None and get.target.noun in _CIRCLES and not get.target.places:
+        for mention in [one for one in question.parts if one.head > asked.end and one.part.plural][:2]:
+            on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
+            used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
+            yield Parse(replace(get, target=on), parse.features, used)
+    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
         yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
@@ -164,6 +194,38 @@ def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
     area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
     if area and get.target is not None and bare_of(get.target, "surface", "face"):
         yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
+
+
+def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The inner diameter of the clamp' is that of its largest bore, 'the outer diameter' of its largest cylinder."""
+    noun = lexicon().nouns.get(get.target.noun) if get.target is not None else None
+    whole = get.target is None or (noun is not None and (noun.product or "model" in noun.senses[0].kind))
+    for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
+        if get.measures[0] in measures and len(get.measures) == 1:
+            largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
+            measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
+            yield Parse(
+                replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
+            )
+
+
+def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The top diameter of the cone', 'the diameter of the knob at its bottom': of the face there."""
+    target, text = get.target, question.text
+    behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
+    before = text.find(asked.start - 1, "side") or behind
+    sides = (before.value,) if before is not None else target.sides if target is not None else ()
+    owned = target is None and behind is not None and text.is_word(behind.end, "of")
+    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
+        return
+    said = set(before.tokens) if before is not None else set()
+    if _is_cut(target):
+        if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
+            yield Parse(get, parse.features, parse.used | said)
+        return
+    face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
+    face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
+    yield Parse(replace(get, target=face), {**parse.features, "its_end": 1.0}, parse.used | said)
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 
-from querycad_contracts import Bottom, Part
+from querycad_contracts import Bottom, Part, SurfaceKind
 from querycad_segworker.features.blends.fillets_chamfers import Blend
 from querycad_segworker.features.depressions.depression import ELONGATED, Depression, DepressionKind
 from querycad_segworker.features.shared.frames import POLYGONS
 from querycad_segworker.features.shared.part_measures import (
     ALIGNED,
+    UPRIGHT,
     faces_area,
     faces_box,
     geometry,
@@ -124,7 +125,7 @@ def blend_part(brep: Brep, found: Blend, number: int) -> Part:
     return Part(
         id=f"{found.kind}-{number}",
         kind=found.kind,
-        tags=("beveled",) if chamfer else _rounded_tags(found),
+        tags=(*(("beveled",) if chamfer else _rounded_tags(found)), *_edge_tags(brep, found)),
         label=f"{found.kind}, {measure}",
         faces=found.faces,
         center=found.center,
@@ -146,6 +147,19 @@ def blend_part(brep: Brep, found: Blend, number: int) -> Part:
 def _rounded_tags(found: Blend) -> tuple[str, ...]:
     side = "inner" if found.kind == "fillet" else "outer"
     return ("rounded", side, "variable") if found.radii else ("rounded", side)
+
+
+def _edge_tags(brep: Brep, found: Blend) -> tuple[str, ...]:
+    """'vertical', 'horizontal': the straight edges that were rounded or bevelled."""
+    faces = [brep.faces[face] for face in found.faces]
+    straight = SurfaceKind.PLANE if found.kind == "chamfer" else SurfaceKind.CYLINDER
+    rises = [abs(face.axis[2]) for face in faces if face.kind is straight]
+    if len(rises) < len(faces):
+        return ()
+    lying = all(rise < UPRIGHT for rise in rises)
+    if found.kind == "chamfer":  # of a plane the normal, square to its edge
+        return ("vertical",) if lying else ()
+    return ("horizontal",) if lying else ("vertical",) if min(rises) > 1 - UPRIGHT**2 else ()
 
 
 def _chamfer_measure(found: Blend) -> str:

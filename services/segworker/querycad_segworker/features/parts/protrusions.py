@@ -61,7 +61,7 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
 
     A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies.
     """
-    flat = prism.height < PLATE_RATIO * prism.width
+    flat = not prism.sides or prism.height < PLATE_RATIO * prism.width  # a base may be thicker
     upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
     return Part(
         id=f"prism-{number}",

@@ -13,18 +13,23 @@ from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.ribs import Rib
 from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
-from querycad_segworker.features.shared.part_measures import PLATE_RATIO
+from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
+from querycad_segworker.vectors import Box, add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
 
 SQUARE = 1e-2
 """Sine of the angle by which walls and faces of a plate may deviate from square and parallel."""
 MOST = 0.5
 """More than this share of a plate's outline is free, and of its face has another across from it; along the rest it runs
 into what it carries or what carries it."""
-
+BASE_RATIO = 0.6
+"""A base is thinner than this share of its width: a rail is none."""
+BASE_FREE = 0.9
+"""More than this share of a base's outline is free."""
+BASE_LEDGE, BASE_BARE = 0.25, 0.9
+"""Between these shares of a base's face have another one across from it; on the rest stands what it carries."""
 
 ALIKE = 1e-9
 """Lengths of outline, as shares of it, that differ by less differ by rounding."""
@@ -65,7 +70,34 @@ def recognise_plates(brep: Brep, prisms: Sequence[Prism], ribs: Sequence[Rib], t
         if taken.isdisjoint(faces):
             taken |= faces
             kept.append(plate)
+    kept += _bases(across, [*prisms, *kept], tolerances)
     return sorted(kept, key=lambda plate: plate.faces[0])
+
+
+def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> list[Prism]:
+    """What a body stands on: a slab at one end of it, below steps on all sides, that is no prism by itself."""
+    brep, found = across.brep, list[Prism]()
+    boxes = {body.id: faces_box(brep, body.faces) for body in brep.bodies}
+    for face in sorted(brep.faces, key=lambda one: (-one.area, one.id)):
+        end = _is_end(face, boxes[face.body], across.near)
+        side = _side(across, face, BASE_FREE, BASE_LEDGE) if end else None
+        taken = {i for prism in [*known, *found] if parallel(prism.normal, face.axis, SQUARE) for i in prism.faces}
+        if side is None or not taken.isdisjoint((face.id, *side.below)):
+            continue
+        if sum(brep.faces[i].area for i in side.below) > BASE_BARE * face.area:
+            continue  # nothing stands on it
+        slab = _plate(brep, side, tolerances, BASE_RATIO)
+        if slab is not None:
+            found.append(slab)
+    return found
+
+
+def _is_end(face: FaceRecord, box: Box, near: float) -> bool:
+    """Does a plane face lie on a side of its body's box?"""
+    axis = max(range(3), key=lambda i: abs(face.axis[i]))
+    end = box[1] if face.axis[axis] > 0 else box[0]
+    square = face.kind is SurfaceKind.PLANE and abs(face.axis[axis]) > 1 - SQUARE**2
+    return square and abs(face.point[axis] - end[axis]) < near
 
 
 def without_edgewise(prisms: Sequence[Prism], plates: Sequence[Prism]) -> list[Prism]:
@@ -98,8 +130,11 @@ class _Ends:
     faces: tuple[tuple[int, ...], ...]
 
 
-def _side(across: _Across, face: FaceRecord) -> _Side | None:
-    """The walls that run square from the outline of a face to one level, for most of the outline."""
+def _side(across: _Across, face: FaceRecord, free_share: float = MOST, ledge: float = MOST) -> _Side | None:
+    """The walls that run square from the outline of a face to one level, for most of the outline.
+
+    `free_share`: of the outline, that ends there; `ledge`: of the face, that has another one across from it.
+    """
     if face.kind is not SurfaceKind.PLANE or not face.loops or not face.loops[0].outer:
         return None
     brep = across.brep
@@ -130,12 +165,12 @@ def _side(across: _Across, face: FaceRecord) -> _Side | None:
     widest = np.flatnonzero(free[group] >= free.max() - ALIKE * whole)
     order = np.concatenate([each.first for each in ends])
     first = min(widest, key=lambda i: (owner[i], order[i]))  # of several, the one met first along the outline
-    if free[group[first]] <= MOST * whole:
+    if free[group[first]] <= free_share * whole:
         return None
     starts = np.cumsum([0, *counts])
     members = [(int(owner[i]), int(i - starts[owner[i]])) for i in np.flatnonzero(group == group[first])]
     below = tuple(sorted({f for k, i in members for f in ends[k].faces[i]}))
-    if sum(brep.faces[i].area for i in below) < MOST * face.area:
+    if sum(brep.faces[i].area for i in below) < ledge * face.area:
         return None
     return _Side(face, float(levels[first]), tuple(sorted({above[k][1] for k, _ in members})), below)
 
@@ -206,7 +241,7 @@ def _is_within(brep: Brep, wall: int, side: _Side, tolerances: Tolerances) -> bo
     return side.level - near <= min(levels) and max(levels) <= dot(side.face.point, side.face.axis) + near
 
 
-def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
+def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE_RATIO) -> Prism | None:
     face = side.face
     top = dot(face.point, face.axis)
     thickness = top - side.level
@@ -214,7 +249,7 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances) -> Prism | None:
     rim = set(face.loops[0].edges)
     frame = frame_of_edges(brep, rim, face.axis, None)
     length, width, _ = frame.size
-    if thickness <= 0 or thickness >= PLATE_RATIO * width or outline == "circular":
+    if thickness <= 0 or thickness >= ratio * width or outline == "circular":
         return None
     down = scale(face.axis, -thickness)
     low, high_corner = face.box
