@@ -25,7 +25,9 @@ ABSENCES = 3
 """So many readings of parts that the model may lack are weighed."""
 
 _ANGLES = (AnswerType.ANGLE, AnswerType.ANGLES)
-_SQUARE = round(math.pi / 2, 7)
+_SQUARE = math.pi / 2
+_ALIKE_RAD = math.radians(0.1)
+"""Angles nearer to each other than this are one: directions of freeform and meshed faces are that exact."""
 _VECTORS = {
     *(AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS),
     *(AnswerType.SIZE, AnswerType.SIZES),
@@ -300,7 +302,9 @@ NEAR = 1e-6
 def _of_angle(candidate: Candidate, values: Sequence[float | str]) -> dict[str, float]:
     """Nobody asks what parallel axes enclose, nor how far what stands upright leans."""
     leans = not any(read.expression.endswith(".angle") for read in candidate.written.reads)
-    told = {"value_zero": 0 in values, "value_square": leans and set(values) == {_SQUARE}}
+    angles = [value for value in values if not isinstance(value, str)]
+    square = bool(angles) and all(abs(value - _SQUARE) < _ALIKE_RAD for value in angles)
+    told = {"value_zero": any(abs(value) < _ALIKE_RAD for value in angles), "value_square": leans and square}
     return {name: 1.0 for name, holds in told.items() if holds and candidate.written.expects in _ANGLES}
 
 

@@ -44,7 +44,9 @@ class Text:
     def _rounded(self) -> tuple[Token, ...]:
         """'The radius of the vertical edges': of the rounded corners there."""
         named = self.covered("noun", "measure", "outside_to_outside", "surface_to_surface")
-        edges = self.at_words("edge") - named
+        edges = {
+            at for at in self.at_words("edge") - named if not any(self.is_word(i, "at") for i in range(at - 3, at))
+        }
         return tuple(replace(one, word="corner") if at in edges else one for at, one in enumerate(self.tokens))
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:

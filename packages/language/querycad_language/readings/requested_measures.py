@@ -39,8 +39,8 @@ class Requested:
     how: Literal["noun", "how", "verb", "reach", "where"]
     reduce: Reduce | None = None
     used: frozenset[int] = frozenset()
-    inside: bool = False
-    """'Inner length', 'internal height': of the space within."""
+    inside: bool | None = None
+    """'Inner length', 'internal height': of the space within; False: of what is around it."""
 
 
 def asked_in(question: Question) -> list[Requested]:
@@ -198,8 +198,8 @@ def _joined_measures(text: Text, span: Span, taken: set[int]) -> Requested:
             break
         reduce, start = reduce or meant, start - 1
     side = text.find(start - 1, "adjective") if set(measures) <= _EXTENDING and start - 1 not in taken else None
-    inside = side is not None and side.value.name == "inner"
-    start -= inside or (side is not None and side.value.name == "outer")
+    inside = {"inner": True, "outer": False}.get(side.value.name) if side is not None else None
+    start -= inside is not None
     return Requested(start, end, tuple(measures), "noun", reduce, frozenset(range(start, end)), inside)
 
 

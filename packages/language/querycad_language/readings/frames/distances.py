@@ -142,7 +142,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
     elif scale is not None and scale.value.measure is Measure.LENGTH:
         ends = {i for i in text.at_words("from", "to") if i > at + 1}
-        if len(ends) > 1:  # 'how long is the arm from the hub to the pin'
+        if len(ends) > 1 and not text.has(*text.lexicon.wholes):  # 'how long is the arm from the hub to the pin'
             yield _Words(at, scale.end, "usual", {*range(at, scale.end), *ends}, level=True)
 
 
@@ -233,7 +233,11 @@ def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
             if first and any(also < min(min(spot.used) for spot in spots) <= also + 3 for spots in ends):
                 return True
     begins = {min(min(spot.used) for spot in spots) for spots in ends}
-    return len(ends) > 1 and any(at < begin <= at + 3 for at in text.at_words("from") for begin in begins)
+    return (
+        len(ends) > 1
+        and not text.at_phrases("neighbor")
+        and any(at < begin <= at + 3 for at in text.at_words("from") for begin in begins)
+    )
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:

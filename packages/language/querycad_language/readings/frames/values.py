@@ -10,7 +10,7 @@ from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
-from querycad_language.phrases import bare_of, placed_in, places_of, replace_fields
+from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -48,6 +48,8 @@ def values(question: Question) -> Iterator[Parse]:
     within = [one for one in asked_for if question.in_question(one.start)] or asked_for
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
+            if asked.inside is False and _is_cut(owner.target):
+                owner = owner._replace(target=None)  # 'the outer width of the channel'
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
@@ -121,6 +123,8 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
         lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
         end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
         features["vector_for_length"] = float(end or any(lengths))
+    if asked.measures == (Measure.ANGLE,) and text.is_word(asked.end, "between"):
+        features["angle_between_of"] = 1.0  # 'the angle between the spokes': not each one's own
     if asked.measures == (Measure.HEIGHT,) and places_of(target, "above", "below"):
         features["height_above"] = 1.0  # 'how high is the window above the floor': not how tall
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
@@ -158,7 +162,7 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
     is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
     asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
     if is_round and get.target is not None and get.target.noun in _CIRCLES and not get.target.places:
-        for mention in [one for one in question.parts if one.head > asked.end and one.part.plural][:2]:
+        for mention in [one for one in question.parts if _leads_to(text, asked.end, one)][:1]:
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
@@ -166,6 +170,11 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
         yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
+
+
+def _leads_to(text: Text, start: int, mention: Mention) -> bool:
+    """Does '… on which the studs stand', 'through the holes' follow, with these parts?"""
+    return any(text.is_word(i, "on", "through", "which", "do", "are") for i in range(start, mention.start))
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
@@ -203,6 +212,7 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
     for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
         if get.measures[0] in measures and len(get.measures) == 1:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
+            largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
             measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
             yield Parse(
                 replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
@@ -214,7 +224,9 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     target, text = get.target, question.text
     behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
     before = text.find(asked.start - 1, "side") or behind
-    sides = (before.value,) if before is not None else target.sides if target is not None else ()
+    sides: tuple[Side, ...] = (before.value,) if before is not None else ()
+    if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
+        sides = target.sides
     owned = target is None and behind is not None and text.is_word(behind.end, "of")
     if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
         return
