@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
-from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_language.forms import LONGEST, Boundary, Distance, Get, Reduce, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
 from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
@@ -55,7 +55,14 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _circle(question, asked, get, parse)
             yield from _surface(get, parse)
+            if get.measures == (Measure.Z,) and get.target is not None:  # 'the centre height of the bore'
+                above = Distance(get.target, Boundary(Side.BOTTOM), "centers")
+                yield Parse(above, {**parse.features, "center_height": 1.0}, parse.used)
             yield from _of_its_round(get, parse)
+            sided = list(_of_its_side(get, parse))
+            yield from sided
+            if sided and get.target is not None and get.target.noun == "bend":
+                continue  # a bend has both sides, and none is the outer one
             yield from _of_its_end(question, asked, get, parse)
             yield from _extremes(question, get, parse)
             if asked not in asked_for:
@@ -217,6 +224,19 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
             yield Parse(
                 replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
             )
+
+
+def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The outer bend radius' is the outer radius of the bend."""
+    pairs = {Measure.RADIUS: (_INSIDE[0], _OUTSIDE[0]), Measure.DIAMETER: (_INSIDE[1], _OUTSIDE[1])}
+    if get.target is None or get.measures[0] not in pairs or "link_compound" not in parse.features:
+        return
+    for tag, measure in zip(("inner", "outer"), pairs[get.measures[0]], strict=True):
+        said = {name for name in get.target.adjectives if tag in lexicon().adjectives[name].tags}
+        if said:
+            kept = tuple(name for name in get.target.adjectives if name not in said)
+            bare = replace_fields(get.target, adjectives=kept)
+            yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
 
 
 def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
