@@ -39,7 +39,7 @@ from .holes.hole import Hole
 from .holes.recognise import recognise_holes
 from .parts.bent_arcs import bent_arc_part, recognise_bent_arcs
 from .parts.depressions import blend_part, depression_part, turned_groove_part
-from .parts.flat_walls import flat_wall_part, recognise_flat_walls, sides_of_boxes
+from .parts.flat_walls import besides_fins, flat_wall_part, recognise_flat_walls, sides_of_boxes, with_fins
 from .parts.holes import dimple_part, hole_part, hole_section_parts, pattern_part
 from .parts.joined_holes import with_joined_counterbores
 from .parts.material_left import with_material_left
@@ -177,7 +177,10 @@ def _parts(
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
-    flat_walls = recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances)
+    flat_walls = with_fins(
+        recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances),
+        [frozenset(ribs[n - 1].flanks) for n in fin_numbers],
+    )
     gussets = {face for wall in flat_walls if "gusset" in wall.tags for face in wall.faces}
     standing = beside_pipes(brep, bosses, pipes)
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
@@ -209,7 +212,12 @@ def _parts(
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
     bodies = with_body_thickness(
-        bodies, brep, prisms, turned, sides_of_boxes(flat_walls) | dict(thickness.bodies), thickness.least
+        bodies,
+        brep,
+        prisms,
+        turned,
+        sides_of_boxes(flat_walls) | besides_fins(thickness.bodies, flat_walls),
+        thickness.least,
     )
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     shown = _numbered(brep, bearings, bearing_part, bodies)

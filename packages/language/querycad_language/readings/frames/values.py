@@ -74,6 +74,8 @@ def values(question: Question) -> Iterator[Parse]:
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
                 yield Parse(floor, parse.features, parse.used)  # 'the floor thickness of the tray'
+            if get.measures[0] in (Measure.PITCH_DIAMETER, Measure.MODULE) and get.target is None:
+                yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
             if get.measures == (Measure.ROOT_DIAMETER,):
                 yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
                 yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)  # of a groove
@@ -173,6 +175,10 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
+    if get.measures == (Measure.PITCH_DIAMETER,) and (get.target is None or get.target.noun != "gear"):
+        circle = PartQuery(noun="bolt circle", definite=True)
+        circle = circle if get.target is None else placed_in(circle, "", get.target)
+        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
@@ -213,9 +219,12 @@ def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
 
 
 def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The inner diameter of the clamp' is that of its largest bore, 'the outer diameter' of its largest cylinder."""
+    """'The inner diameter of the clamp' is that of its largest bore; 'the wall thickness' of all its walls."""
     noun = lexicon().nouns.get(get.target.noun) if get.target is not None else None
     whole = get.target is None or (noun is not None and (noun.product or "model" in noun.senses[0].kind))
+    if whole and get.measures == (Measure.WALL_THICKNESS,):
+        walls = PartQuery(noun="wall", words=("wall",), plural=True, definite=True)
+        yield Parse(Get((Measure.THICKNESS,), walls, Reduce.EACH), {**parse.features, "its_walls": 1.0}, parse.used)
     for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
         if get.measures[0] in measures and len(get.measures) == 1:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))

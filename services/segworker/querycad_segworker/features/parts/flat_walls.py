@@ -273,11 +273,32 @@ def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
     return replace(wall, is_floor=True, tags=(*tags, *roof))
 
 
+def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> list[FlatWall]:
+    """The same walls; those between the flanks of fins are marked, for they are no walls of a housing."""
+    return [
+        replace(wall, tags=(*wall.tags, "fin")) if any(map(frozenset(wall.faces).issuperset, flanks)) else wall
+        for wall in walls
+    ]
+
+
+def besides_fins(bodies: Mapping[int, float], walls: Sequence[FlatWall]) -> dict[int, float]:
+    """The thickness that most walls of each body share; where those are fins, that of its largest other wall."""
+    found = dict(bodies)
+    for body, thickness in bodies.items():
+        own = [wall for wall in walls if wall.body == body]
+        others = [wall for wall in own if "fin" not in wall.tags and not wall.is_floor]
+        alike = (wall for wall in own if abs(wall.thickness - thickness) <= SAME * thickness)
+        if others and any("fin" in wall.tags for wall in alike):
+            found[body] = max(others, key=lambda wall: wall.length * wall.width).thickness
+    return found
+
+
 def sides_of_boxes(walls: Sequence[FlatWall]) -> dict[int, float]:
     """The thickness that the sides of each body share which is an open box, metres; its floor may be thicker."""
     found = {}
+    sides_of = [wall for wall in walls if wall.is_thin and not wall.is_floor and "fin" not in wall.tags]
     for body in {wall.body for wall in walls if wall.is_floor}:
-        sides = [wall.thickness for wall in walls if wall.body == body and wall.is_thin and not wall.is_floor]
+        sides = [wall.thickness for wall in sides_of if wall.body == body]
         if len(sides) >= BOX and max(sides) - min(sides) <= SAME * max(sides):
             found[body] = sides[0]
     return found
