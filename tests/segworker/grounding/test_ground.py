@@ -427,3 +427,22 @@ def test_what_the_speaker_points_to_may_be_the_model() -> None:
     assert not any(way.parts and way.parts[0].kind == "model" for way in plain)
     placed = asked(places=(Place(relation="in", what=pointed),))
     assert any({"place_whole", "whole_deictic"} <= way.features.keys() for way in ground(model, placed))
+
+
+def test_a_product_that_the_file_is_named_after_is_there() -> None:
+    model = inventory(whole("wire_bracket"), hole(1))
+    best = ground(model, PartQuery(noun="bracket", words=("bracket",), definite=True))
+    assert [part.kind for part in best[0].parts] == ["model"] and best[0].features["file_named"] == 1.0
+
+
+def test_what_is_outer_by_a_tag_is_not_what_is_inner() -> None:
+    inner = [part(f"fillet-{i}", radius=0.002, tags=("rounded", "inner")) for i in (1, 2)]
+    outer = [part(f"round-{i}", radius=0.005, tags=("rounded", "outer")) for i in (3, 4)]
+    ways = ground(inventory(*inner, *outer), PartQuery(noun="fillet", adjectives=("outer",), plural=True))
+    agreeing = [way for way in ways if "adjective_agrees" in way.features]
+    assert agreeing and all(one.kind == "round" for way in agreeing for one in way.parts)
+
+
+def test_the_smaller_of_one_is_marked() -> None:
+    ways = ground(inventory(hole(1)), PartQuery(noun="hole", adjectives=("smaller",), definite=True))
+    assert any("comparative_nothing" in way.features for way in ways)

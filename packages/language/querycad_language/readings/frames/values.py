@@ -223,8 +223,8 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
     noun = lexicon().nouns.get(get.target.noun) if get.target is not None else None
     whole = get.target is None or (noun is not None and (noun.product or "model" in noun.senses[0].kind))
     if whole and get.measures == (Measure.WALL_THICKNESS,):
-        walls = PartQuery(noun="wall", words=("wall",), plural=True, definite=True)
-        yield Parse(Get((Measure.THICKNESS,), walls, Reduce.EACH), {**parse.features, "its_walls": 1.0}, parse.used)
+        wall = PartQuery(noun="wall", words=("wall",), definite=True)
+        yield Parse(Get((Measure.THICKNESS,), wall), {**parse.features, "its_walls": 1.0}, parse.used)
     for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
         if get.measures[0] in measures and len(get.measures) == 1:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
