@@ -10,7 +10,7 @@ from tests.made import part
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Boundary, Combine, Count, Distance, Get
 from querycad_language.measures import options
-from querycad_language.readings.reader import Reading, read
+from querycad_language.readings import Reading, read
 from querycad_language.tokens import tokenize
 
 
@@ -91,7 +91,8 @@ def test_edges_that_are_rounded_are_corners() -> None:
 
 def test_from_end_to_end_is_no_part_of_a_name() -> None:
     best = min(read("How long is the spindle end to end?"), key=lambda reading: len(reading.skipped))
-    assert isinstance(best.form, Get) and best.form.target is not None
+    assert isinstance(best.form, Get)
+    assert best.form.target is not None
     assert (best.form.target.noun, best.form.overall, skipped(best)) == ("spindle", True, [])
 
 
@@ -123,7 +124,7 @@ def test_a_vertical_distance_is_taken_along_z() -> None:
 def test_so_many_in_each_is_a_share() -> None:
     forms = [reading.form for reading in read("How many lugs are on each lever?")]
     assert any(isinstance(form, Combine) and form.operation == "per" for form in forms)
-    assert not any(isinstance(form, Count) and form.query.places for form in forms)
+    assert not any(isinstance(form, Count) and form.target.places for form in forms)
 
 
 def test_names_in_the_plural_are_no_measures() -> None:

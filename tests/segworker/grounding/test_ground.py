@@ -432,7 +432,8 @@ def test_what_the_speaker_points_to_may_be_the_model() -> None:
 def test_a_product_that_the_file_is_named_after_is_there() -> None:
     model = inventory(whole("wire_bracket"), hole(1))
     best = ground(model, PartQuery(noun="bracket", words=("bracket",), definite=True))
-    assert [part.kind for part in best[0].parts] == ["model"] and best[0].features["file_named"] == 1.0
+    assert [part.kind for part in best[0].parts] == ["model"]
+    assert best[0].features["file_named"] == 1.0
 
 
 def test_what_is_outer_by_a_tag_is_not_what_is_inner() -> None:
@@ -440,7 +441,8 @@ def test_what_is_outer_by_a_tag_is_not_what_is_inner() -> None:
     outer = [part(f"round-{i}", radius=0.005, tags=("rounded", "outer")) for i in (3, 4)]
     ways = ground(inventory(*inner, *outer), PartQuery(noun="fillet", adjectives=("outer",), plural=True))
     agreeing = [way for way in ways if "adjective_agrees" in way.features]
-    assert agreeing and all(one.kind == "round" for way in agreeing for one in way.parts)
+    assert agreeing
+    assert all(one.kind == "round" for way in agreeing for one in way.parts)
 
 
 def test_the_smaller_of_one_is_marked() -> None:

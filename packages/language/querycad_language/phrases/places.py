@@ -149,6 +149,8 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
     if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or _leads_away(text, at):
         return at
+    if text.find(at, "surface_to_surface") and text.at_phrases("distance"):
+        return at  # 'how far apart are the walls on the inside'
     start = span.end
     size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)
     if size and text.find(at, "relation"):

@@ -32,7 +32,8 @@ def test_fins_are_no_walls_of_a_housing() -> None:
     fins = [box((100, 2, 12), (0, 4 + 10 * k, -12)) for k in range(6)]
     found = find(fuse(tray, *fins))
     walls = [part for part in found.of("wall") if "fin" not in part.tags]
-    assert walls and all(part.thickness == pytest.approx(0.008) for part in walls)
+    assert walls
+    assert all(part.thickness == pytest.approx(0.008) for part in walls)
     assert sum("fin" in part.tags for part in found.of("wall")) == 6
     (body,) = found.of("body")
     assert body.thickness in (None, pytest.approx(0.008))
@@ -41,6 +42,8 @@ def test_fins_are_no_walls_of_a_housing() -> None:
 def test_rounded_edges_are_told_by_how_they_lie() -> None:
     block = box((60, 40, 20))
     rounds = find(filleted(block, 4.0, *upright(block))).of("round")
-    assert len(rounds) == 4 and all("vertical" in part.tags for part in rounds)
+    assert len(rounds) == 4
+    assert all("vertical" in part.tags for part in rounds)
     lying = find(turned(filleted(block, 4.0, *upright(block)), (1, 0, 0), 90)).of("round")
-    assert len(lying) == 4 and all("horizontal" in part.tags for part in lying)
+    assert len(lying) == 4
+    assert all("horizontal" in part.tags for part in lying)

@@ -34,6 +34,7 @@ _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
+_CLOSING = ("roof", "floor", "top", "bottom", "end wall")
 _TUBES = ("ring", "pipe", "cavity")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
@@ -71,6 +72,9 @@ def values(question: Question) -> Iterator[Parse]:
                 parse.features["later_measure"] = 1.0
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
+            if get.measures == (Measure.THICKNESS,) and get.target is not None and get.target.noun in _CLOSING:
+                behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=_within(None))
+                yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)  # 'the top of the cap'
             if get.measures == (Measure.BOTTOM_THICKNESS,):
                 floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
                 yield Parse(floor, parse.features, parse.used)  # 'the floor thickness of the tray'

@@ -13,7 +13,7 @@ from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, spread
-from querycad_segworker.vectors import Box, box_center, cross, dot, parallel, sub
+from querycad_segworker.vectors import Box, box_center, cross, dot, line_distance, parallel, sub
 
 from .rolling_balls import RolledFace, rolled_face
 
@@ -54,12 +54,12 @@ class Blend:
 def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances) -> list[Blend]:
     """Which fillets, rounds and chamfers does the model have? Neighbouring ones of one size are one; lowest id first.
 
-    `taken`: faces of holes and bosses, whose own chamfers and roundings belong to them.
+    `taken`: faces of holes and bosses, whose own chamfers belong to them; rounded rims and feet are parts as well.
     """
     kinds: dict[int, tuple[str, float]] = {}
     balls: dict[int, RolledFace] = {}
     for face in brep.faces:
-        if face.id in taken:
+        if face.id in taken and not _is_rim(brep, face):
             continue
         if is_blend(brep, face):
             radius = face.minor_radius if face.kind is SurfaceKind.TORUS else face.radius
@@ -80,6 +80,15 @@ def recognise_blends(brep: Brep, taken: Collection[int], tolerances: Tolerances)
         blend = _blend(brep, kind, size, chain)
         found.append(replace(blend, radii=(min(radii), max(radii))) if radii else blend)
     return found
+
+
+def _is_rim(brep: Brep, face: FaceRecord) -> bool:
+    """Does a rounding go all around an axis, between two circles about it?"""
+    if face.kind is not SurfaceKind.TORUS or not is_blend(brep, face):
+        return False
+    centers = [edge.center if edge.closed else None for edge, other in brep.neighbours(face.id) if other != face.id]
+    near = 0.01 * face.minor_radius
+    return all(center is not None and line_distance(center, face.point, face.axis) < near for center in centers)
 
 
 def _chain(brep: Brep, start: int, kinds: Mapping[int, tuple[str, float]], tolerances: Tolerances) -> set[int]:
