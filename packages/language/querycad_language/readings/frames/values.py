@@ -6,11 +6,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
-from querycad_language.forms import LONGEST, Boundary, Distance, Get, Reduce, Target
-from querycad_language.lexicon import lexicon
+from querycad_contracts import Measure
+from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import COORDINATES, EXTENTS, is_length
-from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
+from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -19,6 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
+from .related_parts import is_cut, names_side, of_related, within
 from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -30,12 +30,6 @@ MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
-_ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
-_INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
-_OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
-_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
-_CLOSING = ("roof", "floor", "top", "bottom", "end wall")
-_TUBES = ("ring", "pipe", "cavity")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
@@ -49,22 +43,14 @@ def values(question: Question) -> Iterator[Parse]:
     within = [one for one in asked_for if question.in_question(one.start)] or asked_for
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
-            if asked.inside is False and _is_cut(owner.target):
+            if asked.inside is False and is_cut(owner.target):
                 owner = owner._replace(target=None)  # 'the outer width of the channel'
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
-            yield from _circle(question, asked, get, parse)
-            yield from _surface(get, parse)
-            if get.measures == (Measure.Z,) and get.target is not None:  # 'the centre height of the bore'
-                above = Distance(get.target, Boundary(Side.BOTTOM), "centers")
-                yield Parse(above, {**parse.features, "center_height": 1.0}, parse.used)
-            yield from _of_its_round(get, parse)
-            sided = list(_of_its_side(get, parse))
-            yield from sided
-            if sided and get.target is not None and get.target.noun == "bend":
+            yield from of_related(question, asked, get, parse)
+            if names_side(get):
                 continue  # a bend has both sides, and none is the outer one
-            yield from _of_its_end(question, asked, get, parse)
             yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
@@ -72,17 +58,6 @@ def values(question: Question) -> Iterator[Parse]:
                 parse.features["later_measure"] = 1.0
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
-            if get.measures == (Measure.THICKNESS,) and get.target is not None and get.target.noun in _CLOSING:
-                behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=_within(None))
-                yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)  # 'the top of the cap'
-            if get.measures == (Measure.BOTTOM_THICKNESS,):
-                floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
-                yield Parse(floor, parse.features, parse.used)  # 'the floor thickness of the tray'
-            if get.measures[0] in (Measure.PITCH_DIAMETER, Measure.MODULE) and get.target is None:
-                yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
-            if get.measures == (Measure.ROOT_DIAMETER,):
-                yield Parse(replace(get, target=PartQuery(noun="gear", definite=True)), parse.features, parse.used)
-                yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)  # of a groove
             yield from less(question, get, parse.features, parse.used)
             yield from material(question, get, parse.features, parse.used)
 
@@ -113,7 +88,7 @@ def _is_place(text: Text, start: int) -> bool:
 
 def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     """The measures of one owner."""
-    text, target = question.text, _within(owner.target) if asked.inside else owner.target
+    text, target = question.text, within(owner.target) if asked.inside else owner.target
     compound = target is not None and "link_compound" in owner.features
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
     if compound and target is not None and several and len(asked.measures) == 1:
@@ -155,45 +130,6 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     return Parse(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
 
 
-def _within(target: Target) -> PartQuery:
-    """The space within a part; a cut is such a space itself."""
-    if target is None:
-        return PartQuery(noun="inside", words=("inside",), definite=True)
-    return target if _is_cut(target) else placed_in(_within(None), "of", target)
-
-
-def _is_cut(target: Target) -> bool:
-    """Is it a space, not what is around one?"""
-    noun = lexicon().nouns.get(target.noun) if target is not None else None
-    return noun is not None and all(PartKind(kind).cuts_in or kind in _TUBES for kind in noun.senses[0].kind)
-
-
-def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
-    text = question.text
-    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
-    is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
-    asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
-    if is_round and get.target is not None and get.target.noun in _CIRCLES and not get.target.places:
-        for mention in [one for one in question.parts if _leads_to(text, asked.end, one)][:1]:
-            on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
-            used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
-            yield Parse(replace(get, target=on), parse.features, used)
-    if get.measures == (Measure.PITCH_DIAMETER,) and (get.target is None or get.target.noun != "gear"):
-        circle = PartQuery(noun="bolt circle", definite=True)
-        circle = circle if get.target is None else placed_in(circle, "", get.target)
-        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
-    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
-        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
-        form = replace(get, target=circle, reduce=Reduce.ONE)
-        yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
-
-
-def _leads_to(text: Text, start: int, mention: Mention) -> bool:
-    """Does '… on which the studs stand', 'through the holes' follow, with these parts?"""
-    return any(text.is_word(i, "on", "through", "which", "do", "are") for i in range(start, mention.start))
-
-
 def density_of(text: Text) -> tuple[float | None, set[int]]:
     """The density that is stated, or that of the material that is named; and the words for it."""
     stated = {at: token.value for at, token in enumerate(text.tokens) if token.power == DENSITY}
@@ -213,64 +149,6 @@ def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     if get.target is not None and named and joined and len(get.measures) == 1 and is_length(get.measures[0]):
         both = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
         yield Parse(both, {**parse.features, "both_extremes": 1.0}, parse.used | set(ends.values()))
-
-
-def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
-    area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
-    if area and get.target is not None and bare_of(get.target, "surface", "face"):
-        yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
-
-
-def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The inner diameter of the clamp' is that of its largest bore; 'the wall thickness' of all its walls."""
-    noun = lexicon().nouns.get(get.target.noun) if get.target is not None else None
-    whole = get.target is None or (noun is not None and (noun.product or "model" in noun.senses[0].kind))
-    if whole and get.measures == (Measure.WALL_THICKNESS,):
-        wall = PartQuery(noun="wall", words=("wall",), definite=True)
-        yield Parse(Get((Measure.THICKNESS,), wall), {**parse.features, "its_walls": 1.0}, parse.used)
-    for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
-        if get.measures[0] in measures and len(get.measures) == 1:
-            largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
-            largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
-            measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
-            yield Parse(
-                replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
-            )
-
-
-def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The outer bend radius' is the outer radius of the bend."""
-    pairs = {Measure.RADIUS: (_INSIDE[0], _OUTSIDE[0]), Measure.DIAMETER: (_INSIDE[1], _OUTSIDE[1])}
-    if get.target is None or get.measures[0] not in pairs or "link_compound" not in parse.features:
-        return
-    for tag, measure in zip(("inner", "outer"), pairs[get.measures[0]], strict=True):
-        said = {name for name in get.target.adjectives if tag in lexicon().adjectives[name].tags}
-        if said:
-            kept = tuple(name for name in get.target.adjectives if name not in said)
-            bare = replace_fields(get.target, adjectives=kept)
-            yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
-
-
-def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The top diameter of the cone', 'the diameter of the knob at its bottom': of the face there."""
-    target, text = get.target, question.text
-    behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
-    before = text.find(asked.start - 1, "side") or behind
-    sides: tuple[Side, ...] = (before.value,) if before is not None else ()
-    if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
-        sides = target.sides
-    owned = target is None and behind is not None and text.is_word(behind.end, "of")
-    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
-        return
-    said = set(before.tokens) if before is not None else set()
-    if _is_cut(target):
-        if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
-            yield Parse(get, parse.features, parse.used | said)
-        return
-    face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
-    face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
-    yield Parse(replace(get, target=face), {**parse.features, "its_end": 1.0}, parse.used | said)
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:

@@ -1,0 +1,153 @@
+"""Related parts: what is asked of one part, and a part in it, at its end or around it has."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
+from querycad_language.forms import Boundary, Distance, Get, Reduce, Target
+from querycad_language.lexicon import lexicon
+from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
+from querycad_language.readings.parses import Parse
+from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import Requested
+from querycad_language.text import Text
+
+_ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
+_INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
+_OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
+_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
+_CLOSING = ("roof", "floor", "top", "bottom", "end wall")
+_TUBES = ("ring", "pipe", "cavity")
+_GEAR = PartQuery(noun="gear", definite=True)
+
+
+def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
+    """The same measure, or one like it, of a part that is related to what is named."""
+    yield from _circle(question, asked, get, parse)
+    yield from _surface(get, parse)
+    yield from _of_its_round(get, parse)
+    yield from _of_its_side(get, parse)
+    yield from _of_its_end(question, asked, get, parse)
+    match get.measures[0]:
+        case Measure.Z if get.target is not None:  # 'the centre height of the bore'
+            above = Distance(get.target, Boundary(Side.BOTTOM), "centers")
+            yield Parse(above, {**parse.features, "center_height": 1.0}, parse.used)
+        case Measure.THICKNESS if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
+            behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=within(None))
+            yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
+        case Measure.BOTTOM_THICKNESS:  # 'the floor thickness of the tray'
+            floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
+            yield Parse(floor, parse.features, parse.used)
+        case Measure.PITCH_DIAMETER | Measure.MODULE if get.target is None:
+            yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
+        case Measure.ROOT_DIAMETER:  # of a groove its own
+            yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
+            yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
+
+
+def names_side(get: Get) -> bool:
+    """Is the inside or the outside of a bend named: 'the outer bend radius'?"""
+    told = (lexicon().adjectives[name].tags for name in (get.target.adjectives if get.target is not None else ()))
+    radius = get.measures[0] in (Measure.RADIUS, Measure.DIAMETER)
+    return (
+        radius and get.target is not None and get.target.noun == "bend" and any({"inner", "outer"} & {*t} for t in told)
+    )
+
+
+def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
+    text = question.text
+    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
+    is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
+    asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
+    if is_round and get.target is not None and get.target.noun in _CIRCLES and not get.target.places:
+        for mention in [one for one in question.parts if _leads_to(text, asked.end, one)][:1]:
+            on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
+            used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
+            yield Parse(replace(get, target=on), parse.features, used)
+    if get.measures == (Measure.PITCH_DIAMETER,) and (get.target is None or get.target.noun != "gear"):
+        circle = PartQuery(noun="bolt circle", definite=True)
+        circle = circle if get.target is None else placed_in(circle, "", get.target)
+        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
+    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
+        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
+        form = replace(get, target=circle, reduce=Reduce.ONE)
+        yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
+
+
+def _leads_to(text: Text, start: int, mention: Mention) -> bool:
+    """Does '… on which the studs stand', 'through the holes' follow, with these parts?"""
+    return any(text.is_word(i, "on", "through", "which", "do", "are") for i in range(start, mention.start))
+
+
+def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
+    area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
+    if area and get.target is not None and bare_of(get.target, "surface", "face"):
+        yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
+
+
+def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The inner diameter of the clamp' is that of its largest bore; 'the wall thickness' of all its walls."""
+    noun = lexicon().nouns.get(get.target.noun) if get.target is not None else None
+    whole = get.target is None or (noun is not None and (noun.product or "model" in noun.senses[0].kind))
+    if whole and get.measures == (Measure.WALL_THICKNESS,):
+        wall = PartQuery(noun="wall", words=("wall",), definite=True)
+        yield Parse(Get((Measure.THICKNESS,), wall), {**parse.features, "its_walls": 1.0}, parse.used)
+    for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
+        if get.measures[0] in measures and len(get.measures) == 1:
+            largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
+            largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
+            measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
+            yield Parse(
+                replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
+            )
+
+
+def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The outer bend radius' is the outer radius of the bend."""
+    pairs = {Measure.RADIUS: (_INSIDE[0], _OUTSIDE[0]), Measure.DIAMETER: (_INSIDE[1], _OUTSIDE[1])}
+    if get.target is None or get.measures[0] not in pairs or "link_compound" not in parse.features:
+        return
+    for tag, measure in zip(("inner", "outer"), pairs[get.measures[0]], strict=True):
+        said = {name for name in get.target.adjectives if tag in lexicon().adjectives[name].tags}
+        if said:
+            kept = tuple(name for name in get.target.adjectives if name not in said)
+            bare = replace_fields(get.target, adjectives=kept)
+            yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
+
+
+def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The top diameter of the cone', 'the diameter of the knob at its bottom': of the face there."""
+    target, text = get.target, question.text
+    behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
+    before = text.find(asked.start - 1, "side") or behind
+    sides: tuple[Side, ...] = (before.value,) if before is not None else ()
+    if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
+        sides = target.sides
+    owned = target is None and behind is not None and text.is_word(behind.end, "of")
+    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
+        return
+    said = set(before.tokens) if before is not None else set()
+    if is_cut(target):
+        if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
+            yield Parse(get, parse.features, parse.used | said)
+        return
+    face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
+    face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
+    yield Parse(replace(get, target=face), {**parse.features, "its_end": 1.0}, parse.used | said)
+
+
+def within(target: Target) -> PartQuery:
+    """The space within a part; a cut is such a space itself."""
+    if target is None:
+        return PartQuery(noun="inside", words=("inside",), definite=True)
+    return target if is_cut(target) else placed_in(within(None), "of", target)
+
+
+def is_cut(target: Target) -> bool:
+    """Is it a space, not what is around one?"""
+    noun = lexicon().nouns.get(target.noun) if target is not None else None
+    return noun is not None and all(PartKind(kind).cuts_in or kind in _TUBES for kind in noun.senses[0].kind)
