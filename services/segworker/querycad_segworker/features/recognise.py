@@ -198,7 +198,7 @@ def _parts(
         *_numbered(brep, sections, hollow_section_part),
         *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if gussets.isdisjoint(r.flanks)),
         *_numbered(brep, recognise_bent_arcs(brep, found_walls, tolerances), bent_arc_part),
-        *_numbered(brep, flat_walls, flat_wall_part),
+        *_numbered(brep, [wall for wall in flat_walls if "fin" not in wall.tags], flat_wall_part),
         *_numbered(brep, blends, blend_part),
         *_numbered(brep, [wall for wall in cylinders if wall.encloses], cylinder_part),
         *_numbered(brep, [w for w in cylinders if not w.encloses and not blend_faces.issuperset(w.faces)], arc_part),

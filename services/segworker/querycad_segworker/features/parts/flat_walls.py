@@ -274,7 +274,7 @@ def _with_place(wall: FlatWall, floors: Mapping[int, Vector]) -> FlatWall:
 
 
 def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> list[FlatWall]:
-    """The same walls; those between the flanks of fins are marked, for they are no walls of a housing."""
+    """The same walls; those between the flanks of fins are marked: they are fins, and no walls of a housing."""
     return [
         replace(wall, tags=(*wall.tags, "fin")) if any(map(frozenset(wall.faces).issuperset, flanks)) else wall
         for wall in walls
