@@ -47,15 +47,6 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
             yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
 
-def names_side(get: Get) -> bool:
-    """Is the inside or the outside of a bend named: 'the outer bend radius'?"""
-    told = (lexicon().adjectives[name].tags for name in (get.target.adjectives if get.target is not None else ()))
-    radius = get.measures[0] in (Measure.RADIUS, Measure.DIAMETER)
-    return (
-        radius and get.target is not None and get.target.noun == "bend" and any({"inner", "outer"} & {*t} for t in told)
-    )
-
-
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
     """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
     text = question.text
@@ -123,6 +114,8 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     """'The top diameter of the cone', 'the diameter of the knob at its bottom': of the face there."""
     target, text = get.target, question.text
     behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
+    if behind is not None and text.find(text.skip(behind.end, "side_noun"), "noun"):
+        behind = None  # 'on the top flange'
     before = text.find(asked.start - 1, "side") or behind
     sides: tuple[Side, ...] = (before.value,) if before is not None else ()
     if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
@@ -131,7 +124,7 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
         return
     said = set(before.tokens) if before is not None else set()
-    if is_cut(target):
+    if is_cut(target) or (target is not None and target.noun in _CIRCLES):
         if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
             yield Parse(get, parse.features, parse.used | said)
         return

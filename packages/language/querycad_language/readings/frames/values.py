@@ -18,7 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .related_parts import is_cut, names_side, of_related, within
+from .related_parts import is_cut, of_related, within
 from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -49,8 +49,6 @@ def values(question: Question) -> Iterator[Parse]:
             get = parse.form
             assert isinstance(get, Get)
             yield from of_related(question, asked, get, parse)
-            if names_side(get):
-                continue  # a bend has both sides, and none is the outer one
             yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
