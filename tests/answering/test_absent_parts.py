@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.made import hole, view
+from tests.made import hole, view, whole
 
 from querycad_answering.ranking import Ranked, ranked
 from querycad_answering.understanding import Understanding
@@ -32,6 +32,12 @@ def test_what_is_there_by_its_name_is_not_missing() -> None:
 def test_how_many_there_are_is_answered_by_none_and_not_refused() -> None:
     assert not asked("How many keyways are there?").absences
     assert not asked("Is there a keyway?").absences
+
+
+def test_what_the_file_is_named_after_is_there() -> None:
+    named = Understanding("How wide is the bracket?", view(whole("wire_bracket"), hole(1)), Expectation())
+    assert not named.absences
+    assert asked("How wide is the bracket?").absences
 
 
 def test_a_keyway_that_is_not_there_is_refused_with_its_name_and_what_there_is() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -111,13 +112,19 @@ def _lacking(query: PartQuery, ways: Sequence[Grounded]) -> Iterator[Grounded]:
     """The groundings that find nothing; that there is none, where only something else stands in for the noun."""
     empty = [way for way in ways if not way.parts]
     yield from empty
-    if query.noun and not query.ids and not empty and all(_stands_in(way) for way in ways):
+    if query.noun and not query.ids and not empty and all(_stands_in(way) and not _called(query, way) for way in ways):
         yield Grounded(parts=(), features={"nothing": 1.0})
 
 
 def _stands_in(way: Grounded) -> bool:
     """Is it a guess, parts of a like kind, or the whole model, for a noun that nothing here is called by?"""
     return bool(_INSTEAD & way.features.keys()) and not CALLED_SO & way.features.keys()
+
+
+def _called(query: PartQuery, way: Grounded) -> bool:
+    """Is the file of the whole model that a product's name means called so: the clamp in pvc_clamp.step?"""
+    words = {lexicon().fold(word) for part in way.parts for word in re.findall("[a-z]+", (part.name or "").lower())}
+    return "whole_sense" in way.features and query.known and words.issuperset(query.noun.split())
 
 
 def _of_absence(query: PartQuery, way: Grounded) -> Features:

@@ -429,13 +429,6 @@ def test_what_the_speaker_points_to_may_be_the_model() -> None:
     assert any({"place_whole", "whole_deictic"} <= way.features.keys() for way in ground(model, placed))
 
 
-def test_a_product_that_the_file_is_named_after_is_there() -> None:
-    model = inventory(whole("wire_bracket"), hole(1))
-    best = ground(model, PartQuery(noun="bracket", words=("bracket",), definite=True))
-    assert [part.kind for part in best[0].parts] == ["model"]
-    assert best[0].features["file_named"] == 1.0
-
-
 def test_what_is_outer_by_a_tag_is_not_what_is_inner() -> None:
     inner = [part(f"fillet-{i}", radius=0.002, tags=("rounded", "inner")) for i in (1, 2)]
     outer = [part(f"round-{i}", radius=0.005, tags=("rounded", "outer")) for i in (3, 4)]

@@ -32,13 +32,8 @@ NAMELESS = frozenset((PartKind.DEPRESSION, PartKind.ELEVATION))
 def bases(request: Request) -> Iterator[Candidate]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
     pointing = request.query.deictic
-    noun = lexicon().nouns.get(request.query.noun) if request.query.known else None
-    called = noun is not None and noun.product and request.inventory.file_named(request.query.noun.split())
     for way in _meant(request):
-        if "whole_sense" in way.features:
-            way = way.to(way.parts, "whole_deictic") if pointing else way
-            way = way.to(way.parts, "file_named") if called else way
-        yield way
+        yield (way.to(way.parts, "whole_deictic") if pointing and "whole_sense" in way.features else way)
 
 
 def _meant(request: Request) -> Iterator[Candidate]:
