@@ -167,13 +167,14 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
 
 
 def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
-    """Two measures that share their last word, and where they begin: 'inner and outer diameter'."""
+    """Two measures that share their last word, and where they begin: 'inner and (the) outer diameter'."""
     second = span.start if span.end - span.start == 2 else span.start - 1
-    if second < 2 or not text.is_word(second - 1, "and", "&", "/"):
+    joint = second - 1 - text.is_word(second - 1, "the")
+    if joint < 1 or not text.is_word(joint, "and", "&", "/"):
         return None
-    named = (f"{text.words[at]} {text.words[span.end - 1]}" for at in (second - 2, second))
+    named = (f"{text.words[at]} {text.words[span.end - 1]}" for at in (joint - 1, second))
     found = [dict(text.lexicon.phrases.get(phrase, ())).get("measure") for phrase in named]
-    return (second - 2, [measure for measure in found if measure]) if all(found) else None
+    return (joint - 1, [measure for measure in found if measure]) if all(found) else None
 
 
 def _joined_scales(text: Text, at: int, scale: Span) -> Requested:
