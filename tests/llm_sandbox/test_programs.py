@@ -62,6 +62,7 @@ PROGRAMS: list[tuple[str, Any]] = [
     ('solution = different([p.radius for p in find_parts("hole")])', [0.0025, 0.005]),
     ('solution = different({p.radius for p in find_parts("hole")})', [0.0025, 0.005]),
     ("solution = different([3.0, 1.0, 1.0000005, 2.0])", [1.0, 2.0, 3.0]),
+    ("solution = different(['M6', 'M5', 'M6'])", ["M5", "M6"]),
     ("solution = [close(0.01, 0.01005), close(0.01, 0.0101), close(1, 2, tolerance=3)]", [True, False, True]),
     ('solution = [p for p in find_parts("hole") if close(p.radius, 0.005)]', [{"part": "hole-3"}]),
     ('solution = find_parts("hole")[0].faces[0]', {"face": 1}),

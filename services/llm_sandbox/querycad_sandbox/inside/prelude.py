@@ -106,7 +106,8 @@ def distance(a, b):
 def different(values, tolerance=1e-6):
     kept = []
     for value in _sorted(values):
-        if not kept or value - kept[-1] >= tolerance:
+        apart = isinstance(value, str) or not kept or value - kept[-1] >= tolerance
+        if apart and (not kept or value != kept[-1]):
             kept.append(value)
     return kept
 
