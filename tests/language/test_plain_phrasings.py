@@ -8,7 +8,7 @@ import pytest
 from tests.made import part
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Boundary, Combine, Count, Distance, Get
+from querycad_language.forms import LONGEST, SHORTER, Boundary, Combine, Count, Distance, Get, Several
 from querycad_language.measures import options
 from querycad_language.readings import Reading, read
 from querycad_language.tokens import tokenize
@@ -147,3 +147,19 @@ def test_a_gears_module_and_pitch_circle_come_from_its_teeth() -> None:
     gear = part("gear-1", radii=(0.039, 0.03225), count=24)
     assert options(Measure.MODULE, gear)[0][0] == "(max({0}.radii) - min({0}.radii)) / 2.25"
     assert options(Measure.PITCH_DIAMETER, gear)[0][1] == "own"
+
+
+def test_by_joins_directions_and_scales() -> None:
+    spaced = [r.form for r in read("The lugs' spacing long way x short way?") if isinstance(r.form, Several)]
+    assert any([getattr(one, "axis", None) for one in form.of] == [LONGEST, SHORTER] for form in spaced)
+    spaced = [r.form for r in read("What is the pitch of the lugs in width and length?") if isinstance(r.form, Several)]
+    assert any([getattr(one, "axis", None) for one in form.of] == [SHORTER, LONGEST] for form in spaced)
+    sizes = [r.form.measures for r in read("How long x wide x high is the lever?") if isinstance(r.form, Get)]
+    assert (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT) in sizes
+    assert (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER) in [
+        r.form.measures for r in read("the inner and the outer diameter of the lug?") if isinstance(r.form, Get)
+    ]
+
+
+def test_a_length_from_end_to_end_is_no_distance() -> None:
+    assert not any(isinstance(r.form, Distance) for r in read("The slots: overall length end to end?"))

@@ -180,7 +180,9 @@ def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
 def _joined_scales(text: Text, at: int, scale: Span) -> Requested:
     """'How long and wide is …?'"""
     measures, end = [scale.value.measure], scale.end
-    while text.is_word(end, "and", ",") and (more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")):
+    while text.is_word(end, "and", ",", "x", "by", "/") and (
+        more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")
+    ):
         measures.append(more.value.measure)
         end = more.end
     return Requested(at, end, tuple(measures), "how", used=frozenset(range(at, end)))

@@ -8,6 +8,7 @@ from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.readings.question import Question
 
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
+_LENGTH_AND_WIDTH = (("length", "width"), ("and",), ("width", "length"))
 _MEASURES = {"width": 0, "depth": 1, "height": 2}
 
 
@@ -54,12 +55,18 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
     text = question.text
     spans: dict[int, int] = {at: span.value for span in text.all("axis") for at in span.tokens}
+    times = {at for at in spans if text.is_word(at, "x") and {at - 1, at + 1} <= spans.keys()}
+    spans = {at: axis for at, axis in spans.items() if at not in times}  # 'long way x short way'
     if LONGEST in spans.values() or text.has("long", "along", "longer"):
         spans |= dict.fromkeys(text.at_words("long", "along", "longer"), LONGEST)
         spans |= dict.fromkeys(text.at_words("short", "across", "shorter"), SHORTER)
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
+    for at in text.at_words("in", "along"):
+        if [text.is_word(at + 1 + i, *words) for i, words in enumerate(_LENGTH_AND_WIDTH)] == [True] * 3:
+            both = (LONGEST, SHORTER)
+            return (both if text.is_word(at + 1, "length") else both[::-1]), set(range(at, at + 4))
     upright = text.at_words("horizontal", "horizontally", "vertical", "vertically")
     if len(upright) == 2 and not spans and max(upright) - min(upright) == 2:  # 'horizontal and vertical pitch'
         return (LONGEST, SHORTER), {*upright, min(upright) + 1}

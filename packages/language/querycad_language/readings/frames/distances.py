@@ -97,7 +97,7 @@ def _distance_words(question: Question) -> Iterator[_Words]:
         if text.is_word(at, "how"):
             yield from _how(question, at)
         elif (measure := text.find(at, "measure")) and measure.value in _APART:
-            ahead = range(measure.end, len(text))
+            ahead = set(range(measure.end, len(text))) - text.covered("over_all")
             if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
                 mode: Mode = "centers" if measure.value in (Measure.HEIGHT, Measure.Z) else "surfaces"
                 yield _Words(measure.start, measure.end, mode, set(measure.tokens))
