@@ -107,7 +107,7 @@ def test_what_something_is_put_through_may_be_what_is_meant() -> None:
         ("What is the distance of the lugs from the front edge?", "lug", Boundary(Side.FRONT)),
         ("How far are the lugs from the lever?", "lug", "lever"),
         ("How long is the link from the pin to the lug?", "pin", "lug"),
-        ("What is the centre height of the bore?", "bore", Boundary(Side.BOTTOM)),
+        ("Which centre height has the spindle?", "spindle", Boundary(Side.BOTTOM)),
     ],
 )
 def test_a_distance_leads_away_from_what_is_named(question: str, first: str, second: Any) -> None:

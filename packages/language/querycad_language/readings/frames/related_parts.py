@@ -24,7 +24,7 @@ _GEAR = PartQuery(noun="gear", definite=True)
 
 
 def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
-    """The same measure, or one like it, of a part that is related to what is named."""
+    """Of a related part: 'What is the top diameter of the spigot?', 'What inner diameter has the lever?'"""
     yield from _circle(question, asked, get, parse)
     yield from _surface(get, parse)
     yield from _of_its_round(get, parse)
