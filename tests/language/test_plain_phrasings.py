@@ -119,6 +119,8 @@ def test_a_distance_leads_away_from_what_is_named(question: str, first: str, sec
 def test_a_vertical_distance_is_taken_along_z() -> None:
     forms = [r.form for r in read("What is the vertical distance between the lug and the bore?")]
     assert any(isinstance(form, Distance) and form.axis == 2 for form in forms)
+    lying = [r.form for r in read("Which spacing have the vertical drill holes?")]
+    assert not any(isinstance(form, Distance) and form.axis == 2 for form in lying)
 
 
 def test_so_many_in_each_is_a_share() -> None:

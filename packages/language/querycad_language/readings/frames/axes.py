@@ -26,6 +26,8 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
             if word in _MEASURES and text.is_word(at, "along"):
                 return _MEASURES[word], set(range(at, side.end))
     for at in text.at_words("vertical") - taken:
+        if text.find(at + 1, "noun"):
+            continue  # 'the vertical drill holes'
         if text.find(at + 1, "distance", "gap") or (text.find(at + 1, "measure") and question.in_question(at)):
             return 2, {at}  # 'the vertical distance'
     for span in text.all("axis"):
