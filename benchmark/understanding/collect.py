@@ -99,4 +99,7 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
         done = with_value(candidate, outcome.value, whole.extents)
         found.append(Tried(done.features, outcome.value, is_right(outcome.value, one), candidate.written.code))
     lacking = one.kind == MISSING
-    return [*found, *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded))]
+    return [
+        *found,
+        *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded, names)),
+    ]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -89,8 +89,10 @@ class Absence:
         return _score(self.features)
 
 
-def absences(readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[Grounded]]) -> list[Absence]:
-    """The readings of parts that the model may lack, the best first; a few.
+def absences(
+    readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[Grounded]], names: AbstractSet[str]
+) -> list[Absence]:
+    """The readings of parts that the model may lack, the best first; a few. `names`: words of the file's product names.
 
     How many there are, and whether there is one, is answered: none.
     """
@@ -99,7 +101,7 @@ def absences(readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[
         if isinstance(reading.form, Count | Exists | Every):
             continue
         for index, query in enumerate(queries(reading.form)):
-            for way in _lacking(query, grounded.get(query, ())):
+            for way in _lacking(query, grounded.get(query, ()), names):
                 features = {**reading.features, **_of_absence(query, way), "absent_place": float(index > 0)}
                 features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
                 found = Absence(query, way, features)
@@ -108,23 +110,21 @@ def absences(readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[
     return sorted(best.values(), key=lambda one: one.score, reverse=True)[:ABSENCES]
 
 
-def _lacking(query: PartQuery, ways: Sequence[Grounded]) -> Iterator[Grounded]:
-    """The groundings that find nothing; that there is none, where only something else stands in for the noun."""
+def _lacking(query: PartQuery, ways: Sequence[Grounded], names: AbstractSet[str]) -> Iterator[Grounded]:
+    """The groundings that find nothing; that there is none, where only something else stands in for the noun.
+
+    Not so where the whole is meant and named so: the clamp in pvc_clamp.step.
+    """
     empty = [way for way in ways if not way.parts]
     yield from empty
-    if query.noun and not query.ids and not empty and all(_stands_in(way) and not _called(query, way) for way in ways):
+    named = query.known and names >= set(query.noun.split()) and any("whole_sense" in way.features for way in ways)
+    if query.noun and not query.ids and not empty and not named and all(map(_stands_in, ways)):
         yield Grounded(parts=(), features={"nothing": 1.0})
 
 
 def _stands_in(way: Grounded) -> bool:
     """Is it a guess, parts of a like kind, or the whole model, for a noun that nothing here is called by?"""
     return bool(_INSTEAD & way.features.keys()) and not CALLED_SO & way.features.keys()
-
-
-def _called(query: PartQuery, way: Grounded) -> bool:
-    """Is the file of the whole model that a product's name means called so: the clamp in pvc_clamp.step?"""
-    words = {lexicon().fold(word) for part in way.parts for word in re.findall("[a-z]+", (part.name or "").lower())}
-    return "whole_sense" in way.features and query.known and words.issuperset(query.noun.split())
 
 
 def _of_absence(query: PartQuery, way: Grounded) -> Features:

@@ -146,7 +146,7 @@ class Understanding:
     def absences(self) -> list[Absence]:
         """The readings of parts that the model may lack, the best first."""
         _ = self.ranked  # which grounds the queries
-        return absences(self._asked.reader.readings, self.grounded)
+        return absences(self._asked.reader.readings, self.grounded, self._view.names)
 
     @property
     def readings(self) -> tuple[str, ...]:

@@ -106,8 +106,7 @@ def distance(a, b):
 def different(values, tolerance=1e-6):
     kept = []
     for value in _sorted(values):
-        apart = isinstance(value, str) or not kept or value - kept[-1] >= tolerance
-        if apart and (not kept or value != kept[-1]):
+        if not kept or (value != kept[-1] if isinstance(value, str) else value - kept[-1] >= tolerance):
             kept.append(value)
     return kept
 

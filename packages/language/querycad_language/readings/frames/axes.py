@@ -66,7 +66,7 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
     for at in text.at_words("in", "along"):
-        if [text.is_word(at + 1 + i, *words) for i, words in enumerate(_LENGTH_AND_WIDTH)] == [True] * 3:
+        if all(text.is_word(at + i, *words) for i, words in enumerate(_LENGTH_AND_WIDTH, start=1)):
             both = (LONGEST, SHORTER)
             return (both if text.is_word(at + 1, "length") else both[::-1]), set(range(at, at + 4))
     upright = text.at_words("horizontal", "horizontally", "vertical", "vertically")

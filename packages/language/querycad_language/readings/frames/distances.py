@@ -186,13 +186,8 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     for spot in chain.from_iterable(named):
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
-            behind = max(spot.used) + 1
-            for other in chain.from_iterable(named) if question.text.is_word(behind, "and") else ():
-                if (
-                    second == "each other" and behind < min(other.used) <= behind + 3
-                ):  # 'the wall between the bore and the edge'
-                    first, near = replace_fields(first, plural=False), question.text.at_words(*_CLOSE)
-                    yield _Pair(first, other.anchor, spot.used | other.used | near, {"place_between": 1.0})
+            if second == "each other":
+                yield from _with_next(question, named, spot, first)
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
@@ -211,6 +206,15 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     yield from _levels(question, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
+
+
+def _with_next(question: Question, named: Sequence[list[Spot]], spot: Spot, first: PartQuery) -> Iterator[_Pair]:
+    """'The wall between the bore and the edge': what is no part stands behind the phrase."""
+    behind, near = max(spot.used) + 1, question.text.at_words(*_CLOSE)
+    for other in chain.from_iterable(named) if question.text.is_word(behind, "and") else ():
+        if behind < min(other.used) <= behind + 3:
+            one = replace_fields(first, plural=False)
+            yield _Pair(one, other.anchor, spot.used | other.used | near, {"place_between": 1.0})
 
 
 def _ends(question: Question) -> list[list[Spot]]:

@@ -30,19 +30,18 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
-    match get.measures[0]:
-        case Measure.Z if get.target is not None:  # 'the centre height of the bore'
-            above = Distance(get.target, Boundary(Side.BOTTOM), "centers")
-            yield Parse(above, {**parse.features, "center_height": 1.0}, parse.used)
-        case Measure.THICKNESS if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
+    match get.measures:
+        case (Measure.Z,) if get.target is not None:  # 'the centre height of the bore'
+            yield Parse(Distance(get.target, Boundary(Side.BOTTOM), "centers"), parse.features, parse.used)
+        case (Measure.THICKNESS,) if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
             behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=within(None))
             yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
-        case Measure.BOTTOM_THICKNESS:  # 'the floor thickness of the tray'
+        case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
-        case Measure.PITCH_DIAMETER | Measure.MODULE if get.target is None:
+        case (Measure.PITCH_DIAMETER,) | (Measure.MODULE,) if get.target is None:
             yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
-        case Measure.ROOT_DIAMETER:  # of a groove its own
+        case (Measure.ROOT_DIAMETER,):  # of a groove its own
             yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
             yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
@@ -100,7 +99,9 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
 def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
     """'The outer bend radius' is the outer radius of the bend."""
     pairs = {Measure.RADIUS: (_INSIDE[0], _OUTSIDE[0]), Measure.DIAMETER: (_INSIDE[1], _OUTSIDE[1])}
-    if get.target is None or get.measures[0] not in pairs or "link_compound" not in parse.features:
+    if get.target is None or len(get.measures) > 1 or "link_compound" not in parse.features:
+        return
+    if get.measures[0] not in pairs:
         return
     for tag, measure in zip(("inner", "outer"), pairs[get.measures[0]], strict=True):
         said = {name for name in get.target.adjectives if tag in lexicon().adjectives[name].tags}

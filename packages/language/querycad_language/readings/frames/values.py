@@ -109,8 +109,6 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
         lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
         end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
         features["vector_for_length"] = float(end or any(lengths))
-    if asked.measures == (Measure.ANGLE,) and text.is_word(asked.end, "between"):
-        features["angle_between_of"] = 1.0  # 'the angle between the spokes': not each one's own
     if asked.measures == (Measure.HEIGHT,) and places_of(target, "above", "below"):
         features["height_above"] = 1.0  # 'how high is the window above the floor': not how tall
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum

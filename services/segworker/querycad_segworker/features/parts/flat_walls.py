@@ -284,10 +284,10 @@ def with_fins(walls: Sequence[FlatWall], flanks: Sequence[frozenset[int]]) -> li
 def besides_fins(bodies: Mapping[int, float], walls: Sequence[FlatWall]) -> dict[int, float]:
     """The thickness that most walls of each body share; where those are fins, that of its largest other wall."""
     found = dict(bodies)
-    for body, thickness in bodies.items():
+    for body in {wall.body for wall in walls if "fin" in wall.tags} & bodies.keys():
         own = [wall for wall in walls if wall.body == body]
         others = [wall for wall in own if "fin" not in wall.tags and not wall.is_floor]
-        alike = (wall for wall in own if abs(wall.thickness - thickness) <= SAME * thickness)
+        alike = (wall for wall in own if abs(wall.thickness - bodies[body]) <= SAME * bodies[body])
         if others and any("fin" in wall.tags for wall in alike):
             found[body] = max(others, key=lambda wall: wall.length * wall.width).thickness
     return found

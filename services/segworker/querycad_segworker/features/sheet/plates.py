@@ -79,13 +79,12 @@ def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> l
     brep, found = across.brep, list[Prism]()
     boxes = {body.id: faces_box(brep, body.faces) for body in brep.bodies}
     for face in sorted(brep.faces, key=lambda one: (-one.area, one.id)):
-        end = _is_end(face, boxes[face.body], across.near)
-        side = _side(across, face, BASE_FREE, BASE_LEDGE) if end else None
-        taken = {i for prism in [*known, *found] if parallel(prism.normal, face.axis, SQUARE) for i in prism.faces}
-        if side is None or not taken.isdisjoint((face.id, *side.below)):
-            continue
-        if sum(brep.faces[i].area for i in side.below) > BASE_BARE * face.area:
+        side = _side(across, face, BASE_FREE, BASE_LEDGE) if _is_end(face, boxes[face.body], across.near) else None
+        if side is None or sum(brep.faces[i].area for i in side.below) > BASE_BARE * face.area:
             continue  # nothing stands on it
+        alike = (prism for prism in [*known, *found] if parallel(prism.normal, face.axis, SQUARE))
+        if any(not {face.id, *side.below}.isdisjoint(prism.faces) for prism in alike):
+            continue
         slab = _plate(brep, side, tolerances, BASE_RATIO)
         if slab is not None:
             found.append(slab)
