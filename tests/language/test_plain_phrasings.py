@@ -8,7 +8,7 @@ import pytest
 from tests.made import part
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Boundary, Combine, Count, Distance, Get, Several
+from querycad_language.forms import LONGEST, SHORTER, Boundary, Combine, Count, Distance, Get, Plane, Several
 from querycad_language.measures import options
 from querycad_language.readings import Reading, read
 from querycad_language.tokens import tokenize
@@ -165,3 +165,52 @@ def test_by_joins_directions_and_scales() -> None:
 
 def test_a_length_from_end_to_end_is_no_distance() -> None:
     assert not any(isinstance(r.form, Distance) for r in read("The slots: overall length end to end?"))
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "expected"),
+    [
+        ("How wide is the idler?", Measure.AXIAL_EXTENT, "idler"),
+        ("Face width of the sprocket?", Measure.AXIAL_EXTENT, "sprocket"),
+        ("What is the thickness of the wall of the spigot?", Measure.WALL_THICKNESS, "spigot"),
+        ("Which is the smallest spindle diameter?", Measure.DIAMETER, "section of spindle"),
+        ("How wide is the dovetail at its bottom?", Measure.SHORT_SIDE, "dovetail"),
+        ("R at the top of the lugs", Measure.RADIUS, "rounded end of lug"),
+        ("What is the inside diameter of the tank?", Measure.DIAMETER, "inner cylinder of tank"),
+        ("Clearance diameter of the bolt holes?", Measure.DIAMETER, "bolt hole"),
+        ("Total keyway depth?", Measure.DEPTH, "keyway"),
+    ],
+)
+def test_a_measure_of_a_part_that_is_told_by_another(question: str, measure: Measure, expected: str) -> None:
+    assert expected in of(question, measure)
+
+
+def test_a_plate_is_no_wider_along_its_axis() -> None:
+    assert all(measure is not Measure.AXIAL_EXTENT for measure, _ in gets("How wide is the lug?"))
+
+
+def distances_of(question: str) -> list[Distance]:
+    return [reading.form for reading in read(question) if isinstance(reading.form, Distance)]
+
+
+@pytest.mark.parametrize(
+    ("question", "axis"),
+    [
+        ("What is the hole spacing along the bracket?", LONGEST),
+        ("What is the hole spacing across the bracket?", SHORTER),
+        ("What is the hole spacing along the rib?", None),
+    ],
+)
+def test_along_a_product_is_along_its_longest_side(question: str, axis: int | None) -> None:
+    assert distances_of(question)[0].axis == axis
+
+
+def test_the_clearance_under_a_part_reaches_down_to_the_ground() -> None:
+    form = distances_of("What is the clearance under the handle?")
+    assert any(isinstance(one.first, Plane) and one.second == Boundary(Side.BOTTOM) for one in form)
+
+
+def test_what_is_on_a_side_is_told_by_the_word_before_the_noun_alone() -> None:
+    (target, *_) = (t for _, t in gets("How wide are the side slots?") if t)
+    assert target.adjectives
+    assert not any(t.adjectives for _, t in gets("How wide are the slots on each side?") if t)

@@ -161,6 +161,11 @@ class Lexicon:
         return frozenset(word for phrase in self.phrases for word in phrase.split())
 
     @cached_property
+    def turning(self) -> frozenset[str]:
+        """Nouns of what turns: its width is along its axis."""
+        return frozenset(self.words("turning"))
+
+    @cached_property
     def wholes(self) -> frozenset[str]:
         """Adjectives that say that all of something is meant: 'complete'."""
         return frozenset(name for name, adjective in self.adjectives.items() if adjective.whole)

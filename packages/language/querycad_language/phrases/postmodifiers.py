@@ -98,7 +98,13 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
     if adjective and not negated and build.nouns and (face := _shaped(text, adjective, build.nouns[-1])):
         build.nouns[-1] = face
         return face.end
-    if own and adjective and not is_noun(text, adjective.end) and adjective.value.tags and not text.find(at, "place"):
+    sided = text.is_word(at, "side")  # 'on each side': no attribute
+    if (
+        own
+        and adjective
+        and not (sided or is_noun(text, adjective.end) or text.find(at, "place"))
+        and adjective.value.tags
+    ):
         (build.lacking if negated else build.adjectives).append(adjective.value.name)
         return adjective.end
     if (end := placed(phrases, at, build, depth)) > at:

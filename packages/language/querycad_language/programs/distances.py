@@ -220,8 +220,18 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
 
 def _floor(build: Builder, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal and p.bottom is not Bottom.THROUGH]
-    return replace(plane, side=_behind(cut)) if cut and plane.side is Side.BOTTOM else plane
+    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal]
+    if not cut or plane.side is not Side.BOTTOM:
+        return plane
+    if cut[0].bottom is not Bottom.THROUGH:
+        return replace(plane, side=_behind(cut))
+    return replace(plane, side=_end_of_slot(build, cut[0])) if {"through", "open"} <= set(cut[0].tags) else plane
+
+
+def _end_of_slot(build: Builder, slot: Part) -> Side:
+    """The side on which a slot through a plate ends: not the one where it runs out at the edge."""
+    sides = [side for side in Side if abs(slot.extents[side_axis(side)[0]] - (slot.depth or 0.0)) < SLACK]
+    return max(sides, key=lambda side: _reach(build.whole, side) - _reach(slot, side), default=Side.BOTTOM)
 
 
 def _of_each(build: Builder, query: PartQuery, modes: dict[str, str], reduce: Reduce = Reduce.ONE) -> str:

@@ -23,6 +23,7 @@ _EXTENDING = {
     Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.SIZE, Measure.MAGNITUDE, Measure.VOLUME,
 }  # fmt: skip
 """Measures that a hollow part has twice: outside, and of the space within."""
+_SAVING = ("save", "saves", "saving", "reduce", "reduces", "reducing", "spare", "cut")
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
@@ -142,6 +143,8 @@ def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
     span, noun = text.find(at, "measure"), text.find(at, "noun")
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
+    if span.value is Measure.MASS and text.is_word(at - 1, *_SAVING):
+        return None  # 'holes that save weight'
     before = range(max(0, at - 4), at)
     led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before)
     if span.value is Measure.AXIS and led and not text.find(at - 1, "ask"):

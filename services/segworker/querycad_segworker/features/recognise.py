@@ -60,6 +60,7 @@ from .parts.relations import with_relations
 from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, pipe_parts, surface_parts
 from .parts.turned_pieces import crossbars
 from .parts.volumes import Volumes
+from .parts.wheels import wheel_parts
 from .protrusions.pads import recognise_pads
 from .protrusions.prisms import recognise_prisms
 from .protrusions.protrusions import recognise_protrusions
@@ -191,6 +192,7 @@ def _parts(
         *_numbered(brep, standing, boss_part, hole_parts),
         *(part for n, boss in enumerate(standing, start=1) for part in boss_break_parts(brep, boss, n)),
         *(part for n, pipe in enumerate(pipes, start=1) for part in pipe_parts(brep, pipe, n)),
+        *wheel_parts(brep, holes, bosses),
         *_numbered(brep, grooves, turned_groove_part),
         *_numbered(brep, depressions, depression_part, volumes),
         *_numbered(brep, [*protrusions, *pads], protrusion_part, volumes),

@@ -13,6 +13,8 @@ from querycad_segworker.vectors import dot
 
 from .candidates import Candidate, Request, kept, through
 
+LARGER = 1.2
+"""What is so much larger than all others stands out by its size."""
 MOST_GROUPS = 8
 """Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
 
@@ -92,8 +94,14 @@ def counted(request: Request, way: Candidate) -> Sequence[Candidate]:
     if len(way.parts) == count:
         return [way.to(way.parts, "count_agrees")]
     groups = [group for group in by_size(way.parts) if len(group) == count]
+    ordered = sorted(way.parts, key=size, reverse=True)
+    if not groups and count < len(ordered) and size(ordered[count - 1]) > LARGER * size(ordered[count]):
+        largest = [way.to(ordered[:count], "count_largest")]  # 'the two bores' of a lever with screw holes
+    else:
+        largest = []
     differs = min(2.0, abs(math.log((len(way.parts) or 0.5) / count)))
     return [
+        *largest,
         *(way.to(group, "count_group", 1.0 / len(groups)) for group in groups[:3]),
         way.to(way.parts, "count_differs", differs),
     ]
@@ -112,7 +120,9 @@ def single(request: Request, way: Candidate) -> Sequence[Candidate]:
             return [every]  # 'the holes' are all of them, 'the grip studs' may be those of one size
         return [every, *_of_groups(query, way, [group for group in groups if len(group) > 1])]
     if len(groups) == 1:
-        return [way.to(way.parts, "one_for_one" if len(way.parts) == 1 else "alike_for_one")]
+        alone = len(way.parts) == 1
+        way = way.to(way.parts, "one_for_one" if alone else "alike_for_one")
+        return [way if alone or query.definite else way.to(way.parts, "alike_bare")]  # 'pin diameter?', 'of a pin'
     if query.sample:
         groups = []
     elif len(groups) > MOST_GROUPS:

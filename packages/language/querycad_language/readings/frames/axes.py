@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 
+from querycad_contracts import PartQuery
 from querycad_language.forms import LONGEST, SHORTER
+from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
 
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
@@ -14,6 +16,11 @@ _MEASURES = {"width": 0, "depth": 1, "height": 2}
 
 def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
+    return _of_whole(question) or _said(question, taken)
+
+
+def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
+    """The axis that is named."""
     text = question.text
     for at in sorted(text.at_phrases("axis_preposition") - taken):
         owned = next((i + 1 for i in range(at + 1, at + 5) if text.is_possessive(i)), at + 1)  # 'the plate's width'
@@ -37,6 +44,21 @@ def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None,
         if lead or span.end - span.start > 1 or len(text.words[span.start]) > 1:
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
+
+
+def _of_whole(question: Question) -> tuple[int, set[int]] | None:
+    """'Along the slide' is along its longest side, 'across the slide' along the other one."""
+    for mention in question.mentions:
+        for word, axis in (("along", LONGEST), ("across", SHORTER)):
+            if _is_whole(mention.query) and question.text.is_word(mention.start - 1, word):
+                return axis, {mention.start - 1, *mention.used}
+    return None
+
+
+def _is_whole(query: PartQuery | None) -> bool:
+    """Is it the whole model, or the name of a product?"""
+    noun = lexicon().nouns.get(query.noun) if query is not None else None
+    return query is None or (noun is not None and noun.product and not query.places)
 
 
 def own_axis_named(question: Question) -> set[int]:

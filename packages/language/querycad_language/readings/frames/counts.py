@@ -99,9 +99,13 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Parse]:
     nouns = {Measure.MIRROR_PLANES: "object", Measure.DIAMETER: "cylindrical face"}
-    whole = PartQuery(noun=noun, plural=True) if (noun := nouns.get(measure.value)) else None
+    whole = PartQuery(noun=name, plural=True) if (name := nouns.get(measure.value)) else None
     for mention in question.mentions:
-        if (query := mention.query or whole) is not None and mention.start >= measure.end:
+        noun = question.text.lexicon.nouns.get(mention.query.noun) if mention.query is not None else None
+        named = [mention.query] if mention.query is not None else []
+        if whole is not None and (noun is None or noun.senses[0].kind == ("body",)):  # 'does the shaft have'
+            named.append(whole)
+        for query in named if mention.start >= measure.end else ():
             yield _values_of(query, measure.value, used | mention.used)
 
 

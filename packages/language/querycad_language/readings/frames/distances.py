@@ -8,7 +8,7 @@ from itertools import chain, pairwise, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Distance, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
@@ -273,6 +273,10 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
                         yield _Pair(Plane(side, base.anchor), spot.anchor, used, features)
     for spot in chain.from_iterable(ends):
         if isinstance(spot.anchor, PartQuery):
+            under_it = {i for i in text.at_words("under", "underneath", "beneath") if max(spot.used) - 4 < i < spot.at}
+            if under_it and text.at_phrases("gap"):  # 'the clearance under the handle'
+                underside = Plane(Side.BOTTOM, spot.anchor)
+                yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
             for (place, under), (side, features) in product(places_of(spot.anchor, "above", "below"), sides):
                 yield _Pair(Plane(side, under), without(spot.anchor, place), spot.used, features)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
 from querycad_language.forms import Boundary, Distance, Get, Reduce, Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
+from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested
@@ -19,6 +19,7 @@ _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _CLOSING = ("roof", "floor", "top", "bottom", "end wall")
+_FLANKS = ("flank", "side", "wall", "side wall")
 _TUBES = ("ring", "pipe", "cavity")
 _GEAR = PartQuery(noun="gear", definite=True)
 
@@ -30,7 +31,15 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
+    yield from _of_its_section(get, parse)
+    if get.target is not None:
+        yield from _across(question, get.target, get, parse)
     match get.measures:
+        case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
+            of = next((place for _, place in places_of(get.target, "of", "around")), None)
+            if of is not None:  # 'the thickness of the wall of the standoff'
+                its = replace(get, measures=(Measure.WALL_THICKNESS,), target=of)
+                yield Parse(its, {**parse.features, "its_walls": 1.0}, parse.used)
         case (Measure.Z,) if get.target is not None:  # 'the centre height of the bore'
             yield Parse(Distance(get.target, Boundary(Side.BOTTOM), "centers"), parse.features, parse.used)
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
@@ -86,14 +95,14 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
     if whole and get.measures == (Measure.WALL_THICKNESS,):
         wall = PartQuery(noun="wall", words=("wall",), definite=True)
         yield Parse(Get((Measure.THICKNESS,), wall), {**parse.features, "its_walls": 1.0}, parse.used)
-    for measures, name in ((_INSIDE, "bore"), (_OUTSIDE, "outer cylinder")) if whole else ():
+    sides = ((_INSIDE, "bore"), (_INSIDE, "inner cylinder"), (_OUTSIDE, "outer cylinder"))
+    for measures, name in sides if whole else ():
         if get.measures[0] in measures and len(get.measures) == 1:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
             largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
             measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
-            yield Parse(
-                replace(get, measures=(measure,), target=largest), {**parse.features, "its_round": 1.0}, parse.used
-            )
+            features = {**parse.features, "its_round": 1.0, "its_cavity": float(name == "inner cylinder")}
+            yield Parse(replace(get, measures=(measure,), target=largest), features, parse.used)
 
 
 def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
@@ -109,6 +118,42 @@ def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
             kept = tuple(name for name in get.target.adjectives if name not in said)
             bare = replace_fields(get.target, adjectives=kept)
             yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
+
+
+def _across(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'How wide is the pulley?', 'the width of the dovetail at its bottom', 'the angle of the flanks of the groove'."""
+    bare, floor = replace_fields(target, sides=(), places=()), _at_bottom(question)
+    match get.measures:
+        case (Measure.WIDTH,) if is_cut(target) and floor:
+            form = replace(get, measures=(Measure.SHORT_SIDE,), target=bare)
+            yield Parse(form, {**parse.features, "at_floor": 1.0}, parse.used | floor)
+        case (Measure.WIDTH,) if is_cut(target) and target.sides == (Side.TOP,):  # its mouth
+            yield Parse(replace(get, target=bare), {**parse.features, "its_end": 1.0}, parse.used)
+        case (Measure.WIDTH,) if target.noun in lexicon().turning:
+            form = replace(get, measures=(Measure.AXIAL_EXTENT,))
+            yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
+        case (Measure.ANGLE,) | (Measure.INCLUDED_ANGLE,) if target.noun in _FLANKS:
+            for _, cut in places_of(target, "of", ""):
+                yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
+
+
+def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The smallest shaft diameter' is that of its thinnest section."""
+    target = get.target
+    if target is None or "link_compound" not in parse.features or get.measures != (Measure.DIAMETER,):
+        return
+    for rank in target.ranks[:1]:
+        if rank.measure is Measure.MAGNITUDE and rank.nth == 1:
+            section = PartQuery(noun="section", ranks=(Rank(measure=Measure.DIAMETER, most=rank.most),), definite=True)
+            held = placed_in(section, "of", replace_fields(target, ranks=()))
+            yield Parse(replace(get, target=held), {**parse.features, "its_section": 1.0}, parse.used)
+
+
+def _at_bottom(question: Question) -> set[int]:
+    """The words of 'at the bottom', 'at its floor', 'in the wide bottom part'."""
+    text = question.text
+    ends = text.at_words("bottom", "floor", "base")
+    return {i for at in ends for i in range(at - 2, at + 1) if text.find(i, "place", "article", "side") or i == at}
 
 
 def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -129,6 +174,9 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
         if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
             yield Parse(get, parse.features, parse.used | said)
         return
+    if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the uprights'
+        rounded = placed_in(PartQuery(noun="rounded end", definite=True), "on", replace_fields(target, sides=()))
+        yield Parse(replace(get, target=rounded), {**parse.features, "its_end": 1.0}, parse.used | said)
     face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
     face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
     yield Parse(replace(get, target=face), {**parse.features, "its_end": 1.0}, parse.used | said)

@@ -91,7 +91,8 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
     if compound and target is not None and several and len(asked.measures) == 1:
         target = replace_fields(target, plural=True)  # 'both bore diameters'
-    if compound and target is not None and "total" in target.adjectives:  # 'total hole volume'
+    added = asked.measures[0] in ADDITIVE - {Measure.LENGTH} or several
+    if compound and target is not None and "total" in target.adjectives and added:  # 'total hole volume'
         left = tuple(name for name in target.adjectives if name != "total")
         target, asked = replace_fields(target, adjectives=left, plural=True), replace(asked, reduce=Reduce.TOTAL)
     reduce, used = _reduce(question, asked, target)
@@ -232,7 +233,7 @@ def wholes(question: Question) -> Iterator[Parse]:
         filling, cutting = text.at_words(*_FILLING), text.at_phrases("cutting")
         around = boxes | named | text.at_phrases("stuff") | text.at_words("much", "volume")
         around |= {i + 1 for i in boxes if text.is_word(i, "bounding")}
-        if shares or filling:
+        if shares or (filling and not text.at_phrases("remaining")):
             yield Parse(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
         if cutting:
             yield Parse(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)

@@ -70,8 +70,10 @@ def fasteners(parts: Sequence[Part], brep: Brep) -> dict[str, Fastened]:
             if _share(steps, body, brep) <= WHOLE:
                 refuse("screw", (*head.faces, *shank.faces), "head and shank are not most of the body")
             else:
-                measures = _screw_measures(head, shank, face, owner[body], brep)
+                measures, above = _screw_measures(head, shank, face, owner[body], brep)
                 found[owner[body].id] = Fastened(("screw", _head_form(head)), measures)
+                if head.kind == "prism" and face is None:  # its corners are chamfered
+                    found[head.id] = Fastened(("head",), {"height": max(above, head.height or 0.0)})
         for prism in members:
             bore = _nut_bore(prism, members)
             if bore is not None and _share((prism, bore), body, brep) <= WHOLE:
@@ -133,11 +135,13 @@ def _caps(head: Part, shank: Part) -> bool:
     )
 
 
-def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep: Brep) -> dict[str, object]:
+def _screw_measures(
+    head: Part, shank: Part, face: Part | None, body: Part, brep: Brep
+) -> tuple[dict[str, object], float]:
     """A screw is as thick as its shank and as long as its body reaches along it, edge breaks and domed head included.
 
     Its tip is the end of the shank away from the head. Its nominal length is that below the head and the washer face
-    under it (ISO 4014, ISO 4762), of a countersunk one all of it (ISO 7046).
+    under it (ISO 4014, ISO 4762), of a countersunk one all of it (ISO 7046). Also how far it reaches above that.
     """
     assert shank.axis is not None
     assert shank.radius is not None
@@ -152,7 +156,7 @@ def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep
     under = (
         dot(sub(head.center, shank.center), axis) + (head.height or 0.0) / 2 + ((face.height or 0.0) if face else 0.0)
     )
-    return {
+    measures: dict[str, object] = {
         "axis": axis,
         "radius": shank.radius,
         "diameter": 2 * shank.radius,
@@ -162,6 +166,7 @@ def _screw_measures(head: Part, shank: Part, face: Part | None, body: Part, brep
         "tip": tip,
         "tips": (tip,),
     }
+    return measures, under - min(reach)
 
 
 def _washer_face(members: Sequence[Part], head: Part, shank: Part) -> Part | None:

@@ -7,7 +7,7 @@ from collections.abc import Sequence, Set
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.adjacency import ConcaveGraph
+from querycad_segworker.features.shared.adjacency import ConcaveGraph, is_blend
 from querycad_segworker.features.shared.extruded_walls import (
     MORE_THAN_HALF,
     Tunnel,
@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.extruded_walls import (
 )
 from querycad_segworker.features.shared.frames import frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
 
@@ -241,7 +241,27 @@ def _open_on_floor(
         outline = "obround" if kind is DepressionKind.SLOT else "free"
     else:
         outline = "rectangular" if _is_square(plane_walls) else "free"
-    return depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
+    found = depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
+    if kind is not DepressionKind.STEP:
+        return found
+    return replace(found, depth=max(found.depth, _over_edge_break(graph.brep, floor, plane_walls)))
+
+
+def _over_edge_break(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
+    """How high above its floor a step rises, with the chamfer or round that breaks the upper edge of its wall."""
+    heights = [0.0]
+    for wall in walls:
+        for edge, other in brep.neighbours(wall.id):
+            face = brep.faces[other]
+            chamfer = face.kind is SurfaceKind.PLANE and BEVEL < dot(face.axis, floor.axis) < LEVEL
+            chamfer = chamfer and edge.convexity is EdgeConvexity.CONVEX and face.area < wall.area
+            rounding = edge.convexity is EdgeConvexity.SMOOTH and face.outward > 0 and is_blend(brep, face)
+            beyond = (brep.faces[i] for _, i in brep.neighbours(other)) if chamfer or rounding else ()
+            level = (
+                top for top in beyond if top.kind is SurfaceKind.PLANE and dot(top.axis, floor.axis) > FACING.parallel
+            )
+            heights += [dot(sub(top.point, floor.point), floor.axis) for top in level]
+    return max(heights)
 
 
 def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
@@ -260,7 +280,7 @@ def _between(
     along = unit(cross(pair[0].axis, floor.axis))
     frame = frame_of(brep, group, floor.axis, None, along)
     length, _, depth = frame.size
-    width = gap_between(brep, pair, floor)
+    width = floor_width = gap_between(brep, pair, floor)
     undercuts = undercut(brep, group, floor, pair)
     if undercuts is not None:
         width = undercuts.neck_width
@@ -273,7 +293,11 @@ def _between(
     outline = "obround" if round_ends else "rectangular" if _is_square(plane_walls) else "free"
     found = depression_in(DepressionKind.SLOT, outline, frame, group, (floor.id,), floor.body, is_open=True)
     found = replace(
-        found, width=width, tags=(undercuts.tag,) if undercuts else (), angle=undercuts.angle if undercuts else None
+        found,
+        width=width,
+        floor_width=max(floor_width, frame.size[1]) if undercuts else None,
+        tags=(undercuts.tag,) if undercuts else (),
+        angle=undercuts.angle if undercuts else None,
     )
     if width > CHANNEL_SHARE * graph.extent(floor.body, pair[0].axis):
         return replace(found, kind=DepressionKind.CHANNEL)

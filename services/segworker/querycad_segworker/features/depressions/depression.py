@@ -63,6 +63,8 @@ class Depression:
     """Not closed all around: it runs out at a border."""
     tags: tuple[str, ...] = ()
     """What else it is called by: 'v_shaped', 't_slot', 'dovetail', 'keyway', 'radial' …"""
+    floor_width: float | None = None
+    """Of a T slot or dovetail, metres: `width` is that of its mouth."""
     angle: float | None = None
     """Radians. Between the flanks of a V, between flank and floor of a dovetail."""
 

@@ -36,6 +36,10 @@ class Section:
     faces: tuple[int, ...]
 
 
+RIM = "rim"
+"""Tag of what is no hole but the inside of a rim, with a hub in it, as of a wheel with spokes."""
+
+
 @dataclass(frozen=True, slots=True)
 class Hole:
     """One hole. Metres, frame of the file.

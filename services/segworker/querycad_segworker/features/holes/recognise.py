@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 from querycad_contracts import Bottom, SurfaceKind
 from querycad_segworker.features.depressions.windows import recognise_windows
@@ -16,6 +17,7 @@ from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import scale
 
 from .ends import (
+    CORE_RATIO,
     Bores,
     ball_below,
     bottom_of,
@@ -30,7 +32,7 @@ from .ends import (
     oblique_mouth,
     opens_high,
 )
-from .hole import Hole, SectionKind
+from .hole import RIM, Hole, SectionKind
 from .inline_bores import united_through_walls
 from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
 
@@ -64,6 +66,8 @@ def recognise_holes(
             refuse("hole", stack.faces, "both of its ends are closed")
             continue
         hole = _hole(brep, closed_by_balls(brep, stack), bores, tolerances)
+        if stack.open_both and _is_around_hub(stack, walls, tolerances):
+            hole = replace(hole, tags=(*hole.tags, RIM))
         if _is_recess(hole):
             refuse("hole", hole.faces, "it is shallow against its width: a round pocket")
             continue
@@ -80,6 +84,24 @@ def _is_recess(hole: Hole) -> bool:
     """Is it a shallow round pocket with a flat floor, and nothing else on its axis?"""
     alone = len(hole.sections) == 1 and hole.sections[0].kind is SectionKind.BORE and not hole.is_ring
     return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
+
+
+def _is_around_hub(stack: Stack, walls: Sequence[Wall], tolerances: Tolerances) -> bool:
+    """Does a hub of the same body stand in it, for most of its length, as in a wheel with spokes?"""
+    for wall in walls:
+        if (
+            wall.kind is SurfaceKind.CYLINDER
+            and wall.outward > 0
+            and wall.encloses
+            and wall.body == stack.walls[0].body
+        ):
+            low, high = wall_range(stack.axis, wall)
+            shared = min(high, stack.high) - max(low, stack.low)
+            on_axis = wall.axis.same_line(stack.axis, tolerances)
+            narrow = wall.radius < min(own.radius for own in stack.walls)
+            if on_axis and narrow and shared > CORE_RATIO * (stack.high - stack.low):
+                return True
+    return False
 
 
 def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hole:

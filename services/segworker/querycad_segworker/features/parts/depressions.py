@@ -29,10 +29,13 @@ _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
 def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes) -> Part:
-    """A pocket, cutout, slot, channel, step or notch as a part; its depth goes into the material from the opening."""
+    """A pocket, cutout, slot, channel, step or notch as a part; its depth goes into the material from the opening.
+
+    That of a slot through a plate goes in from the plate's edge, as its length does.
+    """
     kind = _DEPRESSION_NAMES.get(found.kind, found.kind.value)
-    through = found.kind is DepressionKind.PASSAGE
-    through = through or "through" in found.tags
+    from_edge = "through" in found.tags
+    through = from_edge or found.kind is DepressionKind.PASSAGE
     tags = [found.outline, "through" if through else "blind", "open" if found.is_open else "closed"]
     if found.length >= ELONGATED * found.width and (found.is_open or found.outline in ALONG):
         tags.append("elongated")
@@ -40,6 +43,12 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         tags.append("rounded_corners")
     tags.extend(tag for tag in found.tags if tag not in tags)
     extents = box_extents(faces_box(brep, found.faces))
+    if found.kind is DepressionKind.STEP:  # its wall may end at a chamfer
+        x, y, z = (
+            max(size, found.depth) if abs(along) > ALIGNED else size
+            for size, along in zip(extents, found.normal, strict=True)
+        )
+        extents = (x, y, z)
     across_file = found.outline == "rectangular" and not found.is_open
     is_round = found.outline == "circular" and not found.is_open
     return Part(
@@ -47,7 +56,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         kind=kind,
         tags=tuple(tags),
         label=f"{outlined(found.outline, kind)}, {millimetres(found.length, found.width)}, "
-        f"depth {millimetres(found.depth)}",
+        + (f"through {millimetres(found.depth)}" if from_edge else f"depth {millimetres(found.depth)}"),
         faces=found.faces,
         center=found.center,
         extents=extents,
@@ -55,12 +64,12 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         normal=found.normal,
         radius=found.width / 2 if is_round else found.corner_radius,
         diameter=found.width if is_round else None,
-        depth=found.depth,
+        depth=found.length if from_edge else found.depth,
         width=_width(found) if across_file else found.width,
         length=found.length,
         opening=None if found.kind is DepressionKind.CAVITY else found.opening,
         bottom=_bottom(found, through),
-        local_size=(found.length, found.width, found.depth),
+        local_size=(found.length, found.floor_width or found.width, found.depth),
         angle=found.angle,
         volume=volumes.of(found),
         area=faces_area(brep, found.faces),

@@ -39,6 +39,8 @@ MADE_OF = 0.6
 rest."""
 APART = 0.95
 """Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
+PAIR = 2
+"""A web has so many flanges."""
 STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
@@ -110,11 +112,26 @@ def recognise_flat_walls(
                 (thin if wall.is_thin else low).append(wall)
     sides = {face for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
     low = [
-        wall
+        replace(wall, tags=(*wall.tags, "tine")) if _is_tine(brep, wall, depressions) else wall
         for wall in low
-        if "between" in wall.tags or not sides.isdisjoint(wall.faces) or any(_joins(brep, wall, one) for one in thin)
+        if "between" in wall.tags
+        or not sides.isdisjoint(wall.faces)
+        or any(_joins(brep, wall, one) for one in thin)
+        or _is_tine(brep, wall, depressions)
     ]
-    return sorted(_legs(brep, [*thin, *low]), key=lambda wall: (wall.faces, wall.thickness))
+    return sorted(_legs(brep, _webs(brep, [*thin, *low])), key=lambda wall: (wall.faces, wall.thickness))
+
+
+def _is_tine(brep: Brep, wall: FlatWall, depressions: Sequence[Depression]) -> bool:
+    """Does it stand beside a slot that runs right through a fork, and is longer than that is wide?"""
+    return any(
+        found.kind is DepressionKind.SLOT
+        and "through" in found.tags
+        and found.is_open
+        and found.length > max(found.width, wall.thickness)
+        and any(face in wall.faces for face in found.faces if abs(dot(brep.faces[face].axis, wall.normal)) > APART)
+        for found in depressions
+    )
 
 
 def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
@@ -304,6 +321,26 @@ def sides_of_boxes(walls: Sequence[FlatWall]) -> dict[int, float]:
     return found
 
 
+def _webs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
+    """The same walls; one that joins two parallel ones, as in an I or a U, is their web, and they are its flanges.
+
+    In a closed ring of walls each one joins two others: there is none.
+    """
+    joined: dict[int, set[int]] = defaultdict(set)
+    for i, wall in enumerate(walls):
+        joined[i] = {j for j, other in enumerate(walls) if j != i and _joins(brep, wall, other)}
+    webs = {
+        i: beside
+        for i, beside in joined.items()
+        if len(beside) == PAIR
+        and all(joined[j] == {i} for j in beside)
+        and abs(dot(*(walls[j].normal for j in beside))) > APART
+    }
+    flanges = {j for pair in webs.values() for j in pair}
+    named = {**dict.fromkeys(webs, "web"), **dict.fromkeys(flanges, "flange")}
+    return [replace(wall, tags=(*wall.tags, named[i])) if i in named else wall for i, wall in enumerate(walls)]
+
+
 def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
     """The same walls; those of a body that is made of walls turned against each other are its legs.
 
@@ -321,8 +358,15 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
             continue
         closed = any(wall.is_floor for wall in members)
         legs = turned and made_of and not closed
-        result += [replace(wall, tags=(*wall.tags, "leg")) if legs else wall for wall in members]
+        result += [_leg(brep, wall) if legs else wall for wall in members]
     return result
+
+
+def _leg(brep: Brep, wall: FlatWall) -> FlatWall:
+    """The same wall as a leg, as long and wide as its outer side: legs are measured from the outside of the corner."""
+    outer = [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0]
+    length, width, _ = _frame(brep, outer).size
+    return replace(wall, tags=(*wall.tags, "leg"), length=length, width=width)
 
 
 def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:

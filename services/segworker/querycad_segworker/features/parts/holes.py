@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import Bottom, Part, Vector
 from querycad_segworker.features.depressions.dimples import Dimple
-from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
+from querycad_segworker.features.holes.hole import RIM, Hole, Section, SectionKind
 from querycad_segworker.features.shared.margins import edge_distance
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.topology import Brep
@@ -22,11 +22,11 @@ _CUT_AT_A_HOLE = (SectionKind.COUNTERBORE, SectionKind.SPOTFACE, SectionKind.COU
 
 
 def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
-    """A hole or ring groove as a part.
+    """A hole or ring groove as a part; the inside of a rim is a depression.
 
     A hole's width is that of its widest step, a groove's that of the gap; the diameter is that of the bore.
     """
-    kind = "groove" if hole.is_ring else "hole"
+    kind = "groove" if hole.is_ring else "depression" if RIM in hole.tags else "hole"
     adjective = next((tag for tag in _HOLE_ADJECTIVES if tag in hole.tags), None)
     form = {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(hole.bottom, "blind")
     words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)

@@ -26,6 +26,8 @@ from .volumes import Volumes
 
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
+BAR_RATIO = 3.0
+"""A bar is longer than three times its second dimension."""
 
 
 def protrusion_part(
@@ -59,14 +61,17 @@ def protrusion_part(
 def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
     """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon.
 
-    A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies.
+    A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies. A
+    bar is as thick as its smallest dimension.
     """
     flat = not prism.sides or prism.height < PLATE_RATIO * prism.width  # a base may be thicker
     upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
+    thin, second, longest = sorted((prism.length, prism.width, prism.height))
+    slender = longest > BAR_RATIO * second
     return Part(
         id=f"prism-{number}",
         kind="prism",
-        tags=(prism.outline, *(("plate", "flat") if flat else ())),
+        tags=(prism.outline, *(("plate", "flat") if flat else ()), *(("slender",) if slender else ())),
         label=f"{outlined(prism.outline, 'plate' if flat else 'block')}, {millimetres(prism.length, prism.width)}, "
         f"{'thickness' if flat else 'height'} {millimetres(prism.height)}",
         faces=prism.faces,
@@ -77,7 +82,7 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
         height=prism.extents[2] if upright else prism.height,
         width=prism.width,
         length=prism.length,
-        thickness=prism.height if flat else None,
+        thickness=prism.height if flat else thin if slender else None,
         tip=prism.tip,
         local_size=(prism.length, prism.width, prism.height),
         area=faces_area(brep, prism.faces),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
@@ -16,6 +16,8 @@ from .turned_pieces import turned_pieces
 
 CENTRAL_SHARE = 0.01
 """A part is central when its axis passes the middle of the model nearer than this share of the model's extent."""
+MIN_SPOKES = 3
+"""Two bars that run out to both sides are arms."""
 MIN_FEET = 2
 """One thing on the ground is a base."""
 FOOT_SHARE = 0.5
@@ -38,14 +40,16 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     while others do not: what the rest stands on; 'leg': the long part of such a foot. 'head': the wide end of a screw,
     whose body is a 'screw'; 'nut', likewise. 'bolt_circle', 'row', 'grid', 'rectangle': what lies so. 'ringed': a hole
     with a ring around it. 'vertical', 'horizontal': its axis. 'head', 'shank', 'neck', 'spigot', 'tip', 'eye': what a
-    step is to its turned part.
+    step is to its turned part. 'spoke': a bar that runs out from the model's middle, as others do.
     """
     tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
     fastened = fasteners(parts, brep)
     structural = [part for part in parts if part.id not in fastened]
     held = {part_id: found.tags for part_id, found in fastened.items()}
     pieces = turned_pieces(parts, brep)
-    for found in (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape), pieces):
+    pieces = {part_id: names for part_id, names in pieces.items() if not _is_of_head(part_id, names, parts, held, brep)}
+    own = (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape), pieces)
+    for found in (*own, _spokes(parts, shape)):
         for part_id, names in found.items():
             tags[part_id].extend(names)
     carried_by = carried(parts, brep)
@@ -144,6 +148,35 @@ def _ringed(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
         if part.kind == "boss" and {"raised", "flat", "hollow"} <= set(part.tags) and "free" not in part.tags
     ]
     return {child: ("ringed",) for ring in rings for child in ring.children if child.startswith("hole-")}
+
+
+def _is_of_head(
+    part_id: str, names: Sequence[str], parts: Sequence[Part], held: Mapping[str, Sequence[str]], brep: Brep
+) -> bool:
+    """Is a step taken for a head where the body has a screw's head already: the chamfer of its corners?"""
+    if "head" not in names or part_id in held:
+        return False
+    bodies = {part.id: brep.faces[part.faces[0]].body for part in parts if part.id == part_id or part.id in held}
+    return any("head" in tags and bodies[i] == bodies[part_id] for i, tags in held.items())
+
+
+def _spokes(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
+    """Bars of one size, three or more, that run out from the model's middle in different directions."""
+    groups: dict[tuple[object, ...], list[Part]] = defaultdict(list)
+    for part in parts:
+        if part.kind in (PartKind.PRISM, PartKind.BOSS) and part.axis is not None and "plate" not in part.tags:
+            off = dist(part.center, shape.center) > (part.height or 0.0) / 2
+            if off and _is_central(part, shape):
+                groups[part.kind, *_sizes(part)].append(part)
+    rays = [members for members in groups.values() if len(members) >= MIN_SPOKES]
+    rays = [members for members in rays if len({line_key(p.axis) for p in members if p.axis is not None}) > 1]
+    return {part.id: ("spoke",) for members in rays for part in members}
+
+
+def _sizes(part: Part) -> tuple[float, ...]:
+    """Its sizes as they compare, to a thousandth of its largest one."""
+    sizes = [size or 0.0 for size in (part.diameter, part.width, part.length, part.height)]
+    return tuple(round(OFF_ROUND * size / max(sizes), 3) for size in sizes) if max(sizes) > 0 else ()
 
 
 def _legs(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:

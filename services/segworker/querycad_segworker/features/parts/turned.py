@@ -7,7 +7,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 
 from querycad_contracts import Part, SurfaceKind
-from querycad_segworker.features.holes.hole import Section, SectionKind
+from querycad_segworker.features.holes.hole import RIM, Section, SectionKind
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.features.turned.bosses import Boss
@@ -27,7 +27,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
     """A round protrusion as a part; its height runs along its own axis from base to tip, its depth is its bore's.
 
     Its thickness is its height where it is flat, that of its wall where it is hollow. The length of a shaft's step runs
-    along the axis; that of a boss is its longer dimension.
+    along the axis; that of a boss is its longer dimension. A rim is as wide as it is high.
     """
     box = faces_box(brep, boss.faces)
     bore = None if boss.hole is None else holes[boss.hole]
@@ -47,7 +47,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         diameter=2 * boss.radius,
         height=boss.height,
         depth=None if bore is None else bore.depth,
-        width=2 * boss.radius,
+        width=boss.height if RIM in boss.tags else 2 * boss.radius,
         length=boss.height if axial else max(boss.height, 2 * boss.radius),
         thickness=boss.height if flat else wall,
         tip=boss.tip,
@@ -73,6 +73,8 @@ def _boss_name(boss: Boss) -> str:
     """What would a drawing call it?"""
     if "conical" in boss.tags:
         return "conical boss"
+    if RIM in boss.tags:
+        return "rim"
     if boss.hole is not None and "flat" in boss.tags:
         return "flange" if "flange" in boss.tags else "ring" if "raised" in boss.tags else "disc"
     if boss.hole is not None:

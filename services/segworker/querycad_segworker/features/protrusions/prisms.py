@@ -87,8 +87,11 @@ def _is_regular(brep: Brep, prism: Prism) -> bool:
 def _links_by_direction(brep: Brep) -> dict[Vector, dict[int, set[int]]]:
     """Pairs of plane faces that meet in a straight convex edge or over a rounding, by the direction of that edge."""
     links: dict[Vector, dict[int, set[int]]] = defaultdict(lambda: defaultdict(set))
+    cut_in = {e for face in brep.faces for loop in face.loops if not loop.outer for e in loop.edges}
     for edge in brep.edges:
         if len(edge.faces) != 2 or edge.kind is not EdgeKind.LINE or edge.convexity is not EdgeConvexity.CONVEX:
+            continue
+        if edge.id in cut_in:  # where a window or keyway opens
             continue
         a, b = (brep.faces[i] for i in edge.faces)
         if a.kind is SurfaceKind.PLANE and b.kind is SurfaceKind.PLANE:

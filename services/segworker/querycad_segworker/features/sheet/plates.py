@@ -86,9 +86,16 @@ def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> l
         if any(not {face.id, *side.below}.isdisjoint(prism.faces) for prism in alike):
             continue
         slab = _plate(brep, side, tolerances, BASE_RATIO)
-        if slab is not None:
+        if slab is not None and not _reaches_through(side, boxes[face.body], across.near):
             found.append(slab)
     return found
+
+
+def _reaches_through(side: _Side, box: Box, near: float) -> bool:
+    """Is the body no thicker than the slab? Then it is a plate with holes."""
+    axis = max(range(3), key=lambda i: abs(side.face.axis[i]))
+    far = box[0][axis] if side.face.axis[axis] > 0 else -box[1][axis]
+    return side.level - far < near
 
 
 def _is_end(face: FaceRecord, box: Box, near: float) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.holes.hole import Hole, Section, SectionKind
+from querycad_segworker.features.holes.hole import RIM, Hole, Section, SectionKind
 from querycad_segworker.features.shared.coaxial_stacks import (
     End,
     Stack,
@@ -188,13 +188,14 @@ def _boss(
             faces.add(end_face)
     hole = _hole_in(holes, axis, wall, tip, base)
     bore_radius = None if hole is None else _bore_radius(holes[hole], axis, low, high)
+    tags = _tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own))
     return Boss(
         base=base,
         tip=tip,
         normal=axis.direction if tip_high else scale(axis.direction, -1.0),
         radius=wall.radius,
         height=high - low,
-        tags=_tags(stack, steps, step, high - low, bore_radius, on_both=is_clasped(brep, axis, own)),
+        tags=_as_rim(tags) if hole is not None and RIM in holes[hole].tags else tags,
         faces=tuple(sorted(faces)),
         body=wall.body,
         hole=hole,
@@ -204,6 +205,11 @@ def _boss(
         lean=math.atan2(abs(wall.radius_high - wall.radius_low), wall.height),
         pitch=next((part.pitch for part in step if part.pitch is not None), None),
     )
+
+
+def _as_rim(tags: Sequence[str]) -> tuple[str, ...]:
+    """A rim has its thickness around its axis, however flat it is."""
+    return (*(tag for tag in tags if tag != "flat"), RIM)
 
 
 def _tags(

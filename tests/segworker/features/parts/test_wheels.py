@@ -1,0 +1,135 @@
+"""Wheels: rims, webs, spokes and hubs; forks and their tines; beams and their webs."""
+
+from __future__ import annotations
+
+import pytest
+from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.TopoDS import TopoDS_Edge, TopoDS_Shape
+from tests.segworker.shapes import box, chamfered, cut, cylinder, edges, find, fuse, plate, scaled, turned
+
+MM = 1e-3
+
+
+def ring(outer: float, inner: float, height: float, z: float = 0.0) -> TopoDS_Shape:
+    return cut(cylinder(outer, height, (0, 0, z)), cylinder(inner, height, (0, 0, z)))
+
+
+def spoked(spokes: int = 5) -> TopoDS_Shape:
+    """Rim 120/100 x 12, hub 30/10 x 20, spokes 8 x 8 that run into both."""
+    bars = [turned(box((52, 8, 8), (0, -4, 2)), (0, 0, 1), i * 360.0 / spokes) for i in range(spokes)]
+    wheel = fuse(ring(60, 50, 12), *bars, cylinder(15, 20, (0, 0, -4)))
+    return cut(wheel, cylinder(5, 20, (0, 0, -4)))
+
+
+def webbed() -> TopoDS_Shape:
+    """A disc 110 x 22, turned out on both sides between radius 21 and 46, with a web of 8."""
+    recess = ring(46, 21, 7)
+    disc = cut(cylinder(55, 22), recess, ring(46, 21, 7, 15))
+    return cut(disc, cylinder(10, 22))
+
+
+def fork(gap: float = 16.0) -> TopoDS_Shape:
+    """A bar 40 x 30 with a slot of 65 mm from its end."""
+    return cut(box((105, 40, 30), (0, -20, 0)), box((65, gap, 30), (40, -gap / 2, 0)))
+
+
+@pytest.mark.parametrize("size", [0.1, 1.0])
+def test_the_inside_of_a_rim_is_no_hole(size: float) -> None:
+    found = find(scaled(spoked(), size))
+    assert [hole.diameter for hole in found.of("hole")] == [pytest.approx(10 * MM * size)]
+    (rim,) = [boss for boss in found.of("boss") if "rim" in boss.tags]
+    assert (rim.thickness, rim.width) == pytest.approx((10 * MM * size, 12 * MM * size))
+
+
+def test_a_ring_has_a_hole_and_no_rim() -> None:
+    found = find(ring(60, 50, 12))
+    assert len(found.of("hole")) == 1
+    assert not [boss for boss in found.of("boss") if "rim" in boss.tags]
+
+
+def test_spokes_run_out_from_the_middle() -> None:
+    assert len([part for part in find(spoked()).of("prism") if "spoke" in part.tags]) == 5
+
+
+def test_bars_beside_each_other_are_no_spokes() -> None:
+    comb = fuse(box((80, 10, 10)), *(box((6, 40, 6), (10 + 25 * i, 10, 2)) for i in range(3)))
+    assert not [part for part in find(comb).parts if "spoke" in part.tags]
+
+
+def test_a_disc_turned_out_on_both_sides_has_a_rim_and_a_web() -> None:
+    found = find(webbed())
+    (rim,) = [wall for wall in found.of("wall") if "rim" in wall.tags]
+    (web,) = [wall for wall in found.of("wall") if "web" in wall.tags]
+    assert (rim.thickness, rim.width, web.thickness) == pytest.approx((9 * MM, 22 * MM, 8 * MM))
+
+
+def test_a_seal_groove_in_a_flange_makes_no_rim() -> None:
+    flange = cut(cylinder(55, 22), ring(40, 36, 3, 19))
+    assert not [part for part in find(flange).parts if "rim" in part.tags]
+
+
+def test_a_fork_has_two_tines_and_its_slot_goes_in_from_the_end() -> None:
+    found = find(fork())
+    tines = [wall for wall in found.of("wall") if "tine" in wall.tags]
+    assert [wall.thickness for wall in tines] == pytest.approx([12 * MM] * 2)
+    (slot,) = found.of("slot")
+    assert (slot.length, slot.depth, slot.width) == pytest.approx((65 * MM, 65 * MM, 16 * MM))
+
+
+def test_a_short_notch_leaves_no_tines() -> None:
+    notched = cut(box((105, 40, 30), (0, -20, 0)), box((10, 16, 30), (95, -8, 0)))
+    assert not [part for part in find(notched).parts if "tine" in part.tags]
+
+
+def test_a_beam_has_a_web_between_two_flanges() -> None:
+    beam = cut(box((200, 50, 80)), box((200, 22, 64), (0, 0, 8)), box((200, 22, 64), (0, 28, 8)))
+    found = find(beam)
+    (web,) = [part for part in found.parts if "web" in part.tags]
+    flanges = [wall for wall in found.of("wall") if "flange" in wall.tags]
+    assert web.thickness == pytest.approx(6 * MM)
+    assert [wall.thickness for wall in flanges] == pytest.approx([8 * MM] * 2)
+
+
+def test_a_box_section_has_no_web() -> None:
+    tube = cut(box((200, 50, 50)), box((200, 42, 42), (0, 4, 4)))
+    assert not [part for part in find(tube).parts if "web" in part.tags]
+
+
+def test_the_legs_of_an_angle_are_as_long_as_their_outer_sides() -> None:
+    angle = fuse(box((60, 40, 5)), box((5, 40, 50)))
+    legs = {wall.length or 0.0 for wall in find(angle).of("wall") if "leg" in wall.tags}
+    assert sorted(legs) == pytest.approx([50 * MM, 60 * MM])
+
+
+def test_a_step_is_as_high_as_its_wall_with_the_chamfer() -> None:
+    block = cut(box((80, 50, 35)), box((50, 50, 15), (30, 0, 20)))
+    upper = [e for e in edges(block) if edge_at(e, 30.0, 35.0)]
+    (step,) = find(chamfered(block, 6.0, *upper)).of("step")
+    assert (step.depth, step.extents[2]) == pytest.approx((15 * MM, 15 * MM))
+
+
+def edge_at(edge: TopoDS_Edge, x: float, z: float) -> bool:
+    """Does an edge along y lie there?"""
+    curve = BRepAdaptor_Curve(edge)
+    ends = [curve.Value(t) for t in (curve.FirstParameter(), curve.LastParameter())]
+    return all(abs(p.X() - x) < 1e-6 and abs(p.Z() - z) < 1e-6 for p in ends)
+
+
+def test_a_bar_between_hubs_is_a_prism_though_a_keyway_opens_in_its_side() -> None:
+    lever = fuse(cylinder(18, 30), box((80, 16, 12), (0, -8, 0)), cylinder(14, 24, (80, 0, 0)))
+    lever = cut(lever, cylinder(10, 30), box((6, 13, 30), (-3, 0, 0)), cylinder(7, 24, (80, 0, 0)))
+    (bar,) = find(lever).of("prism")
+    assert (bar.length, bar.width) == pytest.approx((16 * MM, 12 * MM))
+    assert "slender" in bar.tags
+
+
+def test_a_plate_with_a_recess_is_no_base_of_itself() -> None:
+    block = cut(plate(100, 65, 30), cylinder(18, 6, (0, 0, -6)), cylinder(14, 30, (0, 0, -30)))
+    assert all(prism.height != pytest.approx(30 * MM) or "plate" not in prism.tags for prism in find(block).of("prism"))
+
+
+def test_a_t_slot_is_wider_at_its_floor() -> None:
+    slot = cut(plate(120, 80, 40), box((120, 14, 25), (-60, -7, -25)), box((120, 24, 10), (-60, -12, -25)))
+    (found,) = find(slot).of("slot")
+    assert found.local_size is not None
+    assert (found.width, min(found.local_size[:2])) == pytest.approx((14 * MM, 24 * MM))
