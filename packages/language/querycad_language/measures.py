@@ -79,6 +79,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "WHOLE": "extents[2]; height; ~max(extents)",
         "STANDING": "height; ~depth; ~extents[2]",
         "hole": "~height; ~depth; ~extents[2]",
+        "cutout+LYING": "extents[1]; extents[2]; ~length",  # of a window in a plate that lies
         "CUT": "extents[2]; ~depth; ~length",  # of a window in a wall how far it reaches upwards
         "": "~height; ~depth; ~extents[2]",
     },
@@ -268,6 +269,7 @@ def _groups(part: Part) -> Iterator[str]:
         "BORE": part.kind == "hole" and bool(part.radii),
         "TUBE": stepped and (not whole or _is_plain_tube(part)),
         "DISC": whole and along is not None and part.extents[along] < FLAT * max(part.extents),
+        "LYING": {"through", "vertical"} <= set(part.tags),
         "ASKEW": local is not None and part.width != min(local[:2]),
     }
     yield from (name for name, holds in named.items() if holds)

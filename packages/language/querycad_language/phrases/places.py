@@ -169,7 +169,10 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     also = text.skip(other.end, "side", "ground", "side_noun")  # 'groove bottom and bore'
     second = phrases.inner(also + 1, depth) if span.value == "between" and text.is_word(also, "and") else None
     if second is not None:
-        both = replace_fields(other.query, also=(*other.query.also, second.part))
+        first = other.query
+        if not first.noun:  # 'between the big and the small end'
+            first = replace_fields(first, noun=second.part.noun, known=second.part.known, words=second.part.words)
+        both = replace_fields(first, also=(*first.also, second.part))
         build.places.append(Place(relation="between", what=both))
         return second.end
     rim = span.value == "around" and start > span.end  # 'around the edge of the plate' is on it

@@ -89,13 +89,19 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
         return noun.end
     if adjective and (text.is_word(at - 1, "how") or text.find(adjective.end, "article")):
         return at  # 'how deep the holes are', 'they go through the lever'
-    if adjective and (build.nouns or noun_follows(text, adjective.end)):
+    if adjective and (build.nouns or noun_follows(text, adjective.end) or _shares_noun(text, adjective, build)):
         if build.nouns and not is_noun(text, adjective.end):
             return at
         phrase = " ".join(text.words[at : adjective.end])
         build.adjectives.append(phrase if phrase in text.lexicon.adjectives else adjective.value.name)
         return adjective.end
     return _attribute(text, at, build) or _unknown(text, at, build, measure)
+
+
+def _shares_noun(text: Text, adjective: Span, build: PhraseBuilder) -> bool:
+    """'The big and the small end': does another adjective follow, with the noun of both?"""
+    article = text.is_word(adjective.end, "and") and text.find(adjective.end + 1, "article")
+    return bool(article and build.article and text.find(adjective.end + 2, "adjective"))
 
 
 def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:

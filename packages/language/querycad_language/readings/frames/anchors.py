@@ -45,6 +45,9 @@ def anchors_of(question: Question) -> list[Spot]:
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
+        ground = text.find(mention.head, "ground")
+        if ground is not None and not (query.places or query.adjectives):  # 'how high above the floor'
+            found.append(Spot(mention.head, Boundary(ground.value), used))
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]

@@ -153,7 +153,10 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
         return "outsides", over
     if centred := text.covered("center_to_center"):
         return "centers", centred
-    facing = text.covered("surface_to_surface") | (text.at_phrases("remaining") if text.has("between") else set())
+    inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
+    facing = (
+        inside | text.covered("surface_to_surface") | (text.at_phrases("remaining") if text.has("between") else set())
+    )
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
     ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
     named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
@@ -267,8 +270,10 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
         behind = next((spots for spots in ends if spots[0].at >= span.end), None)
         for other in [spots for spots in ends if spots is not behind][:3]:
             for spot, base in product(other, behind or ()):
+                used = spot.used | base.used | set(span.tokens)
+                if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, Boundary):  # 'above the floor'
+                    yield _Pair(base.anchor, spot.anchor, used, {"level": 1.0})
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
-                    used = spot.used | base.used | set(span.tokens)
                     for side, features in sides:
                         yield _Pair(Plane(side, base.anchor), spot.anchor, used, features)
     for spot in chain.from_iterable(ends):

@@ -167,10 +167,17 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
         sides = target.sides
     owned = target is None and behind is not None and text.is_word(behind.end, "of")
-    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or len(sides) != 1 or owned:
+    ends = text.at_words("mouth", "opening", "entry", "entrance", "surface")
+    mouth = {
+        i for at in ends for i in range(at - 2, at + 1) if text.is_word(at - 2, "at") or text.is_word(at - 1, "at")
+    }
+    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or (len(sides) != 1 and not mouth) or owned:
         return
     said = set(before.tokens) if before is not None else set()
     if is_cut(target) or (target is not None and target.noun in _CIRCLES):
+        if behind is None and mouth:
+            wide = Measure.OUTER_DIAMETER if get.measures[0] is Measure.DIAMETER else Measure.OUTER_RADIUS
+            yield Parse(replace(get, measures=(wide,)), {**parse.features, "its_end": 1.0}, parse.used | mouth)
         if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
             yield Parse(get, parse.features, parse.used | said)
         return

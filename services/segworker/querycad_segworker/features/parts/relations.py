@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from querycad_contracts import Bottom, Part, PartKind, Shape, Vector
 from querycad_segworker.features.assemblies.fasteners import fasteners
 from querycad_segworker.tolerances import FACING
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import OFF_ROUND, dist, dot, line_distance, line_key, scale, sub, unit
 
 from .hierarchy import carried
@@ -41,6 +41,7 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     whose body is a 'screw'; 'nut', likewise. 'bolt_circle', 'row', 'grid', 'rectangle': what lies so. 'ringed': a hole
     with a ring around it. 'vertical', 'horizontal': its axis. 'head', 'shank', 'neck', 'spigot', 'tip', 'eye': what a
     step is to its turned part. 'spoke': a bar that runs out from the model's middle, as others do.
+    'ear': a rounded end about a hole, of which the other end is no such one.
     """
     tags: dict[str, list[str]] = {part.id: [*part.tags, *_place_tags(part, shape)] for part in parts}
     fastened = fasteners(parts, brep)
@@ -49,7 +50,7 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
     pieces = turned_pieces(parts, brep)
     pieces = {part_id: names for part_id, names in pieces.items() if not _is_of_head(part_id, names, parts, held, brep)}
     own = (_repeated(parts, shape), _patterned(parts), _ringed(parts), held, _legs(structural, shape), pieces)
-    for found in (*own, _spokes(parts, shape)):
+    for found in (*own, _spokes(parts, shape), _ears(parts, brep)):
         for part_id, names in found.items():
             tags[part_id].extend(names)
     carried_by = carried(parts, brep)
@@ -171,6 +172,24 @@ def _spokes(parts: Sequence[Part], shape: Shape) -> dict[str, tuple[str, ...]]:
     rays = [members for members in groups.values() if len(members) >= MIN_SPOKES]
     rays = [members for members in rays if len({line_key(p.axis) for p in members if p.axis is not None}) > 1]
     return {part.id: ("spoke",) for members in rays for part in members}
+
+
+def _ears(parts: Sequence[Part], brep: Brep) -> dict[str, tuple[str, ...]]:
+    """Rounded ends with a hole on their axis; not the two ends of one link, which share a side."""
+    holes: dict[Vector, list[Part]] = defaultdict(list)
+    for part in parts:
+        if part.kind == "hole" and part.axis is not None:
+            holes[line_key(part.axis)].append(part)
+    sides: dict[int, list[str]] = defaultdict(list)
+    for arc in parts:
+        if arc.kind is not PartKind.ARC or arc.axis is None or not {"outer", "semicircular"} <= set(arc.tags):
+            continue
+        near = CENTRAL_SHARE * (arc.radius or 0.0)
+        if any(line_distance(hole.center, arc.center, arc.axis) < near for hole in holes[line_key(arc.axis)]):
+            for side in {i for face in arc.faces for i in brep.beside(face, EdgeConvexity.SMOOTH)}:
+                sides[side].append(arc.id)
+    links = {arc for own in sides.values() if len(own) > 1 for arc in own}
+    return {arc: ("ear",) for own in sides.values() for arc in own if arc not in links}
 
 
 def _sizes(part: Part) -> tuple[float, ...]:
