@@ -139,7 +139,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.AXIAL_EXTENT: {
         "WHOLE": "extents[along]; height",
         "hole counterbore spotface": "depth",
-        "groove": "width",
+        "groove tooth gear": "width",
         "": "height; ~extents[along]; ~length",
     },
     **{measure: f"extents[{i}]" for i, measure in enumerate(EXTENTS)},
