@@ -122,7 +122,7 @@ def single(request: Request, way: Candidate) -> Sequence[Candidate]:
     if len(groups) == 1:
         alone = len(way.parts) == 1
         way = way.to(way.parts, "one_for_one" if alone else "alike_for_one")
-        return [way if alone or query.definite else way.to(way.parts, "alike_bare")]  # 'pin diameter?', 'of a pin'
+        return [way if alone or query.definite else way.to(way.parts, "alike_bare")]  # 'stud height?', 'of a stud'
     if query.sample:
         groups = []
     elif len(groups) > MOST_GROUPS:

@@ -120,7 +120,7 @@ def _count_of(
     if mention.pronoun:
         return
     each = text.at_words("each", "every", "per")
-    each |= {i for i in text.at_words("one") if text.find(i - 1, "do")}  # 'how many holes does one flange have'
+    each |= {i for i in text.at_words("one") if text.find(i - 1, "do")}  # 'how many holes does one lug have'
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     noun = text.lexicon.nouns.get(query.noun)
     of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
