@@ -96,7 +96,7 @@ def test_all_are_as_the_second_phrase_says() -> None:
     ("question", "operation"),
     [
         ("How many more lugs than ribs are there?", "apart"),
-        ("number of lugs minus number of ribs", "minus"),
+        ("number of lugs minus number of pegs", "minus"),
         ("What percentage of the lugs are round lugs?", "share"),
     ],
 )

@@ -93,6 +93,7 @@ def _class(question: Question, at: int) -> str:
         own.discard("except")
     name = next((name for name, categories in _CLASSES if own & categories), unclassed)
     share = text.is_word(at, "per") or (text.is_word(at, "each", "every") and text.find(at - 1, "side_preposition"))
+    share = share or (text.is_word(at, "side") and text.is_word(at - 1, "each", "every"))
     if share or (text.is_word(at, "far") and text.is_word(at - 1, "how")):  # 'on each side', 'how far'
         return "comparison"
     if name == "side" and "chatter" in own and text.is_word(at, "back", "right"):

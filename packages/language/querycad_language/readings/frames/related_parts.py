@@ -181,7 +181,7 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
         if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
             yield Parse(get, parse.features, parse.used | said)
         return
-    if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the uprights'
+    if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         rounded = placed_in(PartQuery(noun="rounded end", definite=True), "on", replace_fields(target, sides=()))
         yield Parse(replace(get, target=rounded), {**parse.features, "its_end": 1.0}, parse.used | said)
     face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
