@@ -212,5 +212,5 @@ def test_the_clearance_under_a_part_reaches_down_to_the_ground() -> None:
 
 def test_what_is_on_a_side_is_told_by_the_word_before_the_noun_alone() -> None:
     (target, *_) = (t for _, t in gets("How wide are the side slots?") if t)
-    assert target.adjectives
+    assert target.adjectives == ("side",)
     assert not any(t.adjectives for _, t in gets("How wide are the slots on each side?") if t)

@@ -220,12 +220,11 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
 
 def _floor(build: Builder, plane: Plane) -> Plane:
     """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal]
-    if not cut or plane.side is not Side.BOTTOM:
-        return plane
-    if cut[0].bottom is not Bottom.THROUGH:
-        return replace(plane, side=_behind(cut))
-    return replace(plane, side=_end_of_slot(build, cut[0])) if {"through", "open"} <= set(cut[0].tags) else plane
+    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal] if plane.side is Side.BOTTOM else []
+    if blind := [p for p in cut if p.bottom is not Bottom.THROUGH]:
+        return replace(plane, side=_behind(blind))
+    slot = next((p for p in cut if "open" in p.tags), None)
+    return replace(plane, side=_end_of_slot(build, slot)) if slot is not None else plane
 
 
 def _end_of_slot(build: Builder, slot: Part) -> Side:

@@ -101,8 +101,8 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
             largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
             measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
-            features = {**parse.features, "its_round": 1.0, "its_cavity": float(name == "inner cylinder")}
-            yield Parse(replace(get, measures=(measure,), target=largest), features, parse.used)
+            form = replace(get, measures=(measure,), target=largest)
+            yield Parse(form, {**parse.features, "its_round": 1.0}, parse.used)
 
 
 def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:

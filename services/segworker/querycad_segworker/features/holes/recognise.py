@@ -54,6 +54,7 @@ def recognise_holes(
     found = []
     bores = Bores(brep, walls)
     windows = recognise_windows(brep, tolerances)
+    hubs = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and wall.encloses]
     keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
     for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
         if keyholes.issuperset(stack.faces):
@@ -66,7 +67,7 @@ def recognise_holes(
             refuse("hole", stack.faces, "both of its ends are closed")
             continue
         hole = _hole(brep, closed_by_balls(brep, stack), bores, tolerances)
-        if stack.open_both and _is_around_hub(stack, walls, tolerances):
+        if stack.open_both and _is_around_hub(stack, hubs, tolerances):
             hole = replace(hole, tags=(*hole.tags, RIM))
         if _is_recess(hole):
             refuse("hole", hole.faces, "it is shallow against its width: a round pocket")
@@ -86,20 +87,14 @@ def _is_recess(hole: Hole) -> bool:
     return alone and hole.bottom is Bottom.FLAT and hole.depth < RECESS_RATIO * 2 * hole.radius
 
 
-def _is_around_hub(stack: Stack, walls: Sequence[Wall], tolerances: Tolerances) -> bool:
-    """Does a hub of the same body stand in it, for most of its length, as in a wheel with spokes?"""
-    for wall in walls:
-        if (
-            wall.kind is SurfaceKind.CYLINDER
-            and wall.outward > 0
-            and wall.encloses
-            and wall.body == stack.walls[0].body
-        ):
-            low, high = wall_range(stack.axis, wall)
-            shared = min(high, stack.high) - max(low, stack.low)
-            on_axis = wall.axis.same_line(stack.axis, tolerances)
-            narrow = wall.radius < min(own.radius for own in stack.walls)
-            if on_axis and narrow and shared > CORE_RATIO * (stack.high - stack.low):
+def _is_around_hub(stack: Stack, hubs: Sequence[Wall], tolerances: Tolerances) -> bool:
+    """Does one of the outer cylinders stand in it, for most of its length, as in a wheel with spokes?"""
+    narrowest = min(own.radius for own in stack.walls)
+    for hub in hubs:
+        narrow = hub.body == stack.walls[0].body and hub.radius < narrowest
+        if narrow and hub.axis.same_line(stack.axis, tolerances):
+            low, high = wall_range(stack.axis, hub)
+            if min(high, stack.high) - max(low, stack.low) > CORE_RATIO * (stack.high - stack.low):
                 return True
     return False
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import Part, SurfaceKind, Vector
@@ -111,27 +111,31 @@ def recognise_flat_walls(
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
     sides = {face for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
+    slots = {
+        face: found.length
+        for found in depressions
+        if found.kind is DepressionKind.SLOT and "through" in found.tags and found.length > found.width
+        for face in found.faces
+    }
+    low = [_as_tine(brep, wall, slots) for wall in low]
     low = [
-        replace(wall, tags=(*wall.tags, "tine")) if _is_tine(brep, wall, depressions) else wall
+        wall
         for wall in low
-        if "between" in wall.tags
+        if not {"between", "tine"}.isdisjoint(wall.tags)
         or not sides.isdisjoint(wall.faces)
-        or any(_joins(brep, wall, one) for one in thin)
-        or _is_tine(brep, wall, depressions)
+        or next(_joined(brep, wall, thin), None) is not None
     ]
     return sorted(_legs(brep, _webs(brep, [*thin, *low])), key=lambda wall: (wall.faces, wall.thickness))
 
 
-def _is_tine(brep: Brep, wall: FlatWall, depressions: Sequence[Depression]) -> bool:
-    """Does it stand beside a slot that runs right through a fork, and is longer than that is wide?"""
-    return any(
-        found.kind is DepressionKind.SLOT
-        and "through" in found.tags
-        and found.is_open
-        and found.length > max(found.width, wall.thickness)
-        and any(face in wall.faces for face in found.faces if abs(dot(brep.faces[face].axis, wall.normal)) > APART)
-        for found in depressions
-    )
+def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall:
+    """The same wall, a 'tine' where it stands beside a slot through a fork that is longer than the wall is thick.
+
+    `slots`: the lengths of such slots, metres, by face.
+    """
+    beside = (face for face in wall.faces if slots.get(face, 0.0) > wall.thickness)
+    flank = any(abs(dot(brep.faces[face].axis, wall.normal)) > APART for face in beside)
+    return replace(wall, tags=(*wall.tags, "tine")) if flank else wall
 
 
 def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
@@ -195,14 +199,14 @@ def _is_one_plane(brep: Brep, a: int, b: int) -> bool:
     )
 
 
-def _joins(brep: Brep, wall: FlatWall, other: FlatWall) -> bool:
-    """Do two walls meet at an angle, also over a bend or a fillet?"""
-    if wall.body != other.body or abs(dot(wall.normal, other.normal)) > APART:
-        return False
-    own, there = set(wall.faces), set(other.faces)
-    beside = {i for face in own for _, i in brep.neighbours(face)} - own
-    blends = (i for i in beside if is_blend(brep, brep.faces[i]))
-    return not there.isdisjoint(beside) or any(n in there for i in blends for _, n in brep.neighbours(i))
+def _joined(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> Iterator[int]:
+    """Which of the others does a wall meet at an angle, also over a bend or a fillet?"""
+    beside = {i for face in wall.faces for _, i in brep.neighbours(face)} - set(wall.faces)
+    around = beside.union(*([n for _, n in brep.neighbours(i)] for i in beside if is_blend(brep, brep.faces[i])))
+    for number, other in enumerate(others):
+        at_angle = wall.body == other.body and abs(dot(wall.normal, other.normal)) <= APART
+        if at_angle and not around.isdisjoint(other.faces):
+            yield number
 
 
 def _pairs(brep: Brep, opposite_m2: Mapping[tuple[int, int], float]) -> list[tuple[int, int]]:
@@ -326,9 +330,7 @@ def _webs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
 
     In a closed ring of walls each one joins two others: there is none.
     """
-    joined: dict[int, set[int]] = defaultdict(set)
-    for i, wall in enumerate(walls):
-        joined[i] = {j for j, other in enumerate(walls) if j != i and _joins(brep, wall, other)}
+    joined = {i: set(_joined(brep, wall, walls)) for i, wall in enumerate(walls)}
     webs = {
         i: beside
         for i, beside in joined.items()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -17,7 +18,7 @@ from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import Box, add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
+from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
 
 SQUARE = 1e-2
 """Sine of the angle by which walls and faces of a plate may deviate from square and parallel."""
@@ -79,31 +80,26 @@ def _bases(across: _Across, known: Sequence[Prism], tolerances: Tolerances) -> l
     brep, found = across.brep, list[Prism]()
     boxes = {body.id: faces_box(brep, body.faces) for body in brep.bodies}
     for face in sorted(brep.faces, key=lambda one: (-one.area, one.id)):
-        side = _side(across, face, BASE_FREE, BASE_LEDGE) if _is_end(face, boxes[face.body], across.near) else None
+        box, axis = boxes[face.body], max(range(3), key=lambda i: abs(face.axis[i]))
+        near, far = (box[1][axis], box[0][axis]) if face.axis[axis] > 0 else (box[0][axis], box[1][axis])
+        side = _side(across, face, BASE_FREE, BASE_LEDGE) if _lies_at(face, axis, near, across.near) else None
         if side is None or sum(brep.faces[i].area for i in side.below) > BASE_BARE * face.area:
             continue  # nothing stands on it
+        if side.level - far * math.copysign(1.0, face.axis[axis]) < across.near:
+            continue  # the body is no thicker than it: a plate with holes
         alike = (prism for prism in [*known, *found] if parallel(prism.normal, face.axis, SQUARE))
         if any(not {face.id, *side.below}.isdisjoint(prism.faces) for prism in alike):
             continue
         slab = _plate(brep, side, tolerances, BASE_RATIO)
-        if slab is not None and not _reaches_through(side, boxes[face.body], across.near):
+        if slab is not None:
             found.append(slab)
     return found
 
 
-def _reaches_through(side: _Side, box: Box, near: float) -> bool:
-    """Is the body no thicker than the slab? Then it is a plate with holes."""
-    axis = max(range(3), key=lambda i: abs(side.face.axis[i]))
-    far = box[0][axis] if side.face.axis[axis] > 0 else -box[1][axis]
-    return side.level - far < near
-
-
-def _is_end(face: FaceRecord, box: Box, near: float) -> bool:
-    """Does a plane face lie on a side of its body's box?"""
-    axis = max(range(3), key=lambda i: abs(face.axis[i]))
-    end = box[1] if face.axis[axis] > 0 else box[0]
+def _lies_at(face: FaceRecord, axis: int, level: float, near: float) -> bool:
+    """Does a plane face lie square to an axis of the file, at a level?"""
     square = face.kind is SurfaceKind.PLANE and abs(face.axis[axis]) > 1 - SQUARE**2
-    return square and abs(face.point[axis] - end[axis]) < near
+    return square and abs(face.point[axis] - level) < near
 
 
 def without_edgewise(prisms: Sequence[Prism], plates: Sequence[Prism]) -> list[Prism]:
