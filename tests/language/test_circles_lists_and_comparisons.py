@@ -160,51 +160,11 @@ def test_more_than_a_size_is_not_one_of_two() -> None:
     assert not any(isinstance(form, Which) for form in forms("Is the lug or the rib higher than 5 mm?"))
 
 
-def test_the_difference_of_two_extremes_is_one_value() -> None:
-    asked = "the largest and the smallest lug diameter"
-    reduces = [form.reduce for form in forms(f"What are {asked}?") if isinstance(form, Get)]
-    assert Reduce.RANGE in reduces
-    differences = forms(f"What is the difference between {asked}?")
-    assert any(isinstance(form, Combine) for form in differences)
-    assert Reduce.RANGE not in [form.reduce for form in differences if isinstance(form, Get)]
-
-
-@pytest.mark.parametrize(
-    ("question", "relation"),
-    [
-        ("Are there more lugs than ribs?", Relation.MORE),
-        ("Does the lever have fewer lugs than ribs?", Relation.LESS),
-        ("Are there as many lugs as ribs?", Relation.EQUAL),
-    ],
-)
-def test_two_numbers_of_parts_are_compared(question: str, relation: Relation) -> None:
-    found = [form for form in forms(question) if isinstance(form, Check)]
-    assert [(form.relation, isinstance(form.left, Count), isinstance(form.low, Count)) for form in found] == [
-        (relation, True, True)
-    ]
-
-
-@pytest.mark.parametrize("question", ["Are there more lugs or ribs?", "Which are there more of, lugs or ribs?"])
-def test_of_which_there_are_more_is_asked(question: str) -> None:
-    assert [form.relation for form in forms(question) if isinstance(form, Which)] == [Relation.MORE]
-
-
 def test_what_compares_numbers_is_not_passed_over() -> None:
     skipped = [
         reading.skipped for reading in read("Are there more lugs than ribs?") if isinstance(reading.form, Exists)
     ]
     assert all(("comparison", "more") in words and ("comparison", "than") in words for words in skipped)
-
-
-def test_what_is_heavier_is_told_by_volume_as_a_file_holds_no_density() -> None:
-    asked = [form.left for form in forms("Which is heavier, the spindle or the lever?") if isinstance(form, Which)]
-    assert [left.measures for left in asked if isinstance(left, Get)] == [(Measure.VOLUME,)]
-
-
-@pytest.mark.parametrize("operation", ["ratio of the outer diameter to", "difference between the outer diameter and"])
-def test_a_measure_of_the_whole_is_set_beside_a_part(operation: str) -> None:
-    asked = [form for form in forms(f"What is the {operation} the bore?") if isinstance(form, Combine)]
-    assert any(isinstance(one.left, Get) and one.left.target is None and one.right.target for one in asked)
 
 
 def test_the_least_distance_of_a_part_is_that_of_all_such_parts() -> None:

@@ -27,7 +27,6 @@ from querycad_language.forms import (
     Reduce,
     Several,
     Uniform,
-    Within,
     queries,
 )
 from querycad_language.measures import options
@@ -110,7 +109,6 @@ def test_a_measure_of_no_part_is_not_written() -> None:
         Check(Get((Measure.ANGLE,), PINS), Relation.EQUAL, 1.5),
         Uniform(Get((Measure.DEPTH,), PINS)),
         Parallel(PINS, None),
-        Within(PINS, (0.1, 0.1, 0.1)),
         Check(Distance(PINS, HOLES), Relation.MORE, 0.01),
     ],
 )

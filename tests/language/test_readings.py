@@ -195,12 +195,6 @@ def test_an_overlap_is_asked_of_bodies_and_is_not_whether_there_are_any(question
     assert not any(isinstance(one, Exists) for one in forms(question))
 
 
-def test_the_volume_of_an_overlap_is_not_that_of_the_bodies() -> None:
-    form = read("What is the overlap volume of the crank and the piston?")[0].form
-    assert isinstance(form, Distance)
-    assert form.mode == "overlap"
-
-
 def test_bodies_touch_where_nothing_is_between_their_surfaces() -> None:
     form = read("Do the gears touch each other?")[0].form
     assert isinstance(form, Check)
@@ -379,7 +373,6 @@ def test_yes_or_no_is_asked_in_many_forms(question: str) -> None:
     "question",
     [
         "Can you check whether there is a slot?",
-        "I wonder whether the lever has a slot.",
         "Is a slot present?",
         "Would I find a slot on this part?",
     ],
@@ -421,24 +414,6 @@ def test_what_goes_through_a_lid_lies_in_it() -> None:
     assert not counted.target.adjectives
 
 
-def test_faces_and_edges_of_the_whole_are_counted_whatever_their_shapes() -> None:
-    assert any(
-        isinstance(form, Count) and form.measure is Measure.EDGE_COUNT
-        for form in forms("How many edges does the part have?")
-    )
-    assert any(isinstance(form, Count) and form.measure is Measure.FACE_COUNT for form in forms("Faces, how many?"))
-    counted = best("How many faces are cylindrical?").form
-    assert isinstance(counted, Count)
-    assert counted.target.noun == "cylindrical face"
-
-
-def test_different_values_are_counted_by_the_measure_behind_the_noun() -> None:
-    assert any(
-        isinstance(form, Count) and form.measure is Measure.DIAMETER
-        for form in forms("How many different slot diameters are there?")
-    )
-
-
 @pytest.mark.parametrize(
     ("question", "reduce"),
     [
@@ -473,12 +448,6 @@ def test_a_side_that_something_is_far_from_is_a_plane() -> None:
     assert isinstance(distance, Distance)
     assert isinstance(distance.second, Boundary)
     assert distance.second.side is Side.LEFT
-
-
-def test_a_colour_behind_the_verb_says_which() -> None:
-    shown = next(form for form in forms("Which bodies are red?") if isinstance(form, Parts))
-    assert shown.target.colors == ("red",)
-    assert any(isinstance(form, Every) and form.among.colors for form in forms("Is the lever red?"))
 
 
 @pytest.mark.parametrize(

@@ -190,7 +190,7 @@ def test_parts_are_found_by_words(either: Model) -> None:
     assert "hole" in none.nearest
     assert "banana" in none._repr_html_()
     assert "Ø8.5 THRU" in either.find_parts("hole 4")._repr_html_()
-    assert len(either.parts) == 71
+    assert len(either.parts) == 70
 
 
 def test_a_measure_is_that_of_the_part_and_no_stretch_of_it(either: Model) -> None:
@@ -250,7 +250,7 @@ def test_tables_descriptions_programs_and_views_are_there(either: Model) -> None
     assert either.run("solution = open('/etc/passwd')").status is not RunStatus.OK
     assert either.picture("top", 320, 200).startswith(PNG)
     assert either.shape.extents == pytest.approx((0.17, 0.17, 0.053))
-    assert repr(either) == "<querycad.Model 'flange.step': 170 x 170 x 53 mm, 71 parts>"
+    assert repr(either) == "<querycad.Model 'flange.step': 170 x 170 x 53 mm, 70 parts>"
     assert "bolt circle" in either._repr_html_()
 
 
@@ -292,7 +292,7 @@ def test_the_asynchronous_model_says_the_same(model: Model, flange: Path) -> Non
             reply = await opened.ask("How many holes are there?")
             assert reply.value == 11
             assert (await asyncio.to_thread(reply.picture)).startswith(PNG)
-            assert len(await opened.parts()) == 71
+            assert len(await opened.parts()) == 70
             assert (await opened.measure("diameter", "hole-4")).text == "8.5 mm"
             assert opened.shape == model.shape
 

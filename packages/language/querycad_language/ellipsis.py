@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from .tokens import Kind, Token
+from .tokens import Token
 
 Finds = Callable[[int, str], bool]
 """Does a phrase of the category begin at the token?"""
@@ -25,7 +25,7 @@ _VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "r
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """The tokens with what is said before put where the clause has a gap, or a pronoun for it."""
-    return _topics(_pointed_at(_ones(tokens, finds)), finds)
+    return _topics(_ones(tokens, finds), finds)
 
 
 def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
@@ -46,17 +46,6 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
             found += which  # 'the upper or the lower one'
         meant = told.get(way or "", which) if token.word == "one" and found and found[-1].word != "which" else ()
         found += (*meant[:-1], replace(meant[-1], plural=token.plural)) if meant else (token,)
-    return tuple(found)
-
-
-def _pointed_at(tokens: tuple[Token, ...]) -> tuple[Token, ...]:
-    """'My cutter is 5 mm. How many slots are wider than that?'"""
-    found = list(tokens)
-    for at in range(1, len(tokens)):
-        if tokens[at].word in ("that", "this") and tokens[at - 1].word in _COMPARING:
-            lengths = [one for one in tokens[:at] if one.kind is Kind.QUANTITY and one.power == 1]
-            if lengths and (at + 1 == len(tokens) or tokens[at + 1].kind is Kind.SYMBOL):
-                found[at] = lengths[-1]
     return tuple(found)
 
 

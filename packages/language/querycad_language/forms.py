@@ -114,7 +114,7 @@ class Angle:
     second: PartQuery | None
 
 
-Operation: TypeAlias = Literal["minus", "ratio", "share", "plus", "apart", "per", "clearance"]
+Operation: TypeAlias = Literal["minus", "ratio", "plus", "apart", "per", "clearance"]
 """'share': in percent; 'per': of each of the others as many; 'clearance': of what is around, less what is in it."""
 
 
@@ -172,14 +172,6 @@ class Either:
 
 
 @dataclass(frozen=True, slots=True)
-class Within:
-    """Does the target fit into a box of these three sizes, in metres, by quarter turns?"""
-
-    target: Target
-    box: tuple[float, float, float]
-
-
-@dataclass(frozen=True, slots=True)
 class Uniform:
     """Do all the parts have the same value?"""
 
@@ -203,27 +195,17 @@ class Parts:
 
 
 @dataclass(frozen=True, slots=True)
-class Touching:
-    """Which bodies of `target` touch one of `other`, or none? `held`: those that fasteners hold, so no fasteners."""
-
-    target: PartQuery
-    other: PartQuery
-    held: bool = False
-    negated: bool = False
-
-
-@dataclass(frozen=True, slots=True)
 class Towards:
-    """Where do parts lie or open? Seen most, seen by none, numbers on each side, or the way in of a tool or a screw."""
+    """Towards which of these sides do parts lie or open? Seen from most, numbers on each, or the way in of a tool."""
 
     target: PartQuery
     sides: tuple[Side, ...]
-    seen: Literal["", "most", "none", "each", "way"] = ""
+    seen: Literal["", "most", "each", "way"] = ""
 
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Touching | Which | Either | Within
+    | Which | Either
 )  # fmt: skip
 
 

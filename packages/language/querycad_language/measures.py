@@ -14,7 +14,7 @@ Grade = Literal["own", "derived", "foreign", "missing"]
 """Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
 
 STANDING = frozenset(kind for kind in PartKind if kind.stands_out) | {
-    PartKind.CROSSBAR, PartKind.CYLINDER, PartKind.CONE, PartKind.PIPE, PartKind.TOOTH,
+    PartKind.CROSSBAR, PartKind.CYLINDER, PartKind.CONE, PartKind.PIPE, PartKind.TOOTH, PartKind.WALL,
 }  # fmt: skip
 CUT = frozenset(kind for kind in PartKind if kind.cuts_in) | {PartKind.SPOTFACE, PartKind.CAVITY}
 FLAT = 0.5

@@ -21,9 +21,10 @@ _MODES = {
     "beyond": "beyond, ",
 }  # fmt: skip
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
+
 _TOWARDS = {
     "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",
-    "none": "sides without {0}", "each": "number of {0} seen from each side", "": "side of {0}: {2}",
+    "each": "number of {0} seen from each side", "": "side of {0}: {2}",
 }  # fmt: skip
 
 
@@ -81,12 +82,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
         case forms.Parts(target):
             return noun_phrase(target)
-        case forms.Touching(target, other, held, negated):
-            return f"{noun_phrase(target)} {'not ' * negated}{'held' if held else 'touched'} by {noun_phrase(other)}"
-        case forms.Within(target, box):
-            return f"whether {noun_phrase(target)} fits into {' x '.join(f'{size * 1e3:.6g}' for size in box)} mm"
         case forms.Towards(target, sides, seen):
-            either = f"{', '.join(sides[:-1])} or {sides[-1]}" if sides else ""
+            either = f"{', '.join(sides[:-1])} or {sides[-1]}"
             return _TOWARDS[seen].format(noun_phrase(target), _is(target), either)
 
 

@@ -49,9 +49,6 @@ def _whole(text: Text, build: PhraseBuilder, start: int, whole: Span) -> Mention
 
 def _without_noun(text: Text, build: PhraseBuilder, start: int, at: int) -> int | None:
     """Where a phrase without a noun ends: 'the small one', 'the 8 mm', 'the largest'; None where it is no phrase."""
-    if text.is_word(at, "one") and (build.adjectives or build.ranks or build.sizes or build.ends or build.threads):
-        build.used.add(at)
-        return at + 1
     if (build.sizes or build.threads) and not build.adjectives:
         round_size = any(size.measure in (Measure.DIAMETER, Measure.RADIUS) for size in build.sizes)
         if round_size or build.threads or build.article:

@@ -149,8 +149,6 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
     if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or _leads_away(text, at):
         return at
-    if text.find(at, "surface_to_surface") and text.at_phrases("distance"):
-        return at  # 'how far apart are the walls on the inside'
     start = span.end
     size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)
     if size and text.find(at, "relation"):
@@ -169,10 +167,7 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     also = text.skip(other.end, "side", "ground", "side_noun")  # 'groove bottom and bore'
     second = phrases.inner(also + 1, depth) if span.value == "between" and text.is_word(also, "and") else None
     if second is not None:
-        first = other.query
-        if not first.noun:  # 'between the big and the small end'
-            first = replace_fields(first, noun=second.part.noun, known=second.part.known, words=second.part.words)
-        both = replace_fields(first, also=(*first.also, second.part))
+        both = replace_fields(other.query, also=(*other.query.also, second.part))
         build.places.append(Place(relation="between", what=both))
         return second.end
     rim = span.value == "around" and start > span.end  # 'around the edge of the plate' is on it

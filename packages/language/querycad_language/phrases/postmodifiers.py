@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Measure, Place, Rank
-from querycad_language.lexicon import Span
+from querycad_contracts import Place, Rank
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -68,8 +67,6 @@ def _opens(text: Text, at: int) -> bool:
     """Does a modifier follow a comma or a bracket?"""
     if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
         return True
-    if text.is_word(at + 1, "not", "no", "without") and text.find(at + 2, "side_preposition", "trait"):
-        return True
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
 
@@ -95,9 +92,6 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
             return end
     negated = text.is_word(at, "not")
     adjective = text.find(at + negated, "adjective")
-    if adjective and not negated and build.nouns and (face := _shaped(text, adjective, build.nouns[-1])):
-        build.nouns[-1] = face
-        return face.end
     sided = text.is_word(at, "side")  # 'on each side': no attribute
     if (
         own
@@ -112,20 +106,10 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
     return _joins(phrases, at, build, depth, joined) or at
 
 
-def _shaped(text: Text, adjective: Span, noun: Span) -> Span | None:
-    """'faces that are cylindrical' are cylindrical faces: a noun of its own."""
-    said = " ".join(text.words[adjective.start : adjective.end])
-    found = text.lexicon.nouns.get(f"{said} face") if noun.value.name == "face" else None
-    return Span(noun.start, adjective.end, "noun", found) if found is not None else None
-
-
 def _joins(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
     text = phrases.text
     comma = text.is_word(at, ",")
-    if text.is_word(at, "or") and not text.has("than"):  # 'more lugs or ribs?'
-        more = any(span.value.degree in ("more", "less") for span in text.all("scale"))
-        joined = joined and not (more or text.has("more", "fewer"))
     other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
     if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
         return 0
@@ -217,10 +201,6 @@ def _fitted(text: Text, at: int, build: PhraseBuilder) -> int:
 
 def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     """'with the smallest diameter', 'is the largest'."""
-    by = text.find(at + 1, "measure") if text.is_word(at, "by", "in") else None
-    if by is not None and build.ranks and build.ranks[-1].measure is Measure.MAGNITUDE:  # 'the third largest by volume'
-        build.ranks[-1] = build.ranks[-1].model_copy(update={"measure": by.value})
-        return by.end
     alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
     if alone is not None and not noun_follows(text, alone.end):
         build.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
@@ -290,15 +270,12 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     text = phrases.text
     if depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
-    than, end = text.find(at, "scale"), superlative(text, at + 3)
     span = text.find(at, "except", "minus")
-    start = span.end if span is not None else at + 2
-    if than and end and text.is_word(at + 1, "than") and text.is_word(at + 2, "the"):  # 'smaller than the largest'
-        excludes = (than.value.degree, end.value.degree) in (("less", "most"), ("more", "least"))
-    else:
-        the_largest = text.skip(start, "article") > start and superlative(text, text.skip(start, "article"))
-        excludes = span is not None and (span.category == "except" or bool(the_largest))  # 'minus the largest'
-    other = phrases.at(start, depth + 1) if excludes else None
+    if span is None:
+        return at
+    inner = text.skip(span.end, "article")
+    excludes = span.category == "except" or (inner > span.end and superlative(text, inner))  # 'minus the largest'
+    other = phrases.at(span.end, depth + 1) if excludes else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)

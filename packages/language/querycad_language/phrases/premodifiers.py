@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Measure, Rank, SizeFilter
+from querycad_contracts import Rank, SizeFilter
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -105,21 +105,12 @@ def _shares_noun(text: Text, adjective: Span, build: PhraseBuilder) -> bool:
 
 
 def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:
-    """'The large diameter section', 'of the thinnest section', 'the middle step': words of measures that tell parts."""
-    scale, measure = text.find(at, "scale"), text.find(at, "measure")
-    if scale is not None and text.is_word(at + 1, "diameter") and text.find(at + 2, "noun"):
-        if scale.value.degree in ("most", "least"):
-            build.ranks.append(Rank(measure=Measure.DIAMETER, most=scale.value.degree == "most"))
-        else:
-            build.adjectives.append(text.words[at])
-        return at + 2
-    if measure is not None and text.find(at + 1, "noun"):
-        if text.is_word(at, "middle") and measure.end == at + 1:
-            build.adjectives.append("central")
-            return at + 1
-        if superlative(text, at) and measure.end == at + 2 and text.is_word(at - 2, "of"):
-            return _ranked(text, at, build)
-    return at
+    """'The middle step': a word of a measure that tells parts."""
+    measure = text.find(at, "measure")
+    if measure is None or measure.end > at + 1 or not text.is_word(at, "middle") or not text.find(at + 1, "noun"):
+        return at
+    build.adjectives.append("central")
+    return at + 1
 
 
 def _names(text: Text, at: int, article: bool) -> bool:
@@ -158,16 +149,13 @@ def _is_measure(
 
 
 def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
-    """'second largest', 'deepest', 'topmost'; 'the second bore' in no order that is said."""
+    """'second largest', 'deepest', 'topmost'."""
     ordinal = text.find(at, "ordinal")
     scale = superlative(text, ordinal.end if ordinal else at)
     if scale and (ordinal or text.is_word(at - 1, "the") or noun_follows(text, scale.end)):  # 'does the largest have'
         most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
         build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))
         return scale.end
-    if ordinal and ordinal.value > 1 and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
-        build.ranks.append(Rank(nth=ordinal.value))
-        return ordinal.end
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
         build.ranks.append(Rank(side=extreme.value, count=build.count or 1))
         return extreme.end
@@ -186,7 +174,7 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
 
 
 def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
-    """Where a side, a colour or a negated adjective ends; 0 where none stands here."""
+    """Where a side or a colour ends; 0 where none stands here."""
     if (side := text.find(at, "side")) and not build.nouns:
         faced = side.end + text.is_word(side.end, "side", "face", "half")
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
@@ -195,16 +183,9 @@ def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
         if is_noun(text, side.end):
             build.ends.append(side.value)
             return side.end
-    axis = text.find(at, "axis")
-    if axis and axis.value in range(3) and axis.end > at + 1 and text.find(axis.end, "noun") and not build.nouns:
-        build.adjectives.append(f"{'xyz'[axis.value]} parallel")  # 'z direction lugs'
-        return axis.end
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
         build.colors.append(color.value)
         return color.end
-    if text.is_word(at, "non", "un", "not") and (negated := text.find(at + 1, "adjective")):
-        build.lacking.append(negated.value.name)
-        return negated.end
     return 0
 
 

@@ -20,8 +20,6 @@ CALLS = 2000
 """Of a run; a program that is sure to make more is not written where each takes the kernel."""
 MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
-_FASTENERS = ["screw", "nut", "washer"]
-"""Tags of bodies that hold others."""
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
@@ -157,30 +155,6 @@ def overlapping(build: Builder, form: Distance) -> str:
         raise Unwritable
     names = [build.parts(query) for query in (form.first, form.second) if isinstance(query, PartQuery)]
     return f"overlaps({', '.join(names)})"
-
-
-def touching(build: Builder, form: forms.Touching) -> str:
-    """The bodies that touch others, as an expression; those whose boxes are apart are not measured.
-
-    Fasteners hold what they touch, and what other fasteners do that they touch: a nut by its screw and a washer.
-    """
-    if any(part.kind != "body" for part in build.all_of(form.target, form.other)):
-        raise Unwritable
-    found, others = build.parts(form.target), build.parts(form.other)
-    room = "abs(p.center[i] - q.center[i]) <= p.half_extents[i] + q.half_extents[i] + 1e-06"
-    meets = f"any(all({room} for i in range(3)) and p.distance_to(q) <= 1e-06 for q in taken)"
-    new = "p.id not in [q.id for q in taken] and "
-    wanted = f"{new}{'not ' * form.negated}{meets}"
-    build.lines.append(f"taken = [q for q in {others}]")
-    if not form.held:
-        return f"[p for p in {found} if {wanted}]"
-    fastens = f"any(tag in p.tags for tag in {_FASTENERS})"
-    build.lines += [
-        f'fasteners = [p for p in find_parts({{"noun": "body", "plural": True}}) if {fastens}]',
-        "for _ in range(2):",
-        f"    taken += [p for p in fasteners if {new}{meets}]",
-    ]
-    return f"[p for p in {found} if not {fastens} and {wanted}]"
 
 
 # From planes

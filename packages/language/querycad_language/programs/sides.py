@@ -67,17 +67,13 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None) 
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
-    Or the side that 'most' of them are seen from, those that 'none' is, those from which a tool or screw comes in.
+    Or the side that 'most' of them are seen from, those from which a tool or screw comes in.
     """
     parts, sides = build.of(form.target), [side.value for side in form.sides]
-    if not parts and form.seen in ("", "way"):
-        raise Unwritable
-    if form.seen == "way" and any(not part.approach for part in parts):
+    if not parts or (form.seen == "way" and any(not part.approach for part in parts)):
         raise Unwritable
     name = build.parts(form.target)
     match form.seen:
-        case "none":
-            return f"[side for side in {sides} if not any(side in p.sides for p in {name})]", AnswerType.TEXTS
         case "each" | "most":  # all of as many
             build.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
             if form.seen == "each":

@@ -12,7 +12,7 @@ from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import CUT, SCALARS, answer_type, is_length, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
-from .distances import SLACK, distance, overlapping, touching
+from .distances import SLACK, distance, overlapping
 from .sides import angle_between, directions, towards
 
 _OF_SHAPE = {
@@ -31,7 +31,6 @@ _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
 _COMBINED = {
     "minus": "{0} - ({1})", "plus": "{0} + {1}", "apart": "abs({0} - ({1}))", "ratio": "({0}) / ({1})",
-    "share": "100 * ({0}) / ({1})",
 }  # fmt: skip
 _COMPARED = {
     Relation.LESS: f"v < {{low}} - {SLACK:g}", Relation.AT_MOST: f"v <= {{low}} + {SLACK:g}",
@@ -71,8 +70,6 @@ def _form(build: Builder, form: Form) -> tuple[str, AnswerType]:  # noqa: PLR091
             return build.parts(target), AnswerType.PARTS
         case forms.Which() | forms.Either():
             return _which(build, form) if isinstance(form, forms.Which) else _either(build, form), AnswerType.TEXT
-        case forms.Touching():
-            return touching(build, form), AnswerType.PARTS
         case forms.Towards():
             return towards(build, form)
     return _decided(build, form), AnswerType.BOOLEAN
@@ -100,11 +97,6 @@ def _decided(build: Builder, form: Form) -> str:
             angles = directions(build, first, second, Reduce.EACH)
             build.compared.append(Compared(None, angles, AnswerType.ANGLE))
             return f"all({limit} < 0.01 for angle in {angles})"
-        case forms.Within(target, box):
-            found = "[shape]" if target is None else build.parts(target)
-            extents = f"{found}[0].extents if len({found}) == 1 else None"
-            build.compared.append(Compared(Get((Measure.SIZE,), target), extents, AnswerType.SIZE))
-            return f"all(all(a <= b + {SLACK:g} for a, b in zip(sorted(p.extents), {sorted(box)!r})) for p in {found})"
     raise Unwritable
 
 
@@ -271,7 +263,7 @@ def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
         value = build.read(left.measures[0], build.of(left.target)).format("p")
         return f"[{value} - {_scalar(build, form.right)} for p in {build.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(build, left), _scalar(build, form.right))
-    return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
+    return result, AnswerType.NUMBER if form.operation == "ratio" else kind
 
 
 def _clearance(build: Builder, *ends: Get | Count) -> str:

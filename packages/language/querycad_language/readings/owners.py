@@ -58,8 +58,6 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         yield Owner(mention.query, used, features)
         for holder in _part_of(mention.query):
             yield Owner(holder, used, features)
-        for holder in _place_of(mention.query) if "link_pronoun" in features else ():
-            yield Owner(holder, used, {**features, "pronoun_steps": float(nearest)})
     yield from _compound_of(linked, asked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
@@ -86,12 +84,6 @@ def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
     for place, end in places_of(query, "on") if noun is not None and "cone" in noun.senses[0].kind else ():
         if end.noun == "end" and end.adjectives:
             yield replace_fields(without(query, place), adjectives=(*query.adjectives, *end.adjectives))
-
-
-def _place_of(query: PartQuery | None) -> Iterator[PartQuery]:
-    """'We put a cable through the slot. How wide is it?': the slot too."""
-    if query is not None and not (query.definite or query.plural):
-        yield from (place for relation in ("in", "on", "through") for _, place in places_of(query, relation))
 
 
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
@@ -134,8 +126,6 @@ def _link_behind(question: Question, asked: Requested, mention: Mention) -> str:
     others = [other for other in question.mentions if not other.pronoun]
     if any(asked.end <= other.start and other.end <= mention.start for other in others):
         return "far"
-    if asked.measures == (Measure.VOLUME,) and text.at_phrases("removal") and mention.query is not None:
-        return "of"  # 'the volume of material removed by the holes'
     if any(text.is_content(i) for i in between):
         return "far"
     if between and text.is_word(between[0], "of", "for") and not text.is_word(between[0] - 1, "out"):

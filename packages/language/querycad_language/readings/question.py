@@ -97,17 +97,6 @@ class Question:
                 return at
         return None
 
-    @cached_property
-    def extremes(self) -> dict[str, int]:
-        """Where the sentence that asks first says 'most' and 'least': 'the largest and the smallest'."""
-        found: dict[str, int] = {}
-        for at in range(*self.asking):
-            span = self.text.find(at, "most", "least", "scale")
-            degree = None if span is None else span.value.degree if span.category == "scale" else span.category
-            if degree in ("most", "least"):
-                found.setdefault(degree, at)
-        return found
-
     def in_question(self, at: int) -> bool:
         """Is the token in the sentence that asks?"""
         return self.asking[0] <= at < self.asking[1]

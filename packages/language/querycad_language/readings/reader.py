@@ -12,12 +12,11 @@ from querycad_language.phrases import Mention
 from querycad_language.weights import weights
 
 from .frames.comparisons import comparisons
-from .frames.contacts import contacts
 from .frames.counts import counts, exists
 from .frames.distances import angles, distances, overhangs
-from .frames.parts import bare, mating, parts
+from .frames.parts import bare, holders, mating, parts
 from .frames.values import values, wholes
-from .frames.yes_no import within, yes_no
+from .frames.yes_no import yes_no
 from .parses import Parse, Reading
 from .question import Question, seen_from
 from .skipped_words import finished, passable
@@ -29,7 +28,7 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
-    counts, distances, overhangs, angles, comparisons, yes_no, within, values, wholes, mating, parts, contacts, exists,
+    counts, distances, overhangs, angles, comparisons, yes_no, values, wholes, mating, parts, holders, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

@@ -23,7 +23,6 @@ _EXTENDING = {
     Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.SIZE, Measure.MAGNITUDE, Measure.VOLUME,
 }  # fmt: skip
 """Measures that a hollow part has twice: outside, and of the space within."""
-_SAVING = ("save", "saves", "saving", "reduce", "reduces", "reducing", "spare", "cut")
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
@@ -123,11 +122,6 @@ def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
             return Requested(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
-    measures = text.is_word(at, "measure", "measures") and not text.find(at + 1, "relation", "measure")
-    if measures and any(text.is_word(i, "what") and text.find(i + 1, "do") for i in range(at)):
-        return Requested(
-            at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,))
-        )  # 'what does the part measure'
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Requested(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
@@ -143,8 +137,6 @@ def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
     span, noun = text.find(at, "measure"), text.find(at, "noun")
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
-    if span.value is Measure.MASS and text.is_word(at - 1, *_SAVING):
-        return None  # 'holes that save weight'
     before = range(max(0, at - 4), at)
     led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before)
     if span.value is Measure.AXIS and led and not text.find(at - 1, "ask"):

@@ -183,7 +183,7 @@ def _parts(
         [frozenset(ribs[n - 1].flanks) for n in fin_numbers],
     )
     gussets = {face for wall in flat_walls if "gusset" in wall.tags for face in wall.faces}
-    standing = beside_pipes(brep, bosses, pipes)
+    standing = [boss for boss in beside_pipes(brep, bosses, pipes) if not _is_island(boss, holes, tolerances)]
     edges = [section for hole in holes for section in hole.sections] + [b for boss in standing for b in boss.breaks]
     parts = [
         *hole_parts,
@@ -246,6 +246,15 @@ def _outside(kind: str, found: Sequence[D], larger: Sequence[frozenset[int]], re
         else:
             kept.append(record)
     return kept
+
+
+def _is_island(boss: Boss, holes: Sequence[Hole], tolerances: Tolerances) -> bool:
+    """Is it what an annular groove leaves standing, level with the groove's rim?"""
+    around = [hole for hole in holes if hole.is_ring and not set(hole.faces).isdisjoint(boss.faces)]
+    level = any(abs(boss.height - hole.depth) < 10 * tolerances.length for hole in around)
+    if level:
+        refuse("boss", boss.faces, "an annular groove leaves it, level with its rim")
+    return level
 
 
 def _turned(

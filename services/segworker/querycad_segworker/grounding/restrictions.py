@@ -152,6 +152,9 @@ def _ordered(
     if lexicon().is_comparative(name) and len(by_size(way.parts)) > TWO == len(by_size(beside)):
         # 'the larger hole' is one of two sizes: the opening in the middle is none of them
         empty.append(way.to(inventory.ordered(beside, adjective, count), "comparative_of_two"))
+    alike = by_size(ordered)
+    if len(alike) > 1 and not count:  # 'the small holes' beside a wide bore, where there are two sizes of them
+        empty.append(way.to(inventory.ordered(ordered, adjective, len(alike[0])), "adjective_extreme"))
     return [
         way.to(ordered, "adjective_order"),
         way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'"),

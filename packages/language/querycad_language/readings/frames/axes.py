@@ -10,7 +10,6 @@ from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
 
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
-_LENGTH_AND_WIDTH = (("length", "width"), ("and",), ("width", "length"))
 _MEASURES = {"width": 0, "depth": 1, "height": 2}
 
 
@@ -37,9 +36,7 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
             continue  # 'the vertical drill holes'
         if text.find(at + 1, "distance", "gap") or (text.find(at + 1, "measure") and question.in_question(at)):
             return 2, {at}  # 'the vertical distance'
-    for span in text.all("axis"):
-        if span.start in taken:
-            continue
+    for span in (one for one in text.all("axis") if one.start not in taken):
         lead = text.find(span.start - 1 - text.is_word(span.start - 1, "the"), "axis_preposition")
         if lead or span.end - span.start > 1 or len(text.words[span.start]) > 1:
             return span.value, set(range(max(0, span.start - 2), span.end))
@@ -88,10 +85,6 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
-    for at in text.at_words("in", "along"):
-        if all(text.is_word(at + i, *words) for i, words in enumerate(_LENGTH_AND_WIDTH, start=1)):
-            both = (LONGEST, SHORTER)
-            return (both if text.is_word(at + 1, "length") else both[::-1]), set(range(at, at + 4))
     upright = text.at_words("horizontal", "horizontally", "vertical", "vertically")
     if len(upright) == 2 and not spans and max(upright) - min(upright) == 2:  # 'horizontal and vertical pitch'
         return (LONGEST, SHORTER), {*upright, min(upright) + 1}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
-from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import Check, Combine, Count, Distance, Get, Operation, Plane, Target, Which
+from querycad_contracts import Measure, Relation, Side
+from querycad_language.forms import Check, Combine, Distance, Get, Plane, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, bare_of, places_of, without
+from querycad_language.phrases import Mention, places_of, without
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -16,7 +16,6 @@ from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
-_NUMBERED = {"more": Relation.MORE, "fewer": Relation.LESS, "less": Relation.LESS, "many": Relation.EQUAL}
 
 
 def comparisons(question: Question) -> Iterator[Parse]:
@@ -25,7 +24,6 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _which(question)
     yield from _combined(question)
     yield from _clearances(question)
-    yield from _numbers(question)
 
 
 def _compared(question: Question) -> Iterator[Parse]:
@@ -63,8 +61,6 @@ def _compared(question: Question) -> Iterator[Parse]:
 
 def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Measure, set[int]]:
     """'larger in diameter': what is compared, and the words for it."""
-    if measure is Measure.MASS:
-        return Measure.VOLUME, used  # of one material: a file holds no density
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is not Measure.MAGNITUDE or named is None:
         return measure, used
@@ -101,29 +97,17 @@ def _said(question: Question, mention: Mention) -> str:
 def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
     span = next(iter(question.text.all("operation")), None)
-    if span is None or span.value == "share":
+    if span is None:
         return
-    asked = [one for one in asked_in(question) if one.start > span.start]
-    before = [one for one in asked_in(question) if one.start < span.start]
-    if not asked or (span.value == "ratio" and len(asked) == 1):
-        asked = before[-1 if asked else -2 :] + asked
-    owners = [m for m in question.mentions if not m.pronoun]
-    owners = [m for m in owners if m.start > span.start] or owners
-    if not asked and span.value == "ratio" and len(owners) > 1:  # 'the ratio of the bore to the lug'
-        left, right = (Get((Measure.MAGNITUDE,), one.query) for one in owners[:2])
-        yield Parse(Combine("ratio", left, right), {"combined": 1.0}, {*span.tokens, *owners[0].used, *owners[1].used})
-    if not asked:
-        return
-    used = set(span.tokens) | {i for one in asked[:2] for i in one.used} | {i for m in owners[:2] for i in m.used}
+    asked = [one for one in asked_in(question) if one.start > span.start][:2]
     measures = [measure for one in asked for measure in one.measures]
-    targets: list[Target] = [m.query for m in owners[:2]] or [None]
-    if len(measures) > 1 or (measures and len(owners) > 1):
+    owners = [m for m in question.mentions if not m.pronoun][:2]
+    targets: list[Target] = [m.query for m in owners] or [None]
+    if measures and len(measures) + len(targets) > 2:
         left = Get((measures[0],), targets[0])
-        right = Get((measures[1] if len(measures) > 1 else measures[0],), targets[-1])
+        right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
+        used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
         yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
-    elif owners and owners[0].start > asked[0].end:  # 'the ratio of the outer diameter to the bore'
-        right = Get((Measure.MAGNITUDE,), owners[0].query)
-        yield Parse(Combine(span.value, Get((measures[0],), None), right), {"combined": 1.0}, used)
 
 
 def _clearances(question: Question) -> Iterator[Parse]:
@@ -135,50 +119,3 @@ def _clearances(question: Question) -> Iterator[Parse]:
     for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
         a, b = (Get((Measure.DIAMETER,), one) for one in (first, second))
         yield Parse(Combine("clearance", a, b), {"combined": 1.0}, {*used, *said})
-
-
-def _outnumbering(question: Question, first: Mention, second: Mention) -> Iterator[Parse]:
-    """'Are there more lugs than ribs?', 'Has it as many lugs as ribs?', 'Are there more lugs or ribs?'"""
-    text, left, right = question.text, Count(first.part), Count(second.part)
-    words = [(at, _NUMBERED[text.words[at]]) for at in range(first.end) if text.words[at] in _NUMBERED]
-    joining = text.at_words("than", "as", "or") & {*range(first.end, second.start)}
-    at, relation = words[0] if words else (0, Relation.EQUAL)
-    used = {question.asking[0], at, at - 1, *joining, *first.used, *second.used}
-    if words and joining - text.at_words("or") and question.closed:
-        yield Parse(Check(left, relation, right), {"check": 1.0}, used)
-    elif words and joining and relation is not Relation.EQUAL and not text.has("than"):
-        called = (_said(question, first), _said(question, second))
-        yield Parse(Which(left, relation, right, called), {"combined": 1.0}, used)
-
-
-def _numbers(question: Question) -> Iterator[Parse]:
-    """'How many more lugs than ribs are there?', 'What percentage of the lugs are drilled?', 'lugs minus ribs'."""
-    text = question.text
-    owners = [m for m in question.parts if m.part.plural][:2]
-    if not owners or (asked_in(question) and not text.at_phrases("count")):
-        return
-    targets = [m.part for m in owners]
-    used = {i for m in owners for i in m.used}
-    span = next(iter(text.all("operation")), None)
-    if span is not None and span.value == "share":
-        among = next((one for one in targets if bare_of(one, one.noun) and " " not in one.noun), None)
-        part = next((one for one in targets if one != among), None)
-        if part is not None:
-            last = part.noun.split()[-1]  # 'through hole'
-            noun = last if last in text.lexicon.nouns else part.noun
-            among = among or PartQuery(noun=noun, known=part.known, words=(noun,), plural=True)
-            whole = used | set(span.tokens)
-            yield Parse(Combine("share", Count(part), Count(among)), {"combined": 1.0}, whole)
-        return
-    if len(targets) < 2:
-        return
-    yield from _outnumbering(question, *owners)
-    joining = range(owners[0].end, owners[1].start)
-    more = text.at_words("more", "fewer", "outnumber", "extra", "than", "exceed", "compared")
-    less = {i for i in joining if text.is_word(i, "minus", "less") or text.find(i, "minus")}
-    said = more | less | (set(span.tokens) if span is not None else set())
-    spoken = {i for at in text.at_phrases("count") for i in (at, at + 1)}
-    if said and (spoken or more or less):
-        features = {"combined": 1.0, "count_next": float(bool(spoken))}
-        operation: Operation = span.value if span is not None else "apart" if more else "minus"
-        yield Parse(Combine(operation, Count(targets[0]), Count(targets[1])), features, used | said | spoken)

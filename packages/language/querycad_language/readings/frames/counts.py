@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Check, Combine, Count, Exists, Towards
@@ -32,25 +30,12 @@ def counts(question: Question) -> Iterator[Parse]:
         inner = different.end if different else at
         measure = text.find(inner, "measure")
         noun_here = text.find(inner, "noun")
-        own = next((m for m in question.parts if m.start <= inner < m.end), None)
-        behind = text.find(own.end, "measure") if own is not None else None
-        if own is not None and behind is not None:  # 'how many different hole diameters'
-            yield _values_of(own.part, behind.value, used | own.used | {inner - 1, *behind.tokens})
-        kinds = {i for i in (inner, inner + 1) if text.is_word(i, "kind", "type", "sort", "of")}
-        alike = next((m for m in question.parts if m.start <= inner + len(kinds) < m.end), None)
-        if alike is not None and (different or len(kinds) > 1):  # 'how many different screws', 'how many kinds of lug'
-            noun, several = text.lexicon.nouns.get(alike.part.noun), replace_fields(alike.part, plural=True)
-            body = noun is not None and any(one.kind == ("body",) for one in noun.senses[:2])
-            for by in (Measure.VOLUME, Measure.MAGNITUDE) if body else (Measure.MAGNITUDE,):
-                features = {"count_next": 1.0, "count_kinds": 1.0}
-                yield Parse(Count(several, by), features, used | alike.used | {*range(at, inner + 2)})
         named = question.mentions
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = question.parts
         yield from _treated(question, at, used)
-        whole = list(_topology(question, at, used))
-        yield from whole
+        yield from (whole := list(_topology(question, at, used)))
         if whole:
             continue  # 'how many faces' are all of them, whatever part they belong to
         after = [m for m in named if m.head >= at and not m.pronoun]
@@ -69,8 +54,6 @@ def _counts(question: Question, span: Span) -> bool:
     text = question.text
     if question.unit(span.end) is not None and not text.find(span.end, "noun"):  # feet are both
         return False
-    if text.find(span.start - 1, "most", "least", "scale"):
-        return False  # 'which side has the largest number of holes'
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
 
@@ -98,29 +81,17 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
 
 
 def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Parse]:
-    nouns = {Measure.MIRROR_PLANES: "object", Measure.DIAMETER: "cylindrical face"}
-    whole = PartQuery(noun=name, plural=True) if (name := nouns.get(measure.value)) else None
     for mention in question.mentions:
-        noun = question.text.lexicon.nouns.get(mention.query.noun) if mention.query is not None else None
-        named = [mention.query] if mention.query is not None else []
-        if whole is not None and (noun is None or noun.senses[0].kind == ("body",)):  # 'does the shaft have'
-            named.append(whole)
-        for query in named if mention.start >= measure.end else ():
-            yield _values_of(query, measure.value, used | mention.used)
-
-
-def _values_of(query: PartQuery, measure: Measure, used: set[int]) -> Parse:
-    return Parse(Count(replace_fields(query, plural=True), measure), {"count_next": 1.0, "count_values": 1.0}, used)
+        if mention.query is not None and mention.start >= measure.end:
+            values = Count(replace_fields(mention.query, plural=True), measure.value)
+            yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
 
 
 def _count_of(
     text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
 ) -> Iterator[Parse]:
     """How many of them; on each side, or of another part, or of each: 'how many ribs does the bracket have?'"""
-    if mention.pronoun:
-        return
     each = text.at_words("each", "every", "per")
-    each |= {i for i in text.at_words("one") if text.find(i - 1, "do")}  # 'how many holes does one lug have'
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     noun = text.lexicon.nouns.get(query.noun)
     of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
@@ -158,11 +129,6 @@ def exists(question: Question) -> Iterator[Parse]:
     start = _having(question)
     owned = [m for m in question.parts if start is not None and m.start >= start][:2]
     yield from _existing(text, owned, {start or 0})
-    for owner, mention in pairwise(owned):
-        held = replace(mention, query=placed_in(mention.part, "of", owner.part))
-        yield from (
-            parse.with_more({"owner_before": 1.0}, owner.used) for parse in _existing(text, [held], {start or 0})
-        )
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
     if question.closed and said:  # 'Is a lug present?', 'Can any slots be found?'
@@ -185,12 +151,8 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
 
 
 def _having(question: Question) -> int | None:
-    """Where a clause begins that asks what something has: 'does it have', '… whether the lever has', 'any'."""
+    """Where a clause begins that asks what something has: 'does it have', 'any'."""
     text, (start, end) = question.text, question.asking
-    inside = range(end if question.whether is None else question.whether, end)
-    for verb in inside:
-        if text.find(verb, "have") or text.is_word(verb, "there"):  # 'there' stands before what there is
-            return verb
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)
     has = any(text.find(i, "have") and not text.is_word(i, "with") for i in range(first, end))

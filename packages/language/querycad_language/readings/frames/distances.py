@@ -19,7 +19,6 @@ from .anchors import Spot, anchors_of, ends_between, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
-_FAR_APART = ("furthest", "farthest", "distant")
 _CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
@@ -140,10 +139,6 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         below = {i for i in text.at_words("below", "beneath", "under") if i > at + 1}
         if below:  # 'how deep below the rim'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
-    elif scale is not None and scale.value.measure is Measure.LENGTH:
-        ends = {i for i in text.at_words("from", "to") if i > at + 1}
-        if len(ends) > 1 and not text.has(*text.lexicon.wholes):  # 'how long is the arm from the hub to the pin'
-            yield _Words(at, scale.end, "usual", {*range(at, scale.end), *ends}, level=True)
 
 
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
@@ -174,11 +169,6 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
     for at in range(max(0, start - 2), min(end + 1, len(text))):
         if span := text.find(at, "most", "least"):
             return EXTREMES[span.category], {at}
-    for words, reduce in ((_FAR_APART, Reduce.LARGEST), (_CLOSE, Reduce.SMALLEST)):
-        said = {i for i in text.at_words(*words) if question.in_question(i)}
-        alone = len(said) == 1 and not any(text.find(i + 1, "edge", "side") for i in said)
-        if alone and any(map(question.in_question, text.at_words("pair", "two", "apart", "any"))):
-            return reduce, said  # 'the two closest holes', 'the pair of holes furthest apart'
     each = {i for i in text.at_phrases("different") if question.in_question(i)}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 
@@ -271,8 +261,6 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
         for other in [spots for spots in ends if spots is not behind][:3]:
             for spot, base in product(other, behind or ()):
                 used = spot.used | base.used | set(span.tokens)
-                if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, Boundary):  # 'above the floor'
-                    yield _Pair(base.anchor, spot.anchor, used, {"level": 1.0})
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
                     for side, features in sides:
                         yield _Pair(Plane(side, base.anchor), spot.anchor, used, features)
@@ -282,8 +270,6 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
             if under_it and text.at_phrases("gap"):  # 'the clearance under the handle'
                 underside = Plane(Side.BOTTOM, spot.anchor)
                 yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
-            for (place, under), (side, features) in product(places_of(spot.anchor, "above", "below"), sides):
-                yield _Pair(Plane(side, under), without(spot.anchor, place), spot.used, features)
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:
@@ -304,9 +290,8 @@ def overhangs(question: Question) -> Iterator[Parse]:
     if word is None or not nouns or not (reach or text.has("projection", "overhang", "protrusion", "much", "far")):
         return
     first, other = nouns[0], next((mention for mention in nouns[1:] if mention.head > word), None)
-    side = Side.BOTTOM if text.has("below") else Side.TOP
     if first.start > word and other is not None:  # 'how far below the rim do they end'
-        first, other, side = other, first, side.opposite
+        first, other = other, first
     plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
     used = {word, *first.used, *(reach.tokens if reach else ())}
     used |= text.at_words("how", "much", "far", "projection", "overhang")
@@ -314,19 +299,14 @@ def overhangs(question: Question) -> Iterator[Parse]:
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
         base, used = rimmed(other.part) or other.part, used | other.used
-        yield from _beyond(first.part, base, side, used)
+        yield Parse(Distance(Plane(None, first.part), Plane(None, base)), {"overhang": 1.0}, used)
         around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Parse(form, {"overhang": 1.0}, used | around)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
-        towards = place.side or (Side.BOTTOM if place.relation == "below" else Side.TOP)
-        yield from _beyond(without(first.part, place), holder, towards, used)
-
-
-def _beyond(part: PartQuery, other: PartQuery, side: Side, used: set[int]) -> Iterator[Parse]:
-    yield Parse(Distance(Plane(side, part), Plane(side, other)), {"overhang": 1.0, "overhang_side": 1.0}, used)
-    yield Parse(Distance(Plane(None, part), Plane(None, other)), {"overhang": 1.0}, used)
+        beyond = Distance(Plane(None, without(first.part, place)), Plane(None, holder))
+        yield Parse(beyond, {"overhang": 1.0}, used)
 
 
 def angles(question: Question) -> Iterator[Parse]:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import placed_in, replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -18,6 +18,7 @@ from .remaining_material import material
 _HOLES = ("hole", "bore")
 MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
+_WHOLE = (("body",), ("model",))
 
 
 def parts(question: Question) -> Iterator[Parse]:
@@ -26,7 +27,7 @@ def parts(question: Question) -> Iterator[Parse]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_side_of(question, offered, named), *_way_from(question, side)]
+    compared = [*_side_of_most(question, offered, named), *_way_from(question, side)]
     yield from compared
     side, offered = (None, ()) if compared else (side, offered)
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
@@ -34,8 +35,6 @@ def parts(question: Question) -> Iterator[Parse]:
         query = mention.part
         used = {*mention.used, *(range(side - 1, side + 2) if side is not None else ())}
         features = {"which_side": 1.0, "count_far": float(index)}
-        if side is not None:
-            yield Parse(Get((Measure.SIDES,), query), features, used)
         measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
         if (offered or side is not None) and not measured:  # 'which is thicker, the upper or the lower one'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
@@ -47,39 +46,23 @@ def parts(question: Question) -> Iterator[Parse]:
         led = any(text.is_word(i, "which", "name") or (text.find(i, "showing") and not value) for i in lead)
         if (listed or led) and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
-            shown = float(any(text.find(i, "showing") for i in lead))
-            yield Parse(Parts(query), {"which": 1.0, "shown": shown}, used)
+            yield Parse(Parts(query), {"which": 1.0}, used)
             yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, used)
         elif index == 0 and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead):
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
-            if query.ranks:
-                yield Parse(Parts(query), {"which": 1.0, "named_only": 1.0}, used)
 
 
-def _side_of(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
-    """'Which side has the most holes?', 'Name the side with the largest number of lugs.', 'Which sides have no lug?'"""
+def _side_of_most(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
+    """'Which side has the most holes?', 'Are there more lugs on the left or on the right?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
-    spans = ((i, text.find(i, "most", "scale")) for i in asking)
-    most = {i for i, span in spans if span and "most" in (span.category, getattr(span.value, "degree", ""))}
-    most |= {i for i in asking if text.is_word(i, "most")}
-    beyond = offered or text.has("any", "anywhere")
-    more = {i for i in asking if text.is_word(i, "more") and beyond}
-    numbers = {i for i in asking if text.find(i, "count") and most & {i - 1, i - 2}}
-    none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    most = {i for i in asking if text.is_word(i, "most") or (text.is_word(i, "more") and offered)}
     part = next((m for m in question.parts if not m.used & faces), None)
-    if not (faces or offered) or part is None:
-        return
-    if numbers or more or any(text.is_word(i, "most") for i in most):
+    if most and (faces or offered) and part is not None:
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
-        used = named | faces | most | more | {i for at in numbers for i in (at, at + 1)} | part.used
-        sides = offered or tuple(Side)
-        yield Parse(Towards(target, sides, "most"), {"which_side": 1.0}, used)
-    if none and not text.at_phrases("count"):  # 'Name the sides without lugs.', 'lug-free sides'
-        target = replace_fields(part.part, plural=True, places=(), count=None)
-        used = faces | none | part.used
-        yield Parse(Towards(target, tuple(Side), "none"), {"which_side": 1.0, "side_of_none": 1.0}, used)
+        towards = Towards(target, offered or tuple(Side), "most")
+        yield Parse(towards, {"which_side": 1.0}, named | faces | most | part.used)
 
 
 def _way_from(question: Question, side: int | None) -> Iterator[Parse]:
@@ -103,8 +86,6 @@ def _asks_for_side(text: Text, at: int) -> bool:
     if text.is_word(at, "which", "what"):
         return text.is_word(at + 1, "side") or face
     said = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
-    if at == 0 and text.is_word(0, "side"):
-        return text.is_word(1, "with", "where", "of")
     carries = text.find(at + 2, "have", "carry") or text.is_word(at + 2, "with", "where", "carrying", "having")
     return said and bool(carries or (text.is_word(at + 2, "on", "in", "at") and text.is_word(at + 3, "which")))
 
@@ -136,6 +117,19 @@ def mating(question: Question) -> Iterator[Parse]:
         used = {*range(asked, male.end), *verb.tokens}
         for query, more in fitted:
             yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
+
+
+def holders(question: Question) -> Iterator[Parse]:
+    """'Which body has the 24 mm bore in it?', 'Which piece carries the hole?'"""
+    text = question.text
+    asks = next((i for i in range(*question.asking) if text.is_word(i, "which", "what")), None)
+    for asked, other in pairwise(question.parts):
+        verb = asks is not None and asked.start == asks + 1 and text.find(asked.end, "have", "carry") is not None
+        noun = text.lexicon.nouns.get(asked.part.noun)
+        if verb and other.start == asked.end + 1 and noun is not None and noun.senses[0].kind in _WHOLE:
+            body = asked.part if noun.senses[0].kind == ("body",) else PartQuery(noun="body", words=("body",))
+            used = {asked.end, asked.start - 1, *asked.used, *other.used}
+            yield Parse(Get((Measure.NAME,), placed_in(body, "with", other.part)), {"asked_noun": 1.0}, used)
 
 
 def bare(question: Question) -> Iterator[Parse]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
-from querycad_language.forms import Boundary, Distance, Get, Reduce, Target
+from querycad_language.forms import Get, Reduce, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.parses import Parse
@@ -20,6 +20,11 @@ _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _CLOSING = ("roof", "floor", "top", "bottom", "end wall")
 _FLANKS = ("flank", "side", "wall", "side wall")
+_BOUNDS = {
+    **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE), _FLANKS),
+    Measure.WIDTH: ("opening", "mouth", "entry", "entrance"),
+}
+"""What bounds a cut has its measure."""
 _TUBES = ("ring", "pipe", "cavity")
 _GEAR = PartQuery(noun="gear", definite=True)
 
@@ -31,28 +36,22 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
-    yield from _of_its_section(get, parse)
     if get.target is not None:
-        yield from _across(question, get.target, get, parse)
+        yield from _across(get.target, get, parse)
     match get.measures:
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
             of = next((place for _, place in places_of(get.target, "of", "around")), None)
             if of is not None:  # 'the thickness of the wall of the standoff'
                 its = replace(get, measures=(Measure.WALL_THICKNESS,), target=of)
                 yield Parse(its, {**parse.features, "its_walls": 1.0}, parse.used)
-        case (Measure.Z,) if get.target is not None:  # 'the centre height of the bore'
-            yield Parse(Distance(get.target, Boundary(Side.BOTTOM), "centers"), parse.features, parse.used)
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
             behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=within(None))
             yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
-        case (Measure.PITCH_DIAMETER,) | (Measure.MODULE,) if get.target is None:
+        case (Measure.ROOT_DIAMETER,):
             yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
-        case (Measure.ROOT_DIAMETER,):  # of a groove its own
-            yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
-            yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -66,10 +65,6 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
-    if get.measures == (Measure.PITCH_DIAMETER,) and (get.target is None or get.target.noun != "gear"):
-        circle = PartQuery(noun="bolt circle", definite=True)
-        circle = circle if get.target is None else placed_in(circle, "", get.target)
-        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
@@ -120,40 +115,15 @@ def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
             yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
 
 
-def _across(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'How wide is the pulley?', 'the width of the dovetail at its bottom', 'the angle of the flanks of the groove'."""
-    bare, floor = replace_fields(target, sides=(), places=()), _at_bottom(question)
+def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'How wide is the pulley?', 'the width of the mouth of the slot', 'the angle of the flanks of the groove'."""
     match get.measures:
-        case (Measure.WIDTH,) if is_cut(target) and floor:
-            form = replace(get, measures=(Measure.SHORT_SIDE,), target=bare)
-            yield Parse(form, {**parse.features, "at_floor": 1.0}, parse.used | floor)
-        case (Measure.WIDTH,) if is_cut(target) and target.sides == (Side.TOP,):  # its mouth
-            yield Parse(replace(get, target=bare), {**parse.features, "its_end": 1.0}, parse.used)
         case (Measure.WIDTH,) if target.noun in lexicon().turning:
             form = replace(get, measures=(Measure.AXIAL_EXTENT,))
             yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
-        case (Measure.ANGLE,) | (Measure.INCLUDED_ANGLE,) if target.noun in _FLANKS:
-            for _, cut in places_of(target, "of", ""):
+        case (measure,) if target.noun in _BOUNDS.get(measure, ()):
+            for cut in (cut for _, cut in places_of(target, "of", "") if is_cut(cut)):
                 yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
-
-
-def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The smallest shaft diameter' is that of its thinnest section."""
-    target = get.target
-    if target is None or "link_compound" not in parse.features or get.measures != (Measure.DIAMETER,):
-        return
-    for rank in target.ranks[:1]:
-        if rank.measure is Measure.MAGNITUDE and rank.nth == 1:
-            section = PartQuery(noun="section", ranks=(Rank(measure=Measure.DIAMETER, most=rank.most),), definite=True)
-            held = placed_in(section, "of", replace_fields(target, ranks=()))
-            yield Parse(replace(get, target=held), {**parse.features, "its_section": 1.0}, parse.used)
-
-
-def _at_bottom(question: Question) -> set[int]:
-    """The words of 'at the bottom', 'at its floor', 'in the wide bottom part'."""
-    text = question.text
-    ends = text.at_words("bottom", "floor", "base")
-    return {i for at in ends for i in range(at - 2, at + 1) if text.find(i, "place", "article", "side") or i == at}
 
 
 def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -178,8 +148,6 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
         if behind is None and mouth:
             wide = Measure.OUTER_DIAMETER if get.measures[0] is Measure.DIAMETER else Measure.OUTER_RADIUS
             yield Parse(replace(get, measures=(wide,)), {**parse.features, "its_end": 1.0}, parse.used | mouth)
-        if behind is not None and sides == (Side.BOTTOM,):  # 'the diameter at the bottom of the groove': its own
-            yield Parse(get, parse.features, parse.used | said)
         return
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         rounded = placed_in(PartQuery(noun="rounded end", definite=True), "on", replace_fields(target, sides=()))

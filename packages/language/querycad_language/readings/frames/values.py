@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from querycad_contracts import Measure
 from querycad_language.forms import LONGEST, Get, Reduce, Target
-from querycad_language.measures import COORDINATES, EXTENTS, is_length
+from querycad_language.measures import EXTENTS, is_length
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
@@ -18,7 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .related_parts import is_cut, of_related, within
+from .related_parts import of_related, within
 from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -32,8 +32,6 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, R
 """What becomes of the values of several parts."""
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
-_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
-_FILLING = ("fill", "fills", "filled", "full", "occupy", "occupies", "occupied", "material", "solid")
 
 
 def values(question: Question) -> Iterator[Parse]:
@@ -43,13 +41,10 @@ def values(question: Question) -> Iterator[Parse]:
     within = [one for one in asked_for if question.in_question(one.start)] or asked_for
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
-            if asked.inside is False and is_cut(owner.target):
-                owner = owner._replace(target=None)  # 'the outer width of the channel'
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
             yield from of_related(question, asked, get, parse)
-            yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
@@ -91,10 +86,6 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
     if compound and target is not None and several and len(asked.measures) == 1:
         target = replace_fields(target, plural=True)  # 'both bore diameters'
-    added = asked.measures[0] in ADDITIVE - {Measure.LENGTH} or several
-    if compound and target is not None and "total" in target.adjectives and added:  # 'total hole volume'
-        left = tuple(name for name in target.adjectives if name != "total")
-        target, asked = replace_fields(target, adjectives=left, plural=True), replace(asked, reduce=Reduce.TOTAL)
     reduce, used = _reduce(question, asked, target)
     extreme = text.find(min(owner.used, default=0) - 1, "most", "least") if compound else None
     if extreme is not None and reduce in (Reduce.ONE, Reduce.EACH):  # 'the minimum bore diameter'
@@ -136,18 +127,6 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
 
 
-def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'the diameters of the largest and the smallest hole', 'min and max depth of the slots'."""
-    text = question.text
-    ends = question.extremes
-    first, last = (min(ends.values()), max(ends.values())) if len(ends) == 2 else (0, 0)
-    joined = any(text.is_word(i, "and", "to", "&", "/", ",") for i in range(first + 1, last))
-    named = get.target is not None and get.target.noun and not text.at_phrases("operation")
-    if get.target is not None and named and joined and len(get.measures) == 1 and is_length(get.measures[0]):
-        both = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
-        yield Parse(both, {**parse.features, "both_extremes": 1.0}, parse.used | set(ends.values()))
-
-
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How long is it in y direction?' is the extent along y."""
     text = question.text
@@ -159,8 +138,6 @@ def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     if axis is not None and axis < LONGEST and len(get.measures) == 1:
         if get.measures[0] in _ALONG:
             found.append(((EXTENTS[axis],), used))
-        elif get.measures[0] is Measure.POSITION:
-            found.append(((COORDINATES[axis],), used))
     found += _taken_across(question, get)
     against = {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
@@ -223,24 +200,11 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
 
 
 def wholes(question: Question) -> Iterator[Parse]:
-    """'How much of its bounding box is material, in percent?', 'Which direction is the model largest in, x, y or z?'"""
+    """'How much material is cut from its block?', 'What volume is milled away from the bounding box?'"""
     text = question.text
     boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
     boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
-    named = {i for m in question.mentions if m.query is None for i in m.used}
-    if boxes:
-        shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
-        filling, cutting = text.at_words(*_FILLING), text.at_phrases("cutting")
-        around = boxes | named | text.at_phrases("stuff") | text.at_words("much", "volume")
-        around |= {i + 1 for i in boxes if text.is_word(i, "bounding")}
-        if shares or (filling and not text.at_phrases("remaining")):
-            yield Parse(Get((Measure.FILL,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | shares | filling)
-        if cutting:
-            yield Parse(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around | cutting)
-    scales = (span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG)
-    longest = {span.start for span in scales}
-    axes = text.at_phrases("axis") | text.at_words("axis", "direction")
-    asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
-    if longest and axes and asks and not question.parts:
-        used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
-        yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
+    if boxes and (cutting := text.at_phrases("cutting")):
+        named = {i for m in question.mentions if m.query is None for i in m.used}
+        around = boxes | cutting | named | text.at_phrases("stuff") | text.at_words("much", "volume")
+        yield Parse(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around)

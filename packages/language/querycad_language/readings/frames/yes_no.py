@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Relation, Side, SizeFilter
+from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
 from querycad_language import forms
 from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
 from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
@@ -77,8 +77,6 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Parse]:
             touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
             form = touching if category == "contact" else Check(shared, Relation.MORE, 0.0)
             yield Parse(form, {"check": 1.0}, {start, *used})
-        elif said and category == "overlap":
-            yield Parse(shared, {"asked_noun": 1.0}, set(used | question.text.at_phrases("measure")))
 
 
 def _either(question: Question) -> Iterator[Parse]:
@@ -97,18 +95,6 @@ def _either(question: Question) -> Iterator[Parse]:
             said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
             used = {at, *mention.used, *range(first.start, second.end)}
             yield Parse(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
-
-
-def within(question: Question) -> Iterator[Parse]:
-    """'Does the lever go into a box of 90 x 60 x 30 mm?', 'Can it be packed in a crate of 20 x 10 x 5 cm?'"""
-    text = question.text
-    verbs, sizes = text.covered("fits", "boxes"), [at for at, token in enumerate(text.tokens) if token.power == 1]
-    joined = all(b - a == 2 and text.is_word(a + 1, "x", "by") for a, b in pairwise(sizes))
-    if verbs and len(sizes) == len(Side) / 2 and joined:
-        low, middle, high = (text.tokens[i].value for i in sizes)
-        box = forms.Within(None, (low, middle, high))
-        subject = {i for mention in question.mentions[:1] for i in mention.used}
-        yield Parse(box, {"check": 1.0, "whole_box": 1.0}, {*verbs, *subject, *range(sizes[0], sizes[-1] + 1)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Parse]:
@@ -186,8 +172,6 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
         yield Parse(Every(bare, _all_such(target)))
-    if target.threads:
-        yield Parse(Every(replace_fields(target, threads=()), _all_such(target)))
     if target.sides:  # 'Do the keyways on the left emerge at the top?'
         such = _all_such(replace_fields(target, sides=target.sides[-1:]))
         yield Parse(Every(replace_fields(target, sides=target.sides[:-1]), such), {"check_side": 1.0})
@@ -216,19 +200,14 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
     named = mention.query
     target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
-        span = text.find(at, "color") or text.find(at, "adjective")
-        if at in mention.used or span is None or (span.category == "adjective" and not span.value.tags):
+        span = text.find(at, "adjective")
+        if at in mention.used or span is None or not span.value.tags:
             continue
         if any(at in one.used for one in others):
             return  # said of another part
-        if span.category == "color":
-            said = replace_fields(target, colors=(*target.colors, span.value))
-        elif named is None and not span.value.decided:  # the whole has no other tags
+        if named is None and not span.value.decided:  # the whole has no other tags
             return
-        elif text.is_word(at - 1, "not", "non"):
-            said = replace_fields(target, lacking=(*target.lacking, span.value.name))
-        else:
-            said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
+        said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
         form = Every(target, _all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
         yield Parse(form, {"predicate": 1.0}, set(span.tokens))
         return

@@ -21,7 +21,10 @@ from querycad_segworker.vectors import box_center, box_extents
 from .bearings import Bearing
 from .symmetry import symmetry, symmetry_tags
 
-_OF_TURNED = ("axis", "radius", "diameter", "radii", "tip", "tips", "outer_diameter", "inner_diameter", "tube_diameter")
+_OF_TURNED = (
+    *("axis", "radius", "diameter", "radii", "tip", "tips", "outer_diameter", "inner_diameter", "tube_diameter"),
+    "developed_length",
+)
 """What a model that is one round body has of it."""
 MOSTLY = 0.5
 """A body with more than this share of its surface in one pipe is that pipe, with flanges or ports."""
@@ -199,7 +202,7 @@ def with_pipe_measures(bodies: Sequence[Part], brep: Brep, pipes: Sequence[Pipe]
             if sum(brep.faces[f].area for f in pipe.faces) > MOSTLY * record.area:
                 update: dict[str, object] = {"radius": outer, "diameter": 2 * outer, "radii": (outer,)}
                 update["tags"] = (*part.tags, "bent", "tube" if inner is not None else "rod")
-                update |= {"outer_diameter": 2 * outer, **bent_measures(pipe)}
+                update |= {"outer_diameter": 2 * outer, "developed_length": pipe.length, **bent_measures(pipe)}
                 if inner is not None:
                     update |= {"radii": (outer, inner), "thickness": outer - inner, "inner_diameter": 2 * inner}
                 part = part.model_copy(update=update)

@@ -1,4 +1,4 @@
-"""Slits: saw cuts from a bore to the outside, as in clamps and shaft collars."""
+"""Slits and gaps: cuts from a bore to the outside, as in clamps, shaft collars and retaining rings."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ALONG = 1e-2
 
 
 def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterator[Depression]:
-    """Which pairs of walls that face each other run from a bore to the outside, closer together than they are long?
+    """Which pairs of walls that face each other run from a bore to the outside? Wider than long they are a gap.
 
     They end at the bore in edges along its axis, and nowhere in a floor: that would make a keyway.
     """
@@ -40,10 +40,9 @@ def recognise_slits(brep: Brep, walls: Sequence[Wall], used: set[int]) -> Iterat
                 out = bore.axis.out_to(a.point)
                 way = unit(sub(out, scale(a.axis, dot(out, a.axis))))
                 frame = frame_of(brep, group, upwards(bore.axis.direction), None, way)
-                if frame.size[0] > gap:
-                    found = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (), bore.body, is_open=True)
-                    yield replace(found, width=gap, tags=("through", "slit"))
-                    used |= group
+                found = depression_in(DepressionKind.SLOT, "rectangular", frame, group, (), bore.body, is_open=True)
+                yield replace(found, width=gap, tags=("through", "slit" if frame.size[0] > gap else "gap"))
+                used |= group
 
 
 def _flanks(brep: Brep, bore: Wall, used: set[int]) -> list[FaceRecord]:

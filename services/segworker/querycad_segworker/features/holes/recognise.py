@@ -34,7 +34,7 @@ from .ends import (
 )
 from .hole import RIM, Hole, SectionKind
 from .inline_bores import united_through_walls
-from .sections import THREAD_WIDTH, different_radii, sections_of, tags_of, without_ring_thread
+from .sections import THREAD_WIDTH, different_radii, over_grooves, sections_of, tags_of, without_ring_thread
 
 RECESS_RATIO = 0.25
 """Shallower than this share of its diameter, a blind round recess by itself is a pocket; drilled and bored holes are
@@ -119,9 +119,10 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
         top = (max if high else min)(top, mouth[1])
     if far is not None:
         end = (min if high else max)(end, far[1])
-    sections = sections_of(inwards, axis, high, open_both, point, tolerances)
+    stretches = over_grooves(inwards, axis, tolerances)
+    sections = sections_of(stretches, axis, high, open_both, point, tolerances)
     spotface = {f for s in sections if s.kind is SectionKind.SPOTFACE for f in s.faces}
-    cylinders = [w for w in inwards if w.kind is SurfaceKind.CYLINDER]
+    cylinders = [w for w in stretches if w.kind is SurfaceKind.CYLINDER]
     steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
     pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
     bare = without_ring_thread(steps, tolerances)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.coaxial_stacks import radius_at, wall_range
@@ -23,6 +24,10 @@ steps are seats, of bearings, seals or lenses."""
 SPOTFACE_RATIO = 0.25
 """A counterbore shallower than this share of its diameter only faces the surface: a screw head (ISO 4762) sinks in by
 more than half of its diameter, the lowest cylinder heads (DIN 7984) by a third."""
+
+GROOVE_RATIO = 1.3
+"""A groove in a bore is less than this many times as wide as the bore: 1.06 to 1.2 for snap rings (DIN 472), up to 1.3
+for seals in small bores (ISO 3601-2)."""
 
 THREAD_TURNS = 3
 """So many times must a bore alternate between two radii to be a modelled thread; fewer are grooves for snap rings."""
@@ -70,6 +75,38 @@ def sections_of(
         normal = axis.direction if start_high else scale(axis.direction, -1.0)
         found.append(Section(kind, axis.at(start), axis.at(end), radius, end_radius, normal, wall.faces))
     return tuple(found)
+
+
+def over_grooves(inwards: Sequence[Wall], axis: Axis, tolerances: Tolerances) -> list[Wall]:
+    """The same walls; those on both sides of a groove turned into them are one, and the groove is none of them.
+
+    Not so where the grooves are turns of a thread.
+    """
+    near, result, turns = 3 * tolerances.length, list[Wall](), 0
+    for wall in inwards:
+        before = next((i for i in reversed(range(len(result))) if _alike(result[i], wall, near)), None)
+        between = [] if before is None else result[before + 1 :]
+        if before is not None and between and _is_groove(between, wall, axis):
+            first = result[before]
+            ends = (*wall_range(axis, first), *wall_range(axis, wall))
+            faces = tuple(sorted({*first.faces, *wall.faces}))
+            result[before:] = [replace(first, axis=axis, low=min(ends), high=max(ends), faces=faces)]
+            turns += 1
+        else:
+            result.append(wall)
+    return result if turns <= THREAD_TURNS - 1 else list(inwards)
+
+
+def _alike(one: Wall, other: Wall, near: float) -> bool:
+    return one.kind is SurfaceKind.CYLINDER is other.kind and abs(one.radius - other.radius) <= near
+
+
+def _is_groove(between: Sequence[Wall], beside: Wall, axis: Axis) -> bool:
+    """Is it wider than the walls beside it, by little, and no longer than it is wide: for a ring or a seal?"""
+    ends = [end for wall in between for end in wall_range(axis, wall)]
+    wide = max(wall.radius for wall in between)
+    wider = all(wall.radius > beside.radius for wall in between) and wide < GROOVE_RATIO * beside.radius
+    return wider and max(ends) - min(ends) < beside.radius
 
 
 def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:

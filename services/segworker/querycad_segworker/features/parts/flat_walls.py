@@ -64,6 +64,8 @@ class FlatWall:
     body: int
     tags: tuple[str, ...] = ()
     is_floor: bool = False
+    height: float | None = None
+    """Of a leg that stands upright, to the outside of what it stands on."""
     is_thin: bool = True
     """Thinner than a third of its width. What is thicker is a wall only beside a pocket, or on one that is thin."""
 
@@ -358,17 +360,32 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
         made_of = sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
         if made_of and len(members) == 1 and not members[0].is_floor:
             continue
-        closed = any(wall.is_floor for wall in members)
+        floored = any(wall.is_floor for wall in members)
+        sides = [wall.normal for wall in members if not wall.is_floor]
+        closed = floored and any(abs(dot(a, b)) < APART for a in sides for b in sides)  # a channel has legs, a box none
         legs = turned and made_of and not closed
-        result += [_leg(brep, wall) if legs else wall for wall in members]
+        result += [_leg(brep, wall, members) if legs and not wall.is_floor else wall for wall in members]
     return result
 
 
-def _leg(brep: Brep, wall: FlatWall) -> FlatWall:
-    """The same wall as a leg, as long and wide as its outer side: legs are measured from the outside of the corner."""
-    outer = [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0]
-    length, width, _ = _frame(brep, outer).size
-    return replace(wall, tags=(*wall.tags, "leg"), length=length, width=width)
+def _leg(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> FlatWall:
+    """The same wall as a leg, as long and wide as its outer side, to the outside of what it meets at a corner or bend.
+
+    Drawings give legs and flanges by these dimensions (DIN 6935).
+    """
+    frame = _frame(brep, [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0])
+    meets = [brep.faces[i] for other in _joined(brep, wall, others) for i in others[other].faces]
+    middle, sizes = frame.point(0.5, 0.5, 0.5), list[float]()
+    for way, low, size in zip((frame.u, frame.v), frame.low, frame.size, strict=False):
+        reach = [low, low + size]
+        for face in meets:
+            if abs(dot(face.axis, way)) > math.sqrt(1 - APART**2):  # the corner is where both planes meet
+                corner = dot(sub(face.point, middle), face.axis) / dot(face.axis, way)
+                reach.append(dot(middle, way) + corner)
+        sizes.append(max(reach) - min(reach))
+    heights = [size for size, way in zip(sizes, (frame.u, frame.v), strict=True) if abs(way[2]) > 1 - UPRIGHT**2]
+    width, length = sorted(sizes)
+    return replace(wall, tags=(*wall.tags, "leg"), length=length, width=width, height=heights[0] if heights else None)
 
 
 def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
@@ -392,7 +409,7 @@ def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:
         thickness=wall.thickness,
         length=wall.length,
         width=wall.width,
-        height=wall.width if is_gusset else None if "inclined" in wall.tags else extents[2],
+        height=wall.width if is_gusset else None if "inclined" in wall.tags else wall.height or extents[2],
         local_size=(wall.length, wall.width, wall.thickness),
         area=faces_area(brep, wall.faces),
         evidence=geometry(f"plane faces that look away from each other, {millimetres(wall.thickness)} apart"),

@@ -62,12 +62,13 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
     """A prism as a part; its width is the smaller of its two cross dimensions: across flats, of a hexagon.
 
     A plate that stands upright is as high as it reaches; the head of a screw is not, whichever way the screw lies. A
-    bar is as thick as its smallest dimension.
+    bar is as thick as its smallest dimension, a hexagon as it is along its axis where that is less than across flats.
     """
     flat = not prism.sides or prism.height < PLATE_RATIO * prism.width  # a base may be thicker
     upright = flat and abs(prism.normal[2]) < UPRIGHT and prism.outline not in HEADS
     thin, second, longest = sorted((prism.length, prism.width, prism.height))
     slender = longest > BAR_RATIO * second
+    is_head = prism.outline in HEADS and prism.height < prism.width
     return Part(
         id=f"prism-{number}",
         kind="prism",
@@ -82,7 +83,7 @@ def prism_part(brep: Brep, prism: Prism, number: int) -> Part:
         height=prism.extents[2] if upright else prism.height,
         width=prism.width,
         length=prism.length,
-        thickness=prism.height if flat else thin if slender else None,
+        thickness=prism.height if flat or is_head else thin if slender else None,
         tip=prism.tip,
         local_size=(prism.length, prism.width, prism.height),
         area=faces_area(brep, prism.faces),

@@ -70,21 +70,22 @@ def with_relations(parts: Sequence[Part], shape: Shape, brep: Brep) -> list[Part
 def _with_ways_of_pins(parts: Sequence[Part]) -> list[Part]:
     """The same parts; a round body that fills a hole of another one goes in as the hole is reached, if blind one way.
 
-    One in through holes only goes in from either side.
+    One in through holes only goes in from either side. Such a hole is tagged 'filled'.
     """
     holes: dict[Vector, list[Part]] = defaultdict(list)
     for hole in parts:
         if hole.kind == "hole" and hole.axis is not None and hole.approach:
             holes[line_key(hole.axis)].append(hole)
-    result = []
+    result, taken = list[Part](), set[str]()
     for part in parts:
-        if part.kind == "body" and part.axis is not None and part.radius and part.tips and not part.approach:
+        if part.kind == "body" and part.axis is not None and part.radius and part.tips:
             own = set(part.faces)
             filled = [h for h in holes[line_key(part.axis)] if _fills(part, h) and own.isdisjoint(h.faces)]
-            ways = min((hole.approach for hole in filled), key=len, default=())
+            taken |= {hole.id for hole in filled}
+            ways = part.approach or min((hole.approach for hole in filled), key=len, default=())
             part = part.model_copy(update={"approach": ways}) if ways else part
         result.append(part)
-    return result
+    return [one.model_copy(update={"tags": (*one.tags, "filled")}) if one.id in taken else one for one in result]
 
 
 def _fills(pin: Part, hole: Part) -> bool:
@@ -142,13 +143,22 @@ def _patterned(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
 
 
 def _ringed(parts: Sequence[Part]) -> dict[str, tuple[str, ...]]:
-    """Holes with a ring around them: a low hollow boss on a face, rather than a step of the body's own outline."""
+    """Holes with a ring around them: a low hollow boss on a face, no step of the body's own outline; or a groove."""
     rings = [
         part
         for part in parts
         if part.kind == "boss" and {"raised", "flat", "hollow"} <= set(part.tags) and "free" not in part.tags
     ]
-    return {child: ("ringed",) for ring in rings for child in ring.children if child.startswith("hole-")}
+    found: dict[str, tuple[str, ...]] = {}
+    found |= {child: ("ringed",) for ring in rings for child in ring.children if child.startswith("hole-")}
+    grooves = [part for part in parts if part.kind == "groove" and "annular" in part.tags and "turned" not in part.tags]
+    for hole in parts:
+        if hole.kind == "hole" and hole.axis is not None:
+            axis, near = hole.axis, (1 - FILLS) * (hole.radius or 0.0)
+            around = [one for one in grooves if one.axis is not None and line_key(one.axis) == line_key(axis)]
+            if any(line_distance(groove.center, hole.center, axis) < near for groove in around):
+                found[hole.id] = ("ringed",)
+    return found
 
 
 def _is_of_head(

@@ -67,18 +67,23 @@ def _by_body(parts: Sequence[Part], brep: Brep) -> dict[int, list[Part]]:
         turned = part.kind == "groove" and "turned" in part.tags
         if (part.kind in (PartKind.BOSS, PartKind.PRISM) or turned or part.tube_diameter) and part.axis is not None:
             own[brep.faces[part.faces[0]].body].append(part)
+    for ball in parts:
+        if ball.kind == "sphere" and "outer" in ball.tags:
+            body = own[brep.faces[ball.faces[0]].body]
+            if not any(set(ball.faces) & set(part.faces) for part in body):  # no cap of a step
+                body.append(ball)
     return own
 
 
 def _span(part: Part, axis: Vector) -> tuple[float, float]:
     """From where to where does it reach along the axis?"""
-    middle, half = dot(part.center, axis), (part.height or part.width or 0.0) / 2
+    middle, half = dot(part.center, axis), (part.height or part.width or part.diameter or 0.0) / 2
     return middle - half, middle + half
 
 
 def _chains(members: Sequence[Part]) -> Iterator[list[Part]]:
     """Steps on one axis, in order along it, each with its own place."""
-    left = [part for part in members if part.kind in (PartKind.BOSS, PartKind.PRISM, PartKind.GROOVE)]
+    left = [part for part in members if part.kind in (PartKind.BOSS, PartKind.PRISM, PartKind.GROOVE, PartKind.SPHERE)]
     while left:
         lead = max(left, key=lambda part: (part.kind == "boss", part.height or 0.0))
         if lead.kind != "boss" or not lead.radius or lead.axis is None:
@@ -87,8 +92,7 @@ def _chains(members: Sequence[Part]) -> Iterator[list[Part]]:
         chain = [
             part
             for part in left
-            if part.axis is not None
-            and norm(cross(part.axis, axis)) < NEAR
+            if (part.kind == "sphere" or (part.axis is not None and norm(cross(part.axis, axis)) < NEAR))
             and line_distance(part.center, lead.center, axis) < near
         ]
         left = [part for part in left if part not in chain]
@@ -106,10 +110,10 @@ def _roles(chain: Sequence[Part]) -> Iterator[tuple[str, str]]:
     for i in range(1, len(steps) - 1):
         around = (steps[i - 1], steps[i + 1])
         yield steps[i].id, "middle_step"
-        if all((steps[i].width or 0.0) < NARROWER * (beside.width or 0.0) for beside in around):
+        if all(_width(steps[i]) < NARROWER * _width(beside) for beside in around):
             yield steps[i].id, "neck"
     for end, beside in ((steps[0], steps[1]), (steps[-1], steps[-2])):
-        narrower = (end.width or 0.0) < NARROWER * (beside.width or 0.0)
+        narrower = _width(end) < NARROWER * _width(beside)
         if narrower and "cylindrical" in end.tags and (end.height or 0.0) <= SHORT * (end.diameter or 0.0):
             yield end.id, "spigot"
     if not _is_shank(shank):
@@ -129,6 +133,10 @@ def _roles(chain: Sequence[Part]) -> Iterator[tuple[str, str]]:
         yield last.id, "tip"
 
 
+def _width(part: Part) -> float:
+    return part.width or part.diameter or 0.0
+
+
 def _is_shank(part: Part) -> bool:
     hollow = part.inner_diameter is not None and part.inner_diameter > TUBE_RATIO * (part.diameter or 0.0)
     return {"cylindrical", "slender"} <= set(part.tags) and not hollow
@@ -137,7 +145,7 @@ def _is_shank(part: Part) -> bool:
 def _is_head(head: Part, shank: Part, axis: Vector) -> bool:
     """Is it wider than the shank, lower than that is long, with no more than a neck between the two?"""
     low, high = HEAD_RATIO
-    width, diameter = head.width or 0.0, shank.diameter or 0.0
+    width, diameter = _width(head), shank.diameter or 0.0
     if not low * diameter <= width <= high * diameter or (head.height or 0.0) >= (shank.height or 0.0):
         return False
     (a, b), (c, d) = _span(head, axis), _span(shank, axis)

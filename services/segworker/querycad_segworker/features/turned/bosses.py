@@ -32,6 +32,9 @@ TUBE_RATIO = 0.5
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
+BALL = 0.1
+"""A sphere whose middle lies beyond the end of a step by more than this share of its radius is no cap on it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Boss:
@@ -302,7 +305,10 @@ def _domed(brep: Brep, stack: Stack, low: float, high: float, faces: set[int]) -
             face = brep.faces[face_id]
             on_axis = stack.axis.radius_of(face.origin) < 0.02 * max(face.radius, 1e-12)
             if face.kind is SurfaceKind.SPHERE and face.outward > 0 and on_axis:
-                top = stack.axis.position(face.origin) + (face.radius if at_high else -face.radius)
+                center = stack.axis.position(face.origin)
+                if (center - high if at_high else low - center) > BALL * face.radius:
+                    continue  # a ball of its own, as of a ball stud
+                top = center + (face.radius if at_high else -face.radius)
                 low, high = (low, max(high, top)) if at_high else (min(low, top), high)
                 faces.add(face_id)
     return low, high
