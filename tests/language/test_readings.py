@@ -285,11 +285,6 @@ def test_the_difference_of_two_measures_is_one_value() -> None:
         assert {form.left.measures for form in combined if isinstance(form.left, Get)} == {(Measure.DIAMETER,)}
 
 
-def test_what_lies_lower_is_a_distance_of_levels() -> None:
-    found = forms("How much lower than the rim of the box do the posts end?")
-    assert any(isinstance(form, Distance) and isinstance(form.first, Plane) for form in found)
-
-
 def test_spacings_along_two_axes_are_two_values() -> None:
     for question in ("What spacing lengthwise and crosswise do the slots have?", "Slots: long and short spacing?"):
         several = next(form for form in forms(question) if isinstance(form, Several))

@@ -104,13 +104,6 @@ def test_measures_of_the_whole(question: str, measure: Measure) -> None:
 
 
 @pytest.mark.parametrize(
-    "question", ["From which side are the pins pushed in?", "Which side is the pin inserted from?"]
-)
-def test_a_side_that_a_way_in_begins_at(question: str) -> None:
-    assert any(isinstance(form, Towards) and form.seen == "way" for form in forms(question))
-
-
-@pytest.mark.parametrize(
     "question", ["The lug - which side?", "Name the side carrying the lug.", "Tell me the side on which the lug is."]
 )
 def test_which_side_is_asked_in_many_forms(question: str) -> None:

@@ -196,11 +196,11 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of these sides do parts lie or open? Seen from most, numbers on each, or the way in of a tool."""
+    """Towards which of these sides do parts lie or open? Seen from most, or numbers on each."""
 
     target: PartQuery
     sides: tuple[Side, ...]
-    seen: Literal["", "most", "each", "way"] = ""
+    seen: Literal["", "most", "each"] = ""
 
 
 Form: TypeAlias = (

@@ -23,7 +23,7 @@ _MODES = {
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 
 _TOWARDS = {
-    "way": "side from which {0} {1} reached", "most": "side that most of {0} are seen from",
+    "most": "side that most of {0} are seen from",
     "each": "number of {0} seen from each side", "": "side of {0}: {2}",
 }  # fmt: skip
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import AnswerType, Part, PartQuery, Side
+from querycad_contracts import AnswerType, Part, PartQuery
 from querycad_language.forms import Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
@@ -67,25 +67,19 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None) 
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
-    Or the side that 'most' of them are seen from, those from which a tool or screw comes in.
+    Or the side that 'most' of them are seen from, or how many are from 'each'.
     """
     parts, sides = build.of(form.target), [side.value for side in form.sides]
-    if not parts or (form.seen == "way" and any(not part.approach for part in parts)):
+    if not parts:
         raise Unwritable
     name = build.parts(form.target)
-    match form.seen:
-        case "each" | "most":  # all of as many
-            build.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
-            if form.seen == "each":
-                return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
-            most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
-            return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
-        case "way":
-            outward = ", ".join(f'("{side.value}", {side.outward})' for side in Side)
-            build.lines.append(f"ways = [p.approach[0] for p in {name}]")
-            build.lines.append(f"sides = [{outward}]")
-            along = "sum(a * b for a, b in zip(way, side[1]))"
-            return f"sorted(set(min(sides, key=lambda side: {along})[0] for way in ways))", AnswerType.TEXTS
+    if form.seen:
+        build.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
+    if form.seen == "each":
+        return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
+    if form.seen == "most":  # all of as many
+        most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
+        return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
     point = "opening" if all(part.opening is not None for part in parts) else "center"
     for side in form.sides:
         i, sign = side_axis(side)

@@ -27,8 +27,7 @@ def parts(question: Question) -> Iterator[Parse]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    compared = [*_side_of_most(question, offered, named), *_way_from(question, side)]
-    yield from compared
+    yield from (compared := list(_side_of_most(question, offered, named)))
     side, offered = (None, ()) if compared else (side, offered)
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
     for index, mention in enumerate([m for m in question.parts if m.start >= begin][:3]):
@@ -63,16 +62,6 @@ def _side_of_most(question: Question, offered: tuple[Side, ...], named: set[int]
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         towards = Towards(target, offered or tuple(Side), "most")
         yield Parse(towards, {"which_side": 1.0}, named | faces | most | part.used)
-
-
-def _way_from(question: Question, side: int | None) -> Iterator[Parse]:
-    """'From which side are the lugs pushed in?', 'Which side is it drilled from?'"""
-    text = question.text
-    verbs = {i for span in text.all("verbs") if span.value is Measure.APPROACH for i in span.tokens}
-    if side is not None and verbs and text.has("from") and question.parts:
-        part = question.parts[0]
-        used = {side, side + 1, *text.at_words("from"), *verbs, *part.used}
-        yield Parse(Towards(part.part, tuple(Side), "way"), {"which_side": 1.0}, used)
 
 
 def _named_by(query: PartQuery) -> Measure:

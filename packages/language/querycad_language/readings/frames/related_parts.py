@@ -36,6 +36,7 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
+    yield from _of_its_section(get, parse)
     if get.target is not None:
         yield from _across(get.target, get, parse)
     match get.measures:
@@ -50,8 +51,9 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
-        case (Measure.ROOT_DIAMETER,):
+        case (Measure.ROOT_DIAMETER,):  # of a groove its own
             yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
+            yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -124,6 +126,18 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for cut in (cut for _, cut in places_of(target, "of", "") if is_cut(cut)):
                 yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
+
+
+def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The smallest shaft diameter' is that of its thinnest section."""
+    target = get.target
+    if target is None or "link_compound" not in parse.features or get.measures != (Measure.DIAMETER,):
+        return
+    for rank in target.ranks[:1]:
+        if rank.measure is Measure.MAGNITUDE and rank.nth == 1:
+            section = PartQuery(noun="section", ranks=(Rank(measure=Measure.DIAMETER, most=rank.most),), definite=True)
+            held = placed_in(section, "of", replace_fields(target, ranks=()))
+            yield Parse(replace(get, target=held), {**parse.features, "its_section": 1.0}, parse.used)
 
 
 def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
