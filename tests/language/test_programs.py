@@ -304,13 +304,3 @@ def test_the_bottom_of_a_bore_is_its_floor_wherever_it_opens(bottom: str, reache
     code = write(left, {HOLES: ((bore,), 0), LEVERS: ((body(2, "lever"),), 0)}, whole()).code
     sign = "+" if reaches == "max" else "-"
     assert f"p.center[2] {sign} p.half_extents[2] - (max(" in code
-
-
-@pytest.mark.parametrize("order", [1, -1])
-def test_a_clearance_is_the_bore_of_what_is_around_less_the_diameter_of_what_is_in_it(order: int) -> None:
-    shaft = body(1, "shaft", diameter=0.02)
-    bushing = body(2, "bushing", diameter=0.026, inner_diameter=0.0201)
-    ends = (Get((Measure.DIAMETER,), PINS), Get((Measure.DIAMETER,), LEVERS))[::order]
-    code = write(Combine("clearance", *ends), {PINS: ((shaft,), 0), LEVERS: ((bushing,), 0)}, whole()).code
-    pins, bushings = ("parts", "others")[::order]
-    assert f"min(p.inner_diameter for p in {bushings}) - max(p.diameter for p in {pins})" in code

@@ -114,8 +114,8 @@ class Angle:
     second: PartQuery | None
 
 
-Operation: TypeAlias = Literal["minus", "ratio", "plus", "apart", "per", "clearance"]
-"""'share': in percent; 'per': of each of the others as many; 'clearance': of what is around, less what is in it."""
+Operation: TypeAlias = Literal["minus", "ratio", "plus", "apart", "per"]
+"""'per': of each of the others as many."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -102,6 +102,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.THICKNESS: {
         "WHOLE+OVERALL": "extents[along]; min(extents)",  # with what stands on it
         "WHOLE": "thickness; ~min(extents); ?extents[2]",
+        "torus": "tube_diameter",
         "boss+FLAT": "height; thickness; ?diameter",
         "boss+STEPPED pipe+STEPPED": "max(radii) - min(radii); height; ~2 * max(radii)",  # of an eye its height
         "boss": "diameter; thickness; ~height",

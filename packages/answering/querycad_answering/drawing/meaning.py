@@ -52,8 +52,6 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return " and ".join(map(describe, several))
         case forms.Angle(first, second):
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
-        case forms.Combine("clearance", left, right):
-            return f"clearance on diameter between {noun_phrase(left.target)} and {noun_phrase(right.target)}"
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
         case forms.Check(Distance(first, second, "beyond"), Relation.MORE, 0.0):

@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
-from querycad_language.measures import CUT, SCALARS, answer_type, is_length, of_several
+from querycad_language.measures import SCALARS, answer_type, is_length, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping
@@ -257,30 +257,11 @@ def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
         if not others or len(parts) % len(others):
             raise Unwritable  # some have more
         return f"len({build.parts(left.target)}) // len({build.parts(form.right.target)})", kind
-    if form.operation == "clearance":
-        return _clearance(build, left, form.right), kind
     if form.operation == "minus" and isinstance(left, Get) and left.target is not None and left.target.plural:
         value = build.read(left.measures[0], build.of(left.target)).format("p")
         return f"[{value} - {_scalar(build, form.right)} for p in {build.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(build, left), _scalar(build, form.right))
     return result, AnswerType.NUMBER if form.operation == "ratio" else kind
-
-
-def _clearance(build: Builder, *ends: Get | Count) -> str:
-    """The bore of the part that goes around the other, less the diameter of that one. Raises Unwritable."""
-    found = [(build.parts(end.target), build.of(end.target)) for end in ends if end.target is not None]
-    if len(found) < 2 or not all(parts for _, parts in found):
-        raise Unwritable
-    (inner, pins), (outer, bores) = sorted(found, key=lambda one: _around(one[1]))
-    bore = build.read(Measure.INNER_DIAMETER, bores, scalar=True).format("p")
-    pin = build.read(Measure.DIAMETER, pins, scalar=True).format("p")
-    return f"min({bore} for p in {outer}) - max({pin} for p in {inner})"
-
-
-def _around(parts: Sequence[Part]) -> tuple[bool, bool, float]:
-    """A hole goes around a part, what is hollow around what is not, and the wider one around the other."""
-    hollow = any(part.inner_diameter for part in parts)
-    return any(part.kind in CUT for part in parts), hollow, max(part.diameter or 0.0 for part in parts)
 
 
 def _which(build: Builder, form: forms.Which) -> str:

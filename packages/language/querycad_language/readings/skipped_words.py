@@ -59,6 +59,8 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
         features[word.feature] = features.get(word.feature, 0.0) + 1.0
+        if word.feature == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
+            features["skip_compound"] = 1.0  # 'head' of 'head diameter'
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
     edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in parse.used)

@@ -16,7 +16,7 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import box_center, box_extents, dist
 
-from .assemblies.bearings import recognise_bearings
+from .assemblies.bearings import Bearing, recognise_bearings
 from .assemblies.bodies import (
     bearing_part,
     body,
@@ -224,7 +224,7 @@ def _parts(
     bodies = with_gear_measures(with_pipe_measures(bodies, brep, pipes), brep, gears, holes)
     shown = _numbered(brep, bearings, bearing_part, bodies)
     parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
-    parts += _patterns(brep, parts)
+    parts += _patterns(brep, parts, bearings)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
     return with_relations(parts, shape, brep)
@@ -286,11 +286,17 @@ def _by_body(records: Sequence[R]) -> dict[int, list[R]]:
     return own
 
 
-def _patterns(brep: Brep, parts: Sequence[Part]) -> list[Part]:
-    """Patterns of what is cut in and of what stands out, around whatever is round."""
+def _patterns(brep: Brep, parts: Sequence[Part], bearings: Sequence[Bearing]) -> list[Part]:
+    """Patterns of what is cut in and of what stands out, around whatever is round; and of what rolls in a bearing."""
     members = [part for part in parts if part.kind in PATTERNED or (part.kind == "boss" and "raised" in part.tags)]
     centers = [part for part in parts if part.kind in (PartKind.HOLE, PartKind.BOSS, PartKind.BODY)]
     bodies = [brep.faces[part.faces[0]].body for part in members]
+    by_faces = {part.faces: part for part in parts if part.kind == "body"}
+    for bearing in bearings:
+        rolling = [body for i in bearing.rolling if (body := by_faces.get(brep.bodies[i].faces)) is not None]
+        along = {"normal": bearing.axis.direction}
+        members += [body.model_copy(update=along) for body in rolling if body.diameter or body.width]
+        bodies += [bearing.rings[0]] * (len(members) - len(bodies))
     found = recognise_patterns(members, bodies, centers)
     return [pattern_part(one, n, [members[i] for i in one.members]) for n, one in enumerate(found, start=1)]
 

@@ -165,7 +165,9 @@ class Inventory:
     def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
         """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
         walls = []
-        inner = [p for p in self.kinds.get("cylinder") if "inner" in p.tags and p.radius]
+        inner = sorted(self.kinds.get("cylinder"), key=lambda p: -(p.height or p.length or 0.0))
+        grooved = {face for groove in self.kinds.get("groove") for face in groove.faces}
+        inner = [p for p in inner if "inner" in p.tags and p.radius and not grooved.issuperset(p.faces)]
         pick = max if step == "widest" else min
         for hole in holes:
             own = {round(p.radius or 0.0, 7): p for p in reversed(inner) if set(p.faces) <= set(hole.faces)}

@@ -113,5 +113,7 @@ def _clearances(question: Question) -> Iterator[Parse]:
     pairs = [(a.part, b.part, a.used | b.used) for a, b in pairwise(parts)]
     pairs += [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, "in", "between")]
     for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
-        a, b = (Get((Measure.DIAMETER,), one) for one in (first, second))
-        yield Parse(Combine("clearance", a, b), {"combined": 1.0}, {*used, *said})
+        for inner, outer in ((first, second), (second, first)):  # what is hollow goes around the other
+            bore = Get((Measure.INNER_DIAMETER,), outer)
+            form = Combine("apart", bore, Get((Measure.DIAMETER,), inner))
+            yield Parse(form, {"combined": 1.0}, {*used, *said})

@@ -26,7 +26,8 @@ _BOUNDS = {
 }
 """What bounds a cut has its measure."""
 _TUBES = ("ring", "pipe", "cavity")
-_GEAR = PartQuery(noun="gear", definite=True)
+_OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
+"""What has a measure that the whole has not."""
 
 
 def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -51,9 +52,11 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
-        case (Measure.ROOT_DIAMETER,):  # of a groove its own
-            yield Parse(replace(get, target=_GEAR), parse.features, parse.used)
-            yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
+        case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
+            owner = PartQuery(noun=_OWNERS[measure], definite=True)
+            yield Parse(replace(get, target=owner), parse.features, parse.used)
+            if measure is Measure.ROOT_DIAMETER:  # of a groove its own
+                yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -67,6 +70,9 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
+    if get.measures == (Measure.PITCH_DIAMETER,) and get.target is not None and get.target.noun != "gear":
+        circle = placed_in(PartQuery(noun="bolt circle", definite=True), "", get.target)
+        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
@@ -155,7 +161,8 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     mouth = {
         i for at in ends for i in range(at - 2, at + 1) if text.is_word(at - 2, "at") or text.is_word(at - 1, "at")
     }
-    if get.measures[0] not in (Measure.DIAMETER, Measure.RADIUS) or (len(sides) != 1 and not mouth) or owned:
+    round_ones = (Measure.DIAMETER, Measure.RADIUS, *_INSIDE, *_OUTSIDE)
+    if get.measures[0] not in round_ones or (len(sides) != 1 and not mouth) or owned:
         return
     said = set(before.tokens) if before is not None else set()
     if is_cut(target) or (target is not None and target.noun in _CIRCLES):

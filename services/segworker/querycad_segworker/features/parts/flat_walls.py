@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.frames import LocalFrame, frame_of_edges
+from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
     UPRIGHT,
@@ -39,6 +39,8 @@ MADE_OF = 0.6
 rest."""
 APART = 0.95
 """Cosine of the angle that legs of a bent part are turned by at least: some 20 degrees."""
+SQUARE = 0.02
+"""Cosine of the angle between faces that are square to each other."""
 PAIR = 2
 """A web has so many flanges."""
 STANDS_IN = frozenset(("between", "gusset"))
@@ -164,6 +166,9 @@ def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
     others = [i for found in feet.values() for i, _ in found]
     same = all(_is_one_plane(brep, a, i) or _is_one_plane(brep, b, i) for i in others)
     normals = brep.faces[a].axis, brep.faces[b].axis
+    if abs(dot(*normals)) < SQUARE:  # over a fillet in the corner the feet go on to where both faces would meet
+        points = face_points(brep, standing)
+        b_length, a_length = (max(p) - min(p) for p in ([dot(point, n) for point in points] for n in normals))
     area = max(brep.faces[face].area for face in standing)
     spread = norm(cross(*normals))
     if not same or spread < math.sqrt(1 - APART**2) or area > CORNER * a_length * b_length * spread:
@@ -374,7 +379,7 @@ def _leg(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> FlatWall:
     Drawings give legs and flanges by these dimensions (DIN 6935).
     """
     frame = _frame(brep, [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0])
-    meets = [brep.faces[i] for other in _joined(brep, wall, others) for i in others[other].faces]
+    meets = [face for other in _joined(brep, wall, others) for face in _met(brep, wall, others[other])]
     middle, sizes = frame.point(0.5, 0.5, 0.5), list[float]()
     for way, low, size in zip((frame.u, frame.v), frame.low, frame.size, strict=False):
         reach = [low, low + size]
@@ -386,6 +391,17 @@ def _leg(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> FlatWall:
     heights = [size for size, way in zip(sizes, (frame.u, frame.v), strict=True) if abs(way[2]) > 1 - UPRIGHT**2]
     width, length = sorted(sizes)
     return replace(wall, tags=(*wall.tags, "leg"), length=length, width=width, height=heights[0] if heights else None)
+
+
+def _met(brep: Brep, leg: FlatWall, other: FlatWall) -> list[FaceRecord]:
+    """The faces of another wall up to which a leg reaches: both at a corner, the near one of what goes on behind it."""
+    faces = [brep.faces[i] for i in other.faces]
+    ends = [dot(point, leg.normal) for face in faces for point in face_points(brep, (face.id,))]
+    sides = [dot(brep.faces[i].point, leg.normal) for i in leg.faces]
+    beyond = 0.5 * leg.thickness
+    if min(ends) < min(sides) - beyond and max(ends) > max(sides) + beyond:
+        return [face for face in faces if dot(sub(leg.center, face.point), face.axis) > 0]
+    return faces
 
 
 def flat_wall_part(brep: Brep, wall: FlatWall, number: int) -> Part:

@@ -6,8 +6,8 @@ from querycad_contracts import Part, SurfaceKind
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import geometry, inclination, millimetres, outlined, stance
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeKind, FaceRecord
-from querycad_segworker.vectors import box_center, box_extents
+from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import box_center, box_extents, dist
 
 MOST_FACES = 2000
 """Nobody asks for one face of so many; lists of parts stay short."""
@@ -29,6 +29,9 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
     first = brep.edges[rim.edges[0]]
     round_rim = outline == "circular" and first.kind is EdgeKind.CIRCLE and first.radius is not None
     diameter = 2 * first.radius if round_rim and first.radius is not None else None
+    bores = [brep.edges[loop.edges[0]] for loop in face.loops[1:]]
+    inner = [edge.radius for edge in bores if edge.radius and edge.center and _on_one_axis(edge, first, tolerances)]
+    bore = 2 * max(inner) if diameter is not None and inner else None
     return Part(
         id=f"face-{number}",
         kind="face",
@@ -39,6 +42,8 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
         extents=box_extents(face.box),
         normal=face.axis,
         diameter=diameter,
+        outer_diameter=diameter,
+        inner_diameter=bore,
         length=length,
         width=width,
         local_size=(length, width, 0.0),
@@ -46,3 +51,10 @@ def _part(brep: Brep, face: FaceRecord, number: int, tolerances: Tolerances) -> 
         inclination=inclination(face.axis),
         evidence=geometry("a plane face"),
     )
+
+
+def _on_one_axis(bore: EdgeRecord, rim: EdgeRecord, tolerances: Tolerances) -> bool:
+    """Is it a circle about the middle of the rim: are both the edges of a ring?"""
+    if bore.kind is not EdgeKind.CIRCLE or rim.kind is not EdgeKind.CIRCLE or bore.center is None or rim.center is None:
+        return False
+    return dist(bore.center, rim.center) < 3 * tolerances.length

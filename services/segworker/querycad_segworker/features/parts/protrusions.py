@@ -20,7 +20,7 @@ from querycad_segworker.features.sheet.hollow_sections import HollowSection
 from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.knurls import Knurl
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_center, box_extents, scale
+from querycad_segworker.vectors import add, box_center, box_extents, scale, sub
 
 from .volumes import Volumes
 
@@ -192,6 +192,9 @@ def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
 def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
     """A rib or fin; its width is its thickness."""
     name = "fin" if is_fin else "rib"
+    foot = sub(found.tip, scale(found.normal, found.height))
+    low, high = faces_box(brep, found.faces)
+    reach = (tuple(map(min, low, foot)), tuple(map(max, high, foot)))
     return Part(
         id=f"rib-{number}",
         kind="rib",
@@ -200,7 +203,7 @@ def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
         f"length {millimetres(found.length)}",
         faces=found.faces,
         center=found.center,
-        extents=box_extents(faces_box(brep, found.faces)),
+        extents=(reach[1][0] - reach[0][0], reach[1][1] - reach[0][1], reach[1][2] - reach[0][2]),
         axis=found.normal,
         normal=found.normal,
         height=found.height,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
@@ -165,7 +165,12 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
     own = ring | breaks | caps
     box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in edge_points(brep, e))
     assert box is not None  # a ring has corners
-    center = box_center(box)
+    center, low, high = box_center(box), frame.low[2], frame.low[2] + height
+    levels = [dot(point, axis) for point in face_points(brep, _foot_fillets(brep, whole, axis))]
+    if levels and (min(levels) < low or max(levels) > high):
+        ends = [add(center, scale(axis, level - dot(center, axis))) for level in (min(levels), max(levels))]
+        box = box_of((*box, *ends)) or box
+        center, height = box_center(box), max(high, *levels) - min(low, *levels)
     return Prism(
         sides=len(ring),
         normal=axis,
@@ -175,11 +180,24 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
         height=height,
         center=center,
         extents=box_extents(box),
-        tip=add(center, scale(axis, dot(sub(frame.point(0.5, 0.5, 1.0), center), axis))),
+        tip=add(center, scale(axis, max([high, *levels]) - dot(center, axis))),
         faces=tuple(sorted(own)),
         body=brep.faces[min(ring)].body,
         outline=polygon_name([brep.faces[side].axis for side in sorted(ring)]),
     )
+
+
+def _foot_fillets(brep: Brep, sides: Collection[int], axis: Vector) -> set[int]:
+    """The fillets between the sides and what the prism stands on: it is as high as it stands there."""
+    blends = {i for side in sides for i in brep.beside(side, EdgeConvexity.SMOOTH) if brep.faces[i].outward < 0}
+    return {
+        blend
+        for blend in blends
+        if any(
+            brep.faces[i].kind is SurfaceKind.PLANE and parallel(brep.faces[i].axis, axis, 1e-3)
+            for i in brep.beside(blend, EdgeConvexity.SMOOTH)
+        )
+    }
 
 
 def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.axes import Axis
-from querycad_segworker.features.shared.frames import frame_of, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.features.shared.walls import REVOLVED
@@ -110,6 +110,11 @@ def _beyond(brep: Brep, host: FaceRecord, loop: Loop) -> set[int]:
 def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion:
     normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
     frame = frame_of(brep, group, normal, loop)
+    fillets = {i for e in loop.edges for i in brep.edges[e].faces if brep.edges[e].convexity is EdgeConvexity.SMOOTH}
+    if group - fillets:  # as high as it stands on the host, as wide as it is above the fillet at its foot
+        above = frame_of(brep, group - fillets, normal, loop)
+        low, size = (*above.low[:2], frame.low[2]), (*above.size[:2], frame.size[2])
+        frame = LocalFrame(above.u, above.v, above.n, low, size)
     outline, _ = outline_of(brep, loop, tolerances)
     length, width, height = frame.size
     return Protrusion(

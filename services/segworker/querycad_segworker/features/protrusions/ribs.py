@@ -191,12 +191,13 @@ def _opposed(
 def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, float]]:
     """The flank's concave edges below the top, and along it: their lengths and positions along the top's normal.
 
-    They are of its outline: what stands on the flank itself, a pin on a plate, is no foot.
+    They are of its outline: what stands on the flank itself, a pin on a plate, is no foot. Over a fillet the foot is
+    where that ends: ribs are dimensioned from what they stand on.
     """
     level = dot(top.point, top.axis)
     outline = [brep.edges[e] for loop in flank.loops if loop.outer for e in loop.edges]
     return [
-        (edge.length, dot(edge.mid, top.axis))
+        (edge.length, _level(brep, edge, other, top.axis))
         for edge in outline
         for other in edge.faces
         if other != flank.id
@@ -207,6 +208,12 @@ def _feet(brep: Brep, flank: FaceRecord, top: FaceRecord) -> list[tuple[float, f
         and dot(edge.mid, top.axis) < level
         and abs(dot(sub(edge.end, edge.start), top.axis)) < MAX_RISE * edge.length
     ]
+
+
+def _level(brep: Brep, edge: EdgeRecord, beside: int, out: Vector) -> float:
+    """Where the flank ends along `out`; `beside`: the face behind the edge, whose end counts where it is a fillet."""
+    smooth = edge.convexity is EdgeConvexity.SMOOTH
+    return min(dot(p, out) for p in face_points(brep, (beside,))) if smooth else dot(edge.mid, out)
 
 
 def _alike(a: Rib, b: Rib, tolerances: Tolerances) -> bool:

@@ -32,6 +32,9 @@ TUBE_RATIO = 0.5
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
+LEANS = 0.5
+"""The middle of a fillet on a cone lies within this share of its height from where it begins: walls that lean less than
+some 30 degrees."""
 BALL = 0.1
 """A sphere whose middle lies beyond the end of a step by more than this share of its radius is no cap on it."""
 
@@ -289,9 +292,11 @@ def _rounded(
                 continue
             middle = axis.position(torus.origin)
             ends = [axis.position(brep.edges[e].mid) for e in brep.face_edges[other]]
-            if min(ends) < low - near and abs(max(ends) - low) <= near and abs(middle - low) <= near:
+            # On a cone the fillet begins a little beside the level of its middle.
+            beside = near if brep.faces[face].kind is SurfaceKind.CYLINDER else LEANS * (max(ends) - min(ends))
+            if min(ends) < low - near and abs(max(ends) - low) <= near and abs(middle - low) <= beside:
                 low = min(ends)
-            elif max(ends) > high + near and abs(min(ends) - high) <= near and abs(middle - high) <= near:
+            elif max(ends) > high + near and abs(min(ends) - high) <= near and abs(middle - high) <= beside:
                 high = max(ends)
     return low, high
 
