@@ -65,6 +65,13 @@ def test_ranks_are_by_measure_or_by_nearness() -> None:
     assert near.near.noun == "boss"
 
 
+def test_an_ordinal_alone_says_that_there_are_so_many() -> None:
+    (third,) = noun_phrase("the third slot", NONE).ranks
+    assert (third.nth, third.is_unordered) == (3, True)
+    for phrase in ("the first slot", "the next slot"):
+        assert not noun_phrase(phrase, NONE).ranks
+
+
 def test_places_are_queries_themselves() -> None:
     (place,) = noun_phrase("the slots in the flange", NONE).places
     assert isinstance(place.what, PartQuery)

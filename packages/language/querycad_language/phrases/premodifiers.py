@@ -149,13 +149,16 @@ def _is_measure(
 
 
 def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
-    """'second largest', 'deepest', 'topmost'."""
+    """'second largest', 'deepest', 'topmost'; 'the second bore' in no order that is said."""
     ordinal = text.find(at, "ordinal")
     scale = superlative(text, ordinal.end if ordinal else at)
     if scale and (ordinal or text.is_word(at - 1, "the") or noun_follows(text, scale.end)):  # 'does the largest have'
         most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
         build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))
         return scale.end
+    if ordinal and ordinal.value > 1 and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
+        build.ranks.append(Rank(nth=ordinal.value))
+        return ordinal.end
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
         build.ranks.append(Rank(side=extreme.value, count=build.count or 1))
         return extreme.end

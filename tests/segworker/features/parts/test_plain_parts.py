@@ -124,7 +124,8 @@ def test_the_balls_of_a_bearing_lie_on_a_circle() -> None:
     outer, inner = (cut(moved(ring, (0, 0, -4.5)), race) for ring in (tube(21, 16, 9), tube(13.5, 10, 9)))
     balls = [turned(moved(ball(3, 0), (15, 0, 0)), (0, 0, 1), i * 40.0) for i in range(9)]
     (circle,) = find(compound(outer, inner, *balls)).of("pattern")
-    assert (circle.count, circle.diameter) == (9, pytest.approx(30 * MM))
+    assert circle.count == 9
+    assert circle.diameter == pytest.approx(30 * MM)
 
 
 def test_balls_without_rings_are_no_bearing() -> None:
