@@ -1,0 +1,1 @@
+"""Which statements of the readers change no right answer?"""
