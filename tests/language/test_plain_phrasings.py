@@ -169,7 +169,7 @@ def distances_of(question: str) -> list[Distance]:
     ("question", "axis"),
     [
         ("What is the hole spacing along the bracket?", LONGEST),
-        ("What is the hole spacing across the bracket?", SHORTER),
+        ("What is the hole spacing across the lever?", SHORTER),
         ("What is the hole spacing along the rib?", None),
     ],
 )

@@ -107,7 +107,7 @@ def test_measures_are_read_however_they_are_said(question: str, measures: tuple[
     [
         ("There are two bores coming in from the left. How deep is the larger one?", "bore"),
         ("The hub overtops the ring. How high is it?", "hub"),
-        ("A window cut in the wall. How wide is it?", "window"),
+        ("A window cut in the wall. How long is it?", "window"),
         ("How many ribs run around the outside?", "rib"),
     ],
 )

@@ -90,7 +90,7 @@ def _different_counts(question: Question, used: set[int], measure: Span) -> Iter
 def _count_of(
     text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
 ) -> Iterator[Parse]:
-    """How many of them; on each side, or of another part, or of each: 'how many ribs does the bracket have?'"""
+    """How many of them; on each side, or of another part, or of each: 'how many ribs does the lever have?'"""
     each = text.at_words("each", "every", "per")
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     noun = text.lexicon.nouns.get(query.noun)

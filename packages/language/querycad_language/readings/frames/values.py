@@ -58,7 +58,7 @@ def values(question: Question) -> Iterator[Parse]:
 
 
 def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Requested]:
-    """'How deep is the slot, and how wide is it?': measures of one owner that are asked one after the other."""
+    """'How deep is the slot, and how long is it?': measures of one owner that are asked one after the other."""
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
     lengths = [one for one in lengths if not _is_place(text, one.start)]
