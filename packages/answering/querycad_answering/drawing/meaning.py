@@ -13,7 +13,7 @@ _REDUCES = {
     Reduce.RANGE: "smallest and largest ",
 }  # fmt: skip
 _OPERATIONS = {
-    "minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with",
+    "minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with",
     "per": "for each of the",
 }  # fmt: skip
 _MODES = {
@@ -21,7 +21,6 @@ _MODES = {
     "beyond": "beyond, ",
 }  # fmt: skip
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
-
 _TOWARDS = {
     "most": "side that most of {0} are seen from",
     "each": "number of {0} seen from each side", "": "side of {0}: {2}",

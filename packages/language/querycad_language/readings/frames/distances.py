@@ -250,20 +250,14 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """'How high above the base is the bore?': from the top or the underside of what is named, or from the ground."""
     text = question.text
-    sides: tuple[tuple[Side, Features], ...] = (
-        (Side.BOTTOM, {"level": 1.0}),
-        (Side.TOP, {"level": 1.0, "level_top": 1.0}),
-    )
-    for span in text.all("place"):
-        if span.value not in ("above", "below"):
-            continue
+    for span in (one for one in text.all("place") if one.value in ("above", "below")):
         behind = next((spots for spots in ends if spots[0].at >= span.end), None)
         for other in [spots for spots in ends if spots is not behind][:3]:
             for spot, base in product(other, behind or ()):
                 used = spot.used | base.used | set(span.tokens)
                 if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
-                    for side, features in sides:
-                        yield _Pair(Plane(side, base.anchor), spot.anchor, used, features)
+                    yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
+                    yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
     for spot in chain.from_iterable(ends):
         if isinstance(spot.anchor, PartQuery):
             under_it = {i for i in text.at_words("under", "underneath", "beneath") if max(spot.used) - 4 < i < spot.at}

@@ -15,7 +15,6 @@ from querycad_language.text import Text
 
 from .remaining_material import material
 
-_HOLES = ("hole", "bore")
 MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
 _WHOLE = (("body",), ("model",))
@@ -99,7 +98,7 @@ def mating(question: Question) -> Iterator[Parse]:
         verb = next((span for span in text.all("fits") if 0 <= span.start - male.end < MATES_WITHIN), None)
         if asked is None or verb is None or any(text.find(i, "be", "do") for i in range(asked, male.start)):
             continue
-        own = (f"{male.part.noun} {hole}" for hole in _HOLES)
+        own = (f"{male.part.noun} {hole}" for hole in ("hole", "bore"))
         noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
         unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
         fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]

@@ -47,6 +47,7 @@ def values(question: Question) -> Iterator[Parse]:
             get = parse.form
             assert isinstance(get, Get)
             yield from of_related(question, asked, get, parse)
+            yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
@@ -127,6 +128,15 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     if not densities:
         return None, set()
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
+
+
+def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'the diameters of the largest and the smallest hole': both, and not the first of them for sure."""
+    scales = filter(None, (question.text.find(at, "scale") for at in range(*question.asking)))
+    both = {span.value.degree: span.start for span in scales if span.value.degree in EXTREMES}
+    if get.target is not None and len(both) == len(EXTREMES) and is_length(get.measures[0]):
+        form = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
+        yield Parse(form, parse.features, parse.used | set(both.values()))
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:

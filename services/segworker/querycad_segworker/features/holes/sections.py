@@ -26,8 +26,8 @@ SPOTFACE_RATIO = 0.25
 more than half of its diameter, the lowest cylinder heads (DIN 7984) by a third."""
 
 GROOVE_RATIO = 1.3
-"""A groove in a bore is less than this many times as wide as the bore: 1.06 to 1.2 for snap rings (DIN 472), up to 1.3
-for seals in small bores (ISO 3601-2)."""
+"""A groove in a bore is less than this many times as wide as the bore: about 1.05 for snap rings (DIN 472), up to 1.3
+for O-rings in small bores (ISO 3601-2)."""
 
 THREAD_TURNS = 3
 """So many times must a bore alternate between two radii to be a modelled thread; fewer are grooves for snap rings."""

@@ -20,7 +20,7 @@ from querycad_segworker.features.sheet.hollow_sections import HollowSection
 from querycad_segworker.features.turned.gears import Gear
 from querycad_segworker.features.turned.knurls import Knurl
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_center, box_extents, scale, sub
+from querycad_segworker.vectors import add, box_center, box_extents, box_of, scale, sub
 
 from .volumes import Volumes
 
@@ -193,8 +193,7 @@ def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
     """A rib or fin; its width is its thickness."""
     name = "fin" if is_fin else "rib"
     foot = sub(found.tip, scale(found.normal, found.height))
-    low, high = faces_box(brep, found.faces)
-    reach = (tuple(map(min, low, foot)), tuple(map(max, high, foot)))
+    own = faces_box(brep, found.faces)
     return Part(
         id=f"rib-{number}",
         kind="rib",
@@ -203,7 +202,7 @@ def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:
         f"length {millimetres(found.length)}",
         faces=found.faces,
         center=found.center,
-        extents=(reach[1][0] - reach[0][0], reach[1][1] - reach[0][1], reach[1][2] - reach[0][2]),
+        extents=box_extents(box_of((*own, foot)) or own),
         axis=found.normal,
         normal=found.normal,
         height=found.height,
