@@ -120,7 +120,8 @@ def of_all_pairs(found: Sequence[Part], relation: str, holders: Sequence[Part]) 
         if on := those(lambda p, h: touches(p, h) and not is_inside(p, h), standing):
             return on
         inside = those(lambda p, h: is_inside(p, h) or (p.kind == "pattern" and h.id in p.children))
-        return inside if inside or not all(p.kind in raised for p in found) else next_to()
+        beside = all(p.kind in (*raised, "fillet", "round", "chamfer") for p in found)
+        return inside or (next_to() if beside else [])
 
     def next_to(some: Sequence[Part] = found) -> list[Part]:
         return those(lambda p, h: h.id != p.id and touches(p, h), some)

@@ -89,7 +89,7 @@ def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
 def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
     """'the counterbore diameter of the small holes': of the counterbores of those."""
     before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
-    of = next((m for m, link in linked if link in ("of", "preposition") and m.query is not None), None)
+    of = next((m for m, link in linked if link in ("of", "preposition", "subject") and m.query is not None), None)
     if before is not None and of is not None:
         joined = replace_fields(placed_in(before.part, "of", of.part), plural=of.part.plural)
         used = {*before.used, *of.used, *range(asked.end, of.start)}

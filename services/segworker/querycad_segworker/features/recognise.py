@@ -174,7 +174,7 @@ def _parts(
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
     protrusions = recognise_protrusions(brep, round_faces, tolerances)
     pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
-    prisms = recognise_prisms(brep)
+    prisms = recognise_prisms(brep, {f for blend in blends if blend.kind == "chamfer" for f in blend.faces})
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)
@@ -226,7 +226,7 @@ def _parts(
     parts = [*with_bearing_bores(parts, brep, bearings), *bodies, *shown, model_part(brep, shape, _only(bodies))]
     parts += _patterns(brep, parts, bearings)
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
-    parts += [*crossbars(parts, brep), *plane_face_parts(brep, tolerances)]
+    parts += [*crossbars(parts, brep), *plane_face_parts(brep, parts, tolerances)]
     return with_relations(parts, shape, brep)
 
 

@@ -79,7 +79,7 @@ def _ringed(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
 
 
 def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: Nearby) -> list[Part]:
-    """Those that a holder carries; else those in its box; of what stands out, those that touch it."""
+    """Those that a holder carries; else those in its box; of what stands out or breaks edges, those that touch it."""
     pairs = nearby.pairs(found, holders)
     on = relation == "on"
     if carried := [p for p, near in pairs if any(carries(h, p) and not (on and _is_of(p, h)) for h in near)]:
@@ -91,7 +91,8 @@ def held(found: Sequence[Part], relation: str, holders: Sequence[Part], nearby: 
     ids = {h.id for h in holders}
     own = {p.id for p in found if p.kind == "pattern" and not ids.isdisjoint(p.children)}
     inside = [p for p, near in pairs if p.id in own or any(is_inside(p, h) for h in near)]
-    return inside if inside or not all(p.kind in STANDING_OUT for p in found) else next_to(found, holders, nearby)
+    beside = all(p.kind in STANDING_OUT or p.kind.breaks_edge for p in found)
+    return inside or (next_to(found, holders, nearby) if beside else [])
 
 
 def _is_of(part: Part, place: Part) -> bool:

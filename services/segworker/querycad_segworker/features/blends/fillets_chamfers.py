@@ -88,7 +88,7 @@ def _is_rim(brep: Brep, face: FaceRecord) -> bool:
         return False
     centers = [edge.center if edge.closed else None for edge, other in brep.neighbours(face.id) if other != face.id]
     near = 0.01 * face.minor_radius
-    return all(center is not None and line_distance(center, face.point, face.axis) < near for center in centers)
+    return all(center is not None and line_distance(center, face.origin, face.axis) < near for center in centers)
 
 
 def _chain(brep: Brep, start: int, kinds: Mapping[int, tuple[str, float]], tolerances: Tolerances) -> set[int]:

@@ -7,7 +7,7 @@ from collections.abc import Sequence, Set
 from dataclasses import replace
 
 from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.adjacency import ConcaveGraph, is_blend
+from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.extruded_walls import (
     MORE_THAN_HALF,
     Tunnel,
@@ -21,12 +21,20 @@ from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
 from querycad_segworker.vectors import cross, dot, norm, parallel, sub, unit, upwards
 
 from .depression import ELONGATED, Depression, DepressionKind, depression_in
-from .slot_sections import DRAFT_RAD, Pair, facing_pair, gap_between, undercut, v_slot, woodruff
+from .slot_sections import (
+    DRAFT_RAD,
+    SQUARE,
+    Pair,
+    facing_pair,
+    gap_between,
+    over_edge_break,
+    undercut,
+    v_slot,
+    woodruff,
+)
 
 BEVEL = 0.1
 """Cosine of the angle that a bevel at the foot of a wall stands off both the wall and the floor at least."""
-SQUARE = 0.05
-"""Cosine: faces that lean less than 3 degrees off square to each other are square."""
 LEVEL = 0.9
 """Cosine: what a slot is cut into looks the way that its floor does, within 26 degrees."""
 CHANNEL_SHARE = 0.5
@@ -244,24 +252,15 @@ def _open_on_floor(
     found = depression_in(kind, outline, frame, group, (floor.id,), floor.body, is_open=True)
     if kind is not DepressionKind.STEP:
         return found
-    return replace(found, depth=max(found.depth, _over_edge_break(graph.brep, floor, plane_walls)))
+    return replace(found, depth=max(found.depth, _rise(graph.brep, floor, plane_walls)))
 
 
-def _over_edge_break(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
-    """How high above its floor a step rises, with the chamfer or round that breaks the upper edge of its wall."""
-    heights = [0.0]
-    for wall in walls:
-        for edge, other in brep.neighbours(wall.id):
-            face = brep.faces[other]
-            chamfer = face.kind is SurfaceKind.PLANE and BEVEL < dot(face.axis, floor.axis) < LEVEL
-            chamfer = chamfer and edge.convexity is EdgeConvexity.CONVEX and face.area < wall.area
-            rounding = edge.convexity is EdgeConvexity.SMOOTH and face.outward > 0 and is_blend(brep, face)
-            beyond = (brep.faces[i] for _, i in brep.neighbours(other)) if chamfer or rounding else ()
-            level = (
-                top for top in beyond if top.kind is SurfaceKind.PLANE and dot(top.axis, floor.axis) > FACING.parallel
-            )
-            heights += [dot(sub(top.point, floor.point), floor.axis) for top in level]
-    return max(heights)
+def _rise(brep: Brep, floor: FaceRecord, walls: Sequence[FaceRecord]) -> float:
+    """How high above a floor lie the level faces that its walls end at, over the chamfer or round of their edge?"""
+    level = [
+        top for wall in walls for top in over_edge_break(brep, wall) if dot(top.axis, floor.axis) > FACING.parallel
+    ]
+    return max((dot(sub(top.point, floor.point), floor.axis) for top in level), default=0.0)
 
 
 def _are_back_to_back(a: FaceRecord, b: FaceRecord) -> bool:
@@ -279,14 +278,16 @@ def _between(
     brep = graph.brep
     along = unit(cross(pair[0].axis, floor.axis))
     frame = frame_of(brep, group, floor.axis, None, along)
-    length, _, depth = frame.size
+    at_mouth: Sequence[FaceRecord] = pair
+    length = frame.size[0]
     width = floor_width = gap_between(brep, pair, floor)
     undercuts = undercut(brep, group, floor, pair)
     if undercuts is not None:
         width = undercuts.neck_width
         group = group | undercuts.neck
         frame = frame_of(brep, group, floor.axis, None, along)
-        depth = frame.size[2]
+        at_mouth = brep.of_kind(SurfaceKind.PLANE, undercuts.neck) or pair
+    depth = max(frame.size[2], _rise(brep, floor, at_mouth))
     round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
     ends = [w for w in plane_walls if abs(dot(w.axis, along)) > 0.5]
@@ -295,6 +296,7 @@ def _between(
     found = replace(
         found,
         width=width,
+        depth=depth,
         floor_width=max(floor_width, frame.size[1]) if undercuts else None,
         tags=(undercuts.tag,) if undercuts else (),
         angle=undercuts.angle if undercuts else None,

@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.adjacency import is_blend
 from querycad_segworker.features.shared.extruded_walls import first_of_surface
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
@@ -28,6 +29,8 @@ SAME_WAY = math.cos(math.radians(45.0))
 """The two faces beside a groove face the same way; those beside a step face at right angles to each other."""
 FLARE = math.cos(math.radians(44.0))
 """What a groove is cut into looks its way; beside a step cut square into a block lie faces at 45 degrees to that."""
+SQUARE = 0.05
+"""Cosine: faces that lean less than 3 degrees off square to each other are square."""
 MUCH = 0.25
 """A face that ends a flank over less than this share of its length is what another cut left there."""
 
@@ -176,6 +179,8 @@ def _v_between(
         return None
     if any(not parallel(end.axis, along, math.sin(DRAFT_RAD)) for end in ends):
         return None
+    if abs(dot(a[0].axis, b[0].axis)) < SQUARE and _is_step(brep, a, b) and _is_step(brep, b, a):
+        return None
     first, second = ([face for piece in flank for face in _beside(brep, piece, along, normal)] for flank in (a, b))
     same_way = any(dot(f.axis, s.axis) > SAME_WAY for f in first for s in second)
     is_sharp = all(brep.faces[i].kind is SurfaceKind.PLANE for i in group)
@@ -184,6 +189,29 @@ def _v_between(
     frame = frame_of(brep, group, normal, None, along)
     slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)
     return replace(slot, tags=("v_shaped",), angle=opening_angle)
+
+
+def _is_step(brep: Brep, flank: Sequence[FaceRecord], other: Sequence[FaceRecord]) -> bool:
+    """Does a flank end at an edge break with a face along the other flank beyond, as beside a step?"""
+    return any(
+        dot(face.axis, other[0].axis) > math.cos(DRAFT_RAD) for piece in flank for face in over_edge_break(brep, piece)
+    )
+
+
+def over_edge_break(brep: Brep, wall: FaceRecord) -> list[FaceRecord]:
+    """The planes beyond the chamfers and rounds along the edges of a plane wall.
+
+    A chamfer is less wide than the wall is high and than what lies beyond, so its area is less.
+    """
+    bevels = []
+    for edge, other in brep.neighbours(wall.id):
+        face = brep.faces[other]
+        chamfer = face.kind is SurfaceKind.PLANE and edge.convexity is EdgeConvexity.CONVEX and face.area < wall.area
+        rounding = edge.convexity is EdgeConvexity.SMOOTH and face.outward > 0 and is_blend(brep, face)
+        if (chamfer and SQUARE < dot(face.axis, wall.axis) < 1 - SQUARE) or rounding:
+            bevels.append(face)
+    beyond = [(bevel, brep.faces[i]) for bevel in bevels for _, i in brep.neighbours(bevel.id) if i != wall.id]
+    return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > bevel.area]
 
 
 def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depression]:

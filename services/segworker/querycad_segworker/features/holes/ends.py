@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import Bottom, SurfaceKind, Vector
-from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, wall_range
-from querycad_segworker.features.shared.walls import Axis, Wall
+from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, roundings_beside, wall_range
+from querycad_segworker.features.shared.walls import Axis, Wall, is_waist
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import dot, parallel, points_up, scale, span, sub
 
@@ -216,13 +216,16 @@ def core_of(
     """Which radius and walls has the coaxial boss that rises from the floor? None when there is none."""
     walls: dict[int, float] = {}
     for face_id in floor:
-        for edge, other in brep.neighbours(face_id):
+        feet = [f for f in roundings_beside(brep, face_id) if is_waist(brep.faces[f])]
+        foot = {other for f in feet for other in brep.beside(f, EdgeConvexity.SMOOTH)}
+        for other in foot.union(brep.beside(face_id, EdgeConvexity.CONCAVE)):
             face = brep.faces[other]
-            if edge.convexity is not EdgeConvexity.CONCAVE or face.outward <= 0:
+            if face.kind is SurfaceKind.PLANE or face.outward <= 0:
                 continue
             if not parallel(face.axis, axis.direction, 1e-2) or axis.radius_of(face.origin) > 1e-2 * face.radius:
                 continue
             reach = [abs(axis.position(brep.edges[e].mid) - end) for e in brep.face_edges[other]]
             if max(reach) >= CORE_RATIO * depth:
                 walls[other] = face.radius
+                walls |= dict.fromkeys((f for f in feet if other in brep.beside(f, EdgeConvexity.SMOOTH)), face.radius)
     return (max(walls.values()), frozenset(walls)) if walls else None

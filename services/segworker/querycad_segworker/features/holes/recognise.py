@@ -11,7 +11,7 @@ from querycad_segworker.features.depressions.windows import recognise_windows
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.walls import Wall
+from querycad_segworker.features.shared.walls import Wall, is_waist
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import scale
@@ -56,7 +56,7 @@ def recognise_holes(
     windows = recognise_windows(brep, tolerances)
     hubs = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and wall.encloses]
     keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
-    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward < 0 and wall.encloses):
+    for stack in stacks(brep, walls, tolerances, lambda wall: _widens(brep, wall)):
         if keyholes.issuperset(stack.faces):
             refuse("hole", stack.faces, "it is the wide end of a keyhole")
             continue
@@ -79,6 +79,12 @@ def recognise_holes(
     if is_clear is not None:
         found = united_through_walls(found, tolerances, is_clear)
     return sorted(found, key=lambda hole: hole.faces[0])
+
+
+def _widens(brep: Brep, wall: Wall) -> bool:
+    """Is it a wall of a bore? A hollow torus that narrows is the fillet at the foot of what stands in the bore."""
+    narrows = wall.kind is SurfaceKind.TORUS and is_waist(brep.faces[wall.faces[0]])
+    return wall.outward < 0 and wall.encloses and not narrows
 
 
 def _is_recess(hole: Hole) -> bool:

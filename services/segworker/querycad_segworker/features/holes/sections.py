@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -16,6 +17,10 @@ from .hole import Section, SectionKind
 CHAMFER_RATIO = 1.5
 """A cone at the mouth this much wider than its bore is a countersink, a narrower one a chamfer: heads of countersunk
 screws are about twice as wide as their shank (ISO 10642), edge-breaking chamfers of bores at most some 10 to 30 %."""
+
+TAPER = math.tan(math.radians(25.0))
+"""A cone that leans less, and is longer than its narrow end's radius, is a tapered bore: countersinks enclose 60
+degrees and more (DIN 74), and lead-in chamfers are short."""
 
 COUNTERBORE_RATIO = 1.3
 """A counterbore for a head is at least this many times as wide as its bore, about 1.7 to 2 times in DIN 974-1; narrower
@@ -69,7 +74,10 @@ def sections_of(
             elif kind is SectionKind.COUNTERBORE and wall.radius < COUNTERBORE_RATIO * below.radius:
                 kind = SectionKind.BORE
         elif wall.kind is SurfaceKind.CONE and cylinders and radius > end_radius > 0.05 * radius:
-            kind = SectionKind.COUNTERSINK if radius >= CHAMFER_RATIO * end_radius else SectionKind.CHAMFER
+            wide = radius >= CHAMFER_RATIO * end_radius
+            kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
+            if radius - end_radius < TAPER * wall.height and wall.height > end_radius:
+                kind = SectionKind.BORE
         else:
             kind = SectionKind.BORE
         normal = axis.direction if start_high else scale(axis.direction, -1.0)
@@ -145,6 +153,8 @@ def tags_of(sections: Sequence[Section], steps: Sequence[float]) -> tuple[str, .
     tags = ["circular"]
     if all(section.radius != section.end_radius for section in sections):
         tags.append("conical")
+    elif any(section.kind is SectionKind.BORE and section.radius != section.end_radius for section in sections):
+        tags.append("tapered")
     if len(steps) > 1:
         tags.extend(("stepped", "counterbored") if SectionKind.COUNTERBORE in kinds else ("stepped",))
     if SectionKind.COUNTERSINK in kinds:

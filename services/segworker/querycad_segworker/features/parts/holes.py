@@ -32,7 +32,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
     words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)
     widest = max((hole.opening_radius, hole.radius, *hole.steps))
     width = widest - hole.core_radius if hole.core_radius is not None else 2 * widest
-    sunk = [section for section in hole.sections if section.kind is SectionKind.COUNTERSINK]
+    cones = [section for section in hole.sections if section.kind in (SectionKind.COUNTERSINK, SectionKind.BORE)]
     ends = {Bottom.THROUGH: "open at both ends", Bottom.BORE: "ending in another bore"}
     return Part(
         id=f"{kind}-{number}",
@@ -55,7 +55,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
         bottom=hole.bottom,
         pitch=hole.pitch,
         local_size=(2 * widest, 2 * widest, hole.depth),
-        angle=next((_angle(s, dist(s.start, s.end)) for s in sunk), None),
+        angle=next(filter(None, (_angle(s, dist(s.start, s.end)) for s in cones)), None),
         volume=None if hole.is_ring else _volume(hole),
         area=faces_area(brep, hole.faces),
         radii=(hole.steps or (hole.radius,)) + (() if hole.core_radius is None else (hole.core_radius,)),
@@ -145,11 +145,11 @@ def section_part(brep: Brep, section: Section, part_id: str, owner: str, *, oute
 
 
 def _angle(section: Section, depth: float) -> float | None:
-    """All of a countersink's cone; of a chamfer, between it and the face that it breaks the edge of."""
+    """All of the cone of a countersink or tapered bore; of a chamfer, between it and the face whose edge it breaks."""
     wider = abs(section.radius - section.end_radius)
-    if section.kind is SectionKind.COUNTERSINK and wider:
-        return 2 * math.atan2(wider, depth)
-    return math.atan2(depth, wider) if section.kind is SectionKind.CHAMFER else None
+    if section.kind is SectionKind.CHAMFER:
+        return math.atan2(depth, wider)
+    return 2 * math.atan2(wider, depth) if wider else None
 
 
 def dimple_part(brep: Brep, found: Dimple, number: int) -> Part:

@@ -208,7 +208,7 @@ def pipe_parts(brep: Brep, pipe: Pipe, number: int) -> list[Part]:
     name, tags = ("pipe", ("hollow", "tube")) if wall is not None else ("bar", ("rod", "slender"))
     if pipe.outer is None:
         name, tags = "bore", ("inner", "hollow")
-    bends = [_bend_part(brep, bend, f"bend-{number}.{i}", name) for i, bend in enumerate(pipe.bends, start=1)]
+    bends = [_bend_part(brep, bend, radii[0], f"bend-{number}.{i}", name) for i, bend in enumerate(pipe.bends, 1)]
     box = faces_box(brep, pipe.faces)
     part = Part(
         id=f"pipe-{number}",
@@ -232,7 +232,8 @@ def pipe_parts(brep: Brep, pipe: Pipe, number: int) -> list[Part]:
     return [part, *bends]
 
 
-def _bend_part(brep: Brep, bend: Bend, part_id: str, owner: str) -> Part:
+def _bend_part(brep: Brep, bend: Bend, radius: float, part_id: str, owner: str) -> Part:
+    """`radius`: of the cross-section; the bend's inner and outer diameters are those of its inside and outside."""
     box = faces_box(brep, (bend.face,))
     return Part(
         id=part_id,
@@ -250,6 +251,8 @@ def _bend_part(brep: Brep, bend: Bend, part_id: str, owner: str) -> Part:
         angle=bend.angle,
         bend_radius=bend.radius,
         bend_angle=bend.angle,
+        inner_diameter=2 * (bend.radius - radius),
+        outer_diameter=2 * (bend.radius + radius),
         evidence=geometry("part of a torus that whole cross-sections bound"),
     )
 

@@ -54,8 +54,8 @@ class Prism:
     """What its cross-section is called."""
 
 
-def recognise_prisms(brep: Brep) -> list[Prism]:
-    """Which prisms does the model have? Sorted by lowest face id.
+def recognise_prisms(brep: Brep, chamfers: Collection[int] = ()) -> list[Prism]:
+    """Which prisms does the model have? Sorted by lowest face id. `chamfers`: faces that break edges.
 
     The side faces of a prism are planes parallel to one direction, of which each meets the next in a convex edge (or
     a rounding) along that direction, all the way around. A cuboid has three such rings; the one around its shortest
@@ -71,6 +71,8 @@ def recognise_prisms(brep: Brep) -> list[Prism]:
                 refuse("prism", ring, "its sides face each other: the walls of a cut")
             elif len(ring) > MAX_SIDES:
                 refuse("prism", ring, f"its {len(ring)} sides are those of a faceted circle")
+            elif _meets_in_chamfers(brep, ring, direction, chamfers):
+                refuse("prism", ring, "its sides meet at broken corners only")
             else:
                 found.append(_prism(brep, ring, direction))
     kept: list[Prism] = []
@@ -198,6 +200,16 @@ def _foot_fillets(brep: Brep, sides: Collection[int], axis: Vector) -> set[int]:
             for i in brep.beside(blend, EdgeConvexity.SMOOTH)
         )
     }
+
+
+def _meets_in_chamfers(brep: Brep, ring: set[int], direction: Vector, chamfers: Collection[int]) -> bool:
+    """Are the sides but for chamfers across corners all longer along the ring than the corners are?
+
+    As two opposite faces of a block and the chamfers on two of its edges.
+    """
+    longest = max(edge.length for edge in _corners(brep, ring, direction))
+    reaches = [span(face_points(brep, (side,)), direction) for side in ring.difference(chamfers)]
+    return len(reaches) < len(ring) and all(high - low > ALIKE * longest for low, high in reaches)
 
 
 def _runs_on(brep: Brep, side: int, corners: Sequence[EdgeRecord], axis: Vector) -> bool:

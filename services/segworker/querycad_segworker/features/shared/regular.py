@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterable
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
-from querycad_segworker.vectors import across, dot, parallel
+from querycad_segworker.features.shared.adjacency import same_cylinder
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.vectors import across, dot, parallel, sub
 
 EVEN = 0.01
 """Sides of a regular outline are at equal distances but for this share."""
@@ -81,4 +82,22 @@ def flats_on_shaft(brep: Brep, walls: Iterable[int], axis: Vector) -> float | No
             opposite = dot(normal, planes[j][0]) < 0 and parallel(normal, planes[j][0], UPRIGHT)
             if opposite and 0 < reach[i] < CUT_IN * radius and abs(reach[i] - reach[j]) <= EVEN * reach[i]:
                 return reach[i] + reach[j]
+    return None
+
+
+def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
+    """How deep does a flat cut into a round shaft, or stand into a D-shaped bore, in metres? None where it is no flat.
+
+    It is a plane along the axis that meets most of a cylinder in sharp edges, between that and the axis.
+    """
+    for edge, other in brep.neighbours(face.id):
+        wall = brep.faces[other]
+        sharp = EdgeConvexity.CONVEX if wall.outward > 0 else EdgeConvexity.CONCAVE
+        beside = wall.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE and edge.convexity is sharp
+        if not beside or abs(dot(face.axis, wall.axis)) > UPRIGHT:
+            continue
+        reach = wall.outward * dot(sub(face.point, wall.origin), face.axis)
+        around = sum(piece.sweep for piece in brep.faces if piece.body == wall.body and same_cylinder(wall, piece))
+        if 0 < reach < CUT_IN * wall.radius and around > math.pi:
+            return wall.radius - reach
     return None

@@ -14,7 +14,7 @@ from .axes import Axis, Wall
 from .interrupted_walls import with_interrupted
 from .modelled_threads import with_threads
 
-__all__ = ["REVOLVED", "Axis", "Wall", "same_surface", "walls"]
+__all__ = ["REVOLVED", "Axis", "Wall", "is_waist", "same_surface", "walls"]
 
 
 def walls(brep: Brep, tolerances: Tolerances) -> list[Wall]:
@@ -46,6 +46,11 @@ def same_surface(a: FaceRecord, b: FaceRecord, tolerances: Tolerances) -> bool:
     if a.kind is SurfaceKind.CONE:
         return along and abs(a.half_angle - b.half_angle) <= 10 * tolerances.angle
     return along and abs(a.radius - b.radius) <= near and abs(a.minor_radius - b.minor_radius) <= near
+
+
+def is_waist(torus: FaceRecord) -> bool:
+    """Does a hollow torus narrow what it goes around, rather than widen a bore?"""
+    return Axis.of(torus).radius_of(torus.point) < torus.radius
 
 
 def _wall(faces: Sequence[FaceRecord], brep: Brep) -> Wall:

@@ -37,6 +37,9 @@ LEANS = 0.5
 some 30 degrees."""
 BALL = 0.1
 """A sphere whose middle lies beyond the end of a step by more than this share of its radius is no cap on it."""
+DRAFT_RAD = math.radians(5.0)
+"""A boss that leans no more is a cylinder with draft, and still called one: cast and moulded bosses lean by 1 to 5
+degrees (Machinery's Handbook, draft in patterns and forging dies)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,9 +211,14 @@ def _boss(
         bore_radius=bore_radius,
         breaks=tuple(breaks),
         step_of=len(steps),
-        lean=math.atan2(abs(wall.radius_high - wall.radius_low), wall.height),
+        lean=_lean(wall),
         pitch=next((part.pitch for part in step if part.pitch is not None), None),
     )
+
+
+def _lean(wall: Wall) -> float:
+    """The angle between a wall and its axis, radians."""
+    return math.atan2(abs(wall.radius_high - wall.radius_low), wall.height)
 
 
 def _as_rim(tags: Sequence[str]) -> tuple[str, ...]:
@@ -238,7 +246,7 @@ def _tags(
     undercut = any(end is End.CLOSED and place == last for end, last in ends)
     beside = [steps[i][0].radius for i in (place - 1, place + 1) if 0 <= i < len(steps)]
     flat = height < FLAT * 2 * radius and not goes_on(steps, place)
-    tags = ["cylindrical" if step[0].kind is SurfaceKind.CYLINDER else "conical", "circular"]
+    tags = [*_form(step[0]), "circular"]
     if height > SLENDER * 2 * radius * (1 + 1e-6):
         tags.append("slender")
     if flat:
@@ -263,6 +271,13 @@ def _tags(
     if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
         tags.append("collar")
     return tuple(tags)
+
+
+def _form(wall: Wall) -> tuple[str, ...]:
+    """Cylindrical, conical, or with draft both."""
+    if wall.kind is SurfaceKind.CYLINDER:
+        return ("cylindrical",)
+    return ("cylindrical", "conical") if _lean(wall) <= DRAFT_RAD else ("conical",)
 
 
 def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
@@ -325,7 +340,8 @@ def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
     for section in hole.sections:
         a, b = sorted((axis.position(section.start), axis.position(section.end)))
         overlap = min(b, high) - max(a, low)
-        if section.kind in _CYLINDRICAL and overlap > widest * 1.001:
+        straight = section.kind in _CYLINDRICAL and section.radius == section.end_radius
+        if straight and overlap > widest * 1.001:
             best, widest = section.radius, overlap
     return best
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.coaxial_stacks import End, Stack, radius_at, stacks, wall_range
 from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.features.shared.walls import Wall
+from querycad_segworker.features.shared.walls import Wall, is_waist
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import parallel
@@ -19,6 +19,8 @@ MAX_WIDTH = 1.0
 MAX_RELIEF = 0.2
 """An undercut at a shoulder is no deeper than this share of its diameter: 0.18 for the thread M6 (DIN 76-1). What is
 narrower, between a head and what it stands on, is a neck."""
+EDGE_BREAK = 2.0
+"""What breaks the edge of a groove's wall runs along the axis by no more than this times as far as across it."""
 SQUARE = 1e-2
 """Sine of the angle by which a shoulder may deviate from square to the axis."""
 MIN_DEPTH = 1e-3
@@ -63,18 +65,12 @@ def recognise_turned_grooves(brep: Brep, walls: Sequence[Wall], tolerances: Tole
 
         def belongs(wall: Wall, outward: int = outward) -> bool:
             if wall.kind is SurfaceKind.TORUS and wall.outward < 0:
-                return wall.encloses and _is_waist(brep, wall) == (outward > 0)
+                return wall.encloses and is_waist(brep.faces[wall.faces[0]]) == (outward > 0)
             return wall.encloses and wall.outward == outward
 
         for stack in stacks(brep, walls, tolerances, belongs):
             found.extend(_grooves(brep, stack, outward))
     return sorted(found, key=lambda groove: groove.faces[0])
-
-
-def _is_waist(brep: Brep, torus: Wall) -> bool:
-    """Does a hollow torus narrow what it goes around, rather than widen a bore?"""
-    face = brep.faces[torus.faces[0]]
-    return torus.axis.radius_of(face.point) < face.radius
 
 
 def _grooves(brep: Brep, stack: Stack, outward: int) -> list[TurnedGroove]:
@@ -138,12 +134,15 @@ def _groove(
     bottom = min(pieces[i].bottom, pieces[j].bottom)
     rims = [pieces[first].at_low, pieces[last].at_high]
     at_shoulder = False
-    if first == i and pieces[i].wall.kind is SurfaceKind.CYLINDER:
-        rims[0] = pieces[i - 1].at_high if i > 0 else _shoulder(brep, stack, bottom, outward, at_high=False)
-        at_shoulder = i == 0
-    if last == j and pieces[j].wall.kind is SurfaceKind.CYLINDER:
-        rims[1] = pieces[j + 1].at_low if j < len(pieces) - 1 else _shoulder(brep, stack, bottom, outward, at_high=True)
-        at_shoulder = at_shoulder or j == len(pieces) - 1
+    for side, (own, beside) in enumerate(((first, first - 1), (last, last + 1))):
+        kind = pieces[own].wall.kind
+        if kind is SurfaceKind.CONE or (kind is SurfaceKind.TORUS and own in (i, j)):
+            continue  # a flank, or a round bottom, leads up to the rim itself
+        at_high = side == 1
+        if 0 <= beside < len(pieces):
+            rims[side] = _rim(pieces, beside, at_high=at_high)
+        else:
+            rims[side], at_shoulder = _shoulder(brep, stack, bottom, outward, at_high=at_high), True
     low, high = pieces[first].low, pieces[last].high
     depth = min(rims) - bottom
     members = [piece.wall for piece in pieces[first : last + 1]]
@@ -166,6 +165,15 @@ def _groove(
         angle=angle,
         faces=tuple(sorted(faces)),
     )
+
+
+def _rim(pieces: Sequence[_Piece], beside: int, *, at_high: bool) -> float:
+    """How high is the surface beside a groove's square wall, over the chamfer or round of the wall's edge?"""
+    edge = pieces[beside]
+    near, far = (edge.at_low, edge.at_high) if at_high else (edge.at_high, edge.at_low)
+    beyond = beside + (1 if at_high else -1)
+    broken = edge.wall.kind is not SurfaceKind.CYLINDER and 0 <= beyond < len(pieces)
+    return far if broken and edge.high - edge.low <= abs(far - near) * EDGE_BREAK else near
 
 
 def _shoulder(brep: Brep, stack: Stack, bottom: float, outward: int, *, at_high: bool) -> float:
