@@ -31,7 +31,7 @@ from .assemblies.bodies import (
 )
 from .blends.fillets_chamfers import recognise_blends
 from .depressions.clevises import recognise_clevises
-from .depressions.depression import Depression
+from .depressions.depression import Depression, DepressionKind
 from .depressions.dimples import recognise_dimples
 from .depressions.recognise import recognise_depressions
 from .faces import likely_up
@@ -155,6 +155,7 @@ def _parts(
     hole_faces = {face for hole in holes for face in hole.faces}
     dimples = recognise_dimples(brep, hole_faces)
     blends = recognise_blends(brep, round_faces, tolerances)
+    chamfers = {face for blend in blends if blend.kind == "chamfer" for face in blend.faces}
     blend_faces = {face for blend in blends for face in blend.faces}
     ribs = recognise_ribs(brep, tolerances)
     knurls = recognise_knurls(brep, found_walls, tolerances)
@@ -164,6 +165,9 @@ def _parts(
     balls = [frozenset(dimple.faces) for dimple in dimples]
     depressions = recognise_depressions(brep, hole_faces, tolerances, is_clear, found_walls)
     depressions = _outside("cutout", depressions, balls, "it is what a ball leaves")
+    depressions = [
+        cut for cut in depressions if cut.kind is not DepressionKind.STEP or not chamfers.issuperset(cut.faces)
+    ]
     depressions += recognise_clevises(brep, recognise_lugs(brep, tolerances), depressions, is_clear)
     # Gaps between teeth and turns of a thread are no slots and grooves of their own, points of a knurl no chamfers.
     toothed = [*(frozenset(gear.faces) for gear in gears), *(frozenset(knurl.faces) for knurl in knurls)]
@@ -174,7 +178,7 @@ def _parts(
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
     protrusions = recognise_protrusions(brep, round_faces, tolerances)
     pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
-    prisms = recognise_prisms(brep, {f for blend in blends if blend.kind == "chamfer" for f in blend.faces})
+    prisms = recognise_prisms(brep, chamfers)
     plates = recognise_plates(brep, prisms, ribs, tolerances)
     prisms = [*without_edgewise(prisms, plates), *plates]
     sections = recognise_hollow_sections(brep, depressions)

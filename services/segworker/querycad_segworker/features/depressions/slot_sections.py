@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.extruded_walls import first_of_surface
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
@@ -205,11 +205,8 @@ def over_edge_break(brep: Brep, wall: FaceRecord) -> list[FaceRecord]:
     """
     bevels = []
     for edge, other in brep.neighbours(wall.id):
-        face = brep.faces[other]
-        chamfer = face.kind is SurfaceKind.PLANE and edge.convexity is EdgeConvexity.CONVEX and face.area < wall.area
-        rounding = edge.convexity is EdgeConvexity.SMOOTH and face.outward > 0 and is_blend(brep, face)
-        if (chamfer and SQUARE < dot(face.axis, wall.axis) < 1 - SQUARE) or rounding:
-            bevels.append(face)
+        if breaks_edge(brep, wall, edge, brep.faces[other]):
+            bevels.append(brep.faces[other])
     beyond = [(bevel, brep.faces[i]) for bevel in bevels for _, i in brep.neighbours(bevel.id) if i != wall.id]
     return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > bevel.area]
 

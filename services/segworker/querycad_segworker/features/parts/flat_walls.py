@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
-from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
@@ -47,6 +47,8 @@ STANDS_IN = frozenset(("between", "gusset"))
 """What parts two openings, or stiffens a corner, is no leg."""
 HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
+UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
+"""Slots that no fork has."""
 CORNER = 0.75
 """The side of a gusset fills less than this share of the block over its two feet: a triangle half of it, a plate in the
 corner of a box all."""
@@ -106,21 +108,16 @@ def recognise_flat_walls(
         for face in found.faces
         if face not in found.floor
     }
+    slots = _forks(brep, depressions)
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces)
+            wall = _wall(brep, faces, max(slots.get(face, 0.0) for face in faces))
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
     sides = {face for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
-    slots = {
-        face: found.length
-        for found in depressions
-        if found.kind is DepressionKind.SLOT and "through" in found.tags and found.length > found.width
-        for face in found.faces
-    }
     low = [_as_tine(brep, wall, slots) for wall in low]
     low = [
         wall
@@ -132,10 +129,21 @@ def recognise_flat_walls(
     return sorted(_legs(brep, _webs(brep, [*thin, *low])), key=lambda wall: (wall.faces, wall.thickness))
 
 
-def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall:
-    """The same wall, a 'tine' where it stands beside a slot through a fork that is longer than the wall is thick.
+def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
+    """How far does a slot reach between the tines of a fork, in metres, by its sides: farther than it is wide."""
+    found = {}
+    for cut in depressions:
+        reach, inwards = (cut.length, cut.direction) if "through" in cut.tags else (cut.depth, cut.normal)
+        slit = cut.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) and not UNDERCUT.intersection(cut.tags)
+        if slit and cut.is_open and reach > cut.width:
+            found.update({face: reach for face in cut.faces if abs(dot(brep.faces[face].axis, inwards)) < SQUARE})
+    return found
 
-    `slots`: the lengths of such slots, metres, by face.
+
+def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall:
+    """The same wall, a 'tine' where it stands beside a slot through a fork that reaches farther than it is thick.
+
+    `slots`: how far, metres, by face.
     """
     beside = (face for face in wall.faces if slots.get(face, 0.0) > wall.thickness)
     flank = any(abs(dot(brep.faces[face].axis, wall.normal)) > APART for face in beside)
@@ -228,8 +236,11 @@ def _gap(brep: Brep, a: int, b: int) -> float:
     return abs(dot(brep.faces[a].point, brep.faces[a].axis) - dot(brep.faces[b].point, brep.faces[a].axis))
 
 
-def _wall(brep: Brep, faces: Collection[int]) -> FlatWall | None:
-    """The wall between the faces that look one way and those that look the other; None where it is too thick."""
+def _wall(brep: Brep, faces: Collection[int], fork: float) -> FlatWall | None:
+    """The wall between the faces that look one way and those that look the other; None where it is too thick.
+
+    `fork`: how far the slot beside it reaches, metres: a tine may be as thick as that.
+    """
     first = brep.faces[min(faces)]
     sides: dict[bool, list[FaceRecord]] = defaultdict(list)
     for i in sorted(faces):
@@ -242,13 +253,14 @@ def _wall(brep: Brep, faces: Collection[int]) -> FlatWall | None:
         return None
     normal = small[0].axis
     thickness = dot(small[0].point, normal) - dot(large[0].point, normal)
-    frame = _frame(brep, small)
+    frame = _frame(brep, small, thickness)
     length, width, _ = frame.size
     # The rim of a box is long and wide as a whole, but narrow: there the mean width counts.
     area = sum(face.area for face in small)
     clear = width if area > FILLED * length * width else area / length
     thin = thickness < PLATE_RATIO * clear
-    if thickness <= 0 or not (thin or (thickness < FLATTER * clear and thickness < PLATE_RATIO * length)):
+    low = thickness < FLATTER * clear and thickness < PLATE_RATIO * length
+    if thickness <= 0 or not (thin or low or thickness < fork):
         return None
     return FlatWall(
         thickness=thickness,
@@ -267,9 +279,13 @@ def _is_disc(brep: Brep, face: FaceRecord) -> bool:
     return any(brep.edges[e].closed and brep.edges[e].kind is EdgeKind.CIRCLE for e in _rims([face]))
 
 
-def _frame(brep: Brep, side: Sequence[FaceRecord]) -> LocalFrame:
-    edges = _rims(side) or brep.edges_of(face.id for face in side)
-    return frame_of_edges(brep, edges, side[0].axis, None)
+def _frame(brep: Brep, side: Sequence[FaceRecord], thickness: float) -> LocalFrame:
+    """The box of a side, over the rounds and chamfers narrower than the wall is thick that break its edges."""
+    around = [(face, edge, brep.faces[i]) for face in side for edge, i in brep.neighbours(face.id)]
+    broken = [other for face, edge, other in around if breaks_edge(brep, face, edge, other)]
+    outline = _rims(side) or brep.edges_of(face.id for face in side)
+    outline |= brep.edges_of(face.id for face in broken if max(face.radius, face.minor_radius) < thickness)
+    return frame_of_edges(brep, outline, side[0].axis, None)
 
 
 def _rims(side: Sequence[FaceRecord]) -> set[int]:
@@ -378,7 +394,8 @@ def _leg(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> FlatWall:
 
     Drawings give legs and flanges by these dimensions (DIN 6935).
     """
-    frame = _frame(brep, [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0])
+    outer = [brep.faces[i] for i in wall.faces if dot(brep.faces[i].axis, wall.normal) < 0]
+    frame = _frame(brep, outer, wall.thickness)
     meets = [face for other in _joined(brep, wall, others) for face in _met(brep, wall, others[other])]
     middle, sizes = frame.point(0.5, 0.5, 0.5), list[float]()
     for way, low, size in zip((frame.u, frame.v), frame.low, frame.size, strict=False):

@@ -45,11 +45,12 @@ def region_parts(brep: Brep, parts: Sequence[Part], volumes: Volumes, tolerances
     across = {face for part in cuts if part.kind is not PartKind.STEP for face in part.faces}
     out = frozenset(face for part in parts if part.kind in _OUT for face in part.faces)
     maker = _Maker(brep, volumes, volumes.moments, tolerances, cut)
+    breaks = frozenset(face for part in parts if part.kind.breaks_edge for face in part.faces)
     makers: dict[bool, Callable[[Region, int], Part | None]] = {True: maker.depression, False: maker.elevation}
     found: dict[bool, list[Part]] = {True: [], False: []}
     for region in closed_regions(brep, volumes.moments, across):
         taken = faces_area(brep, region.faces & (cut if region.sinks else out))
-        if taken <= TAKEN * faces_area(brep, region.faces):
+        if not breaks >= region.faces and taken <= TAKEN * faces_area(brep, region.faces):
             part = makers[region.sinks](region, len(found[region.sinks]) + 1)
             found[region.sinks] += [part] if part is not None else []
     return [*found[True], *found[False]]

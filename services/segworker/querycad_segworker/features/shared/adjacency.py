@@ -13,7 +13,7 @@ from querycad_segworker.vectors import line_distance, parallel, span
 from .frames import edge_points
 
 BEVEL_RAD = (math.radians(20.0), math.radians(70.0))
-"""A chamfer turns by this much into the face it breaks the edge of, and again into the wall behind."""
+"""A chamfer turns by so much into the face whose edge it breaks, and again into the wall behind."""
 HALF_CYLINDER_RAD = math.radians(179.0)
 """A rounding turns by less than half a circle: it joins two faces that meet at an angle."""
 
@@ -204,6 +204,16 @@ def is_blend(brep: Brep, face: FaceRecord) -> bool:
 
 def _smooth(brep: Brep, face: int) -> dict[int, EdgeRecord]:
     return {other: edge for edge, other in brep.neighbours(face) if edge.convexity is EdgeConvexity.SMOOTH}
+
+
+def breaks_edge(brep: Brep, face: FaceRecord, edge: EdgeRecord, other: FaceRecord) -> bool:
+    """Does the `other` face beyond an edge round or bevel what a face would run into there? It is smaller."""
+    if edge.convexity is EdgeConvexity.SMOOTH:
+        return other.outward > 0 and is_blend(brep, other)
+    if edge.convexity is not EdgeConvexity.CONVEX or other.area > face.area:
+        return False
+    low, high = BEVEL_RAD
+    return low < edge.angle < high and other.kind in (SurfaceKind.PLANE, SurfaceKind.CONE)
 
 
 def same_cylinder(a: FaceRecord, b: FaceRecord) -> bool:

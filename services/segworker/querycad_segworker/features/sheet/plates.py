@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.ribs import Rib
-from querycad_segworker.features.shared.adjacency import is_blend
+from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_box
 from querycad_segworker.features.shared.walls import REVOLVED
@@ -148,11 +148,10 @@ def _side(across: _Across, face: FaceRecord, free_share: float = MOST, ledge: fl
         if len(beyond) != 1:
             return None
         other = brep.faces[beyond[0]]
-        if edge.convexity is EdgeConvexity.CONVEX:
+        if breaks_edge(brep, face, edge, other):
+            above += [(edge.length, wall) for wall in set(brep.beside(other.id, edge.convexity)) - {face.id}]
+        elif edge.convexity is EdgeConvexity.CONVEX:
             above.append((edge.length, other.id))
-        elif edge.convexity is EdgeConvexity.SMOOTH and other.outward > 0 and is_blend(brep, other):
-            walls = set(brep.beside(other.id, EdgeConvexity.SMOOTH)) - {face.id}
-            above += [(edge.length, wall) for wall in walls]
     above = list(dict.fromkeys(above))
     ends = [across.ends(face, wall) for _, wall in above]
     levels = np.concatenate([each.levels for each in ends]) if ends else np.zeros(0)
@@ -218,8 +217,8 @@ def _ends(brep: Brep, face: FaceRecord, wall: FaceRecord) -> list[tuple[float, i
         beyond = brep.faces[other]
         if beyond.kind is SurfaceKind.PLANE and dot(beyond.axis, face.axis) < SQUARE - 1:
             found.append((dot(beyond.point, face.axis), other))
-        elif edge.convexity is EdgeConvexity.SMOOTH and beyond.outward > 0 and is_blend(brep, beyond):
-            for last in brep.beside(other, EdgeConvexity.SMOOTH):
+        elif breaks_edge(brep, wall, edge, beyond):
+            for last in brep.beside(other, edge.convexity):
                 under = brep.faces[last]
                 if under.kind is SurfaceKind.PLANE and dot(under.axis, face.axis) < SQUARE - 1:
                     found.append((dot(under.point, face.axis), last))
@@ -248,13 +247,14 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE
     top = dot(face.point, face.axis)
     thickness = top - side.level
     outline, _ = outline_of(brep, face.loops[0], tolerances)
-    rim = set(face.loops[0].edges)
-    frame = frame_of_edges(brep, rim, face.axis, None)
+    rim = [brep.edges[e] for e in face.loops[0].edges]
+    broken = {i for edge in rim for i in edge.faces if i != face.id and breaks_edge(brep, face, edge, brep.faces[i])}
+    frame = frame_of_edges(brep, {edge.id for edge in rim} | brep.edges_of(broken), face.axis, None)
     length, width, _ = frame.size
     if thickness <= 0 or thickness >= ratio * width or outline == "circular":
         return None
     down = scale(face.axis, -thickness)
-    low, high_corner = face.box
+    low, high_corner = faces_box(brep, {face.id, *broken})
     box = box_of((low, high_corner, add(low, down), add(high_corner, down)))
     assert box is not None  # of four points
     normal = upwards(face.axis)
