@@ -368,12 +368,13 @@ class Guest:
         return math.dist(part.center, other.center)
 
     def angle_to(self, part: Part, other: Part) -> float:
-        """Which angle, 0 to pi/2, do the axes (or normals) of two parts enclose?
+        """Which angle, 0 to pi/2, do the axes (or normals) of two parts enclose? Of arms, which point outwards, to pi.
 
         From the cross and the dot product, which loses no digits near 0 and pi/2 as acos and asin do.
         """
         a, b = self._direction(part), self._direction(other)
-        return math.atan2(math.hypot(*cross(a, b)), abs(dot(a, b)))
+        cosine = dot(a, b) if "arm" in part.tags and "arm" in other.tags else abs(dot(a, b))
+        return math.atan2(math.hypot(*cross(a, b)), cosine)
 
     def is_in(self, part: Part, other: Part) -> bool:
         """Does one part lie in or on another: is it carried by it, or its centre or opening in the other's box?

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
 from typing import Concatenate, ParamSpec, TypeVar
 
@@ -47,6 +47,7 @@ from .parts.own_measures import with_own_measures
 from .parts.patterns import recognise_patterns
 from .parts.plane_faces import plane_face_parts
 from .parts.protrusions import (
+    arm_part,
     gear_part,
     hollow_section_part,
     knurl_part,
@@ -61,10 +62,11 @@ from .parts.turned import arc_part, boss_break_parts, boss_part, cylinder_part, 
 from .parts.turned_pieces import crossbars
 from .parts.volumes import Volumes
 from .parts.wheels import wheel_parts
+from .protrusions.arms import Arm, recognise_arms, without_arms
 from .protrusions.pads import recognise_pads
-from .protrusions.prisms import recognise_prisms
-from .protrusions.protrusions import recognise_protrusions
-from .protrusions.ribs import fins, recognise_lugs, recognise_ribs
+from .protrusions.prisms import Prism, recognise_prisms
+from .protrusions.protrusions import Protrusion, recognise_protrusions
+from .protrusions.ribs import Rib, fins, recognise_lugs, recognise_ribs
 from .shared.clearance import Ahead, IsClear
 from .shared.merged_faces import United, united
 from .shared.refusals import gathering, left_refused, refuse
@@ -176,11 +178,8 @@ def _parts(
     threads = [frozenset(hole.faces) for hole in holes if "threaded" in hole.tags]
     grooves = recognise_turned_grooves(brep, found_walls, tolerances)
     grooves = _outside("groove", grooves, threads, "it is a turn of a thread")
-    protrusions = recognise_protrusions(brep, round_faces, tolerances)
-    pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
-    prisms = recognise_prisms(brep, chamfers)
-    plates = recognise_plates(brep, prisms, ribs, tolerances)
-    prisms = [*without_edgewise(prisms, plates), *plates]
+    standing_out = _standing_out(brep, round_faces, ribs, chamfers, tolerances)
+    prisms = standing_out.prisms
     sections = recognise_hollow_sections(brep, depressions)
     flat_walls = with_fins(
         recognise_flat_walls(brep, thickness.opposite_m2, depressions, tolerances),
@@ -199,8 +198,9 @@ def _parts(
         *wheel_parts(brep, holes, bosses),
         *_numbered(brep, grooves, turned_groove_part),
         *_numbered(brep, depressions, depression_part, volumes),
-        *_numbered(brep, [*protrusions, *pads], protrusion_part, volumes),
+        *_numbered(brep, standing_out.protrusions, protrusion_part, volumes),
         *_numbered(brep, beside_sections(prisms, sections), prism_part),
+        *_numbered(brep, standing_out.arms, arm_part),
         *_numbered(brep, sections, hollow_section_part),
         *(rib_part(brep, r, n, n in fin_numbers) for n, r in enumerate(ribs, 1) if gussets.isdisjoint(r.flanks)),
         *_numbered(brep, recognise_bent_arcs(brep, found_walls, tolerances), bent_arc_part),
@@ -232,6 +232,26 @@ def _parts(
     parts = with_joined_counterbores(with_own_measures(parts, brep), brep, tolerances)
     parts += [*crossbars(parts, brep), *plane_face_parts(brep, parts, tolerances)]
     return with_relations(parts, shape, brep)
+
+
+@dataclass(frozen=True, slots=True)
+class _StandingOut:
+    protrusions: list[Protrusion]
+    arms: list[Arm]
+    prisms: list[Prism]
+
+
+def _standing_out(
+    brep: Brep, round_faces: Set[int], ribs: Sequence[Rib], chamfers: Set[int], tolerances: Tolerances
+) -> _StandingOut:
+    """Pads, arms, blocks and plates; what an arm is made of is no other part."""
+    arms = recognise_arms(brep, [frozenset(rib.flanks) for rib in ribs], tolerances)
+    protrusions = without_arms(recognise_protrusions(brep, round_faces, tolerances), arms)
+    pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
+    sides = {face for arm in arms for face in arm.sides}
+    prisms = [prism for prism in recognise_prisms(brep, chamfers) if sides.isdisjoint(prism.faces)]
+    plates = recognise_plates(brep, prisms, ribs, tolerances)
+    return _StandingOut([*protrusions, *pads], arms, [*without_edgewise(prisms, plates), *plates])
 
 
 def _only(bodies: Sequence[Part]) -> Part | None:

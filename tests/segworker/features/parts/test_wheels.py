@@ -115,12 +115,12 @@ def edge_at(edge: TopoDS_Edge, x: float, z: float) -> bool:
     return all(abs(p.X() - x) < 1e-6 and abs(p.Z() - z) < 1e-6 for p in ends)
 
 
-def test_a_bar_between_hubs_is_a_prism_though_a_keyway_opens_in_its_side() -> None:
+def test_a_bar_between_hubs_is_an_arm_though_a_keyway_opens_in_its_side() -> None:
     lever = fuse(cylinder(18, 30), box((80, 16, 12), (0, -8, 0)), cylinder(14, 24, (80, 0, 0)))
     lever = cut(lever, cylinder(10, 30), box((6, 13, 30), (-3, 0, 0)), cylinder(7, 24, (80, 0, 0)))
     (bar,) = find(lever).of("prism")
-    assert (bar.length, bar.width) == pytest.approx((16 * MM, 12 * MM))
-    assert "slender" in bar.tags
+    assert (bar.width, bar.thickness) == pytest.approx((16 * MM, 12 * MM))
+    assert "arm" in bar.tags
 
 
 def test_a_plate_with_a_recess_is_no_base_of_itself() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from querycad_contracts import Part, PartKind
+from querycad_segworker.features.protrusions.arms import Arm
 from querycad_segworker.features.protrusions.prisms import Prism
 from querycad_segworker.features.protrusions.protrusions import Protrusion
 from querycad_segworker.features.protrusions.ribs import Rib
@@ -187,6 +188,31 @@ def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
         )
         for i, tooth in enumerate(gear.teeth, start=1)
     ]
+
+
+def arm_part(brep: Brep, found: Arm, number: int) -> Part:
+    """An arm; its normal and length run out from the hub, its height along the hub's axis."""
+    name = "spoke" if found.is_spoke else "arm"
+    return Part(
+        id=f"arm-{number}",
+        kind="prism",
+        tags=("arm", "spoke") if found.is_spoke else ("arm",),
+        label=f"{name}, {millimetres(found.width)} wide, {millimetres(found.thickness)} thick, "
+        f"length {millimetres(found.length)}",
+        faces=found.faces,
+        center=found.center,
+        extents=box_extents(faces_box(brep, found.faces)),
+        axis=found.direction,
+        normal=found.direction,
+        height=found.thickness,
+        width=found.width,
+        thickness=found.thickness,
+        length=found.length,
+        tip=found.tip,
+        local_size=(found.length, found.width, found.thickness),
+        area=faces_area(brep, found.faces),
+        evidence=geometry("two plane sides that run out from a round hub"),
+    )
 
 
 def rib_part(brep: Brep, found: Rib, number: int, is_fin: bool) -> Part:

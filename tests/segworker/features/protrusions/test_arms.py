@@ -1,0 +1,66 @@
+"""Arms that run out from a hub: free, rounded, to an eye or a rim; and what is none."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from OCP.TopoDS import TopoDS_Shape
+from tests.segworker.shapes import box, cut, cylinder, edges, filleted, find, fuse, turned, upright
+
+MM = 1e-3
+
+
+def star(count: int, height: float = 42.0) -> TopoDS_Shape:
+    """Arms 16 wide, 12 thick, that reach 85 from the axis of a hub of 26 and end round."""
+    arm = fuse(box((77, 16, 12), (0, -8, 0)), cylinder(8, 12, (77, 0, 0)))
+    return fuse(cylinder(26, height), *(turned(arm, (0, 0, 1), i * 360 / count) for i in range(count)))
+
+
+@pytest.mark.parametrize("count", [1, 3, 4])
+def test_arms_are_measured_from_the_hub_to_their_round_end(count: int) -> None:
+    arms = [part for part in find(star(count)).of("prism") if "arm" in part.tags]
+    assert len(arms) == count
+    for arm in arms:
+        assert (arm.width, arm.thickness, arm.length) == pytest.approx((16 * MM, 12 * MM, 59 * MM))
+        assert math.dist((0, 0), (arm.tip or (0, 0))[:2]) == pytest.approx(85 * MM)
+
+
+def test_fillets_at_the_root_and_rounds_along_the_edges_change_nothing() -> None:
+    lever = star(1)
+    root = [edge for edge in upright(lever) if _off_axis(edge) < 26.5]
+    (arm,) = [part for part in find(filleted(lever, 4, *root)).of("prism") if "arm" in part.tags]
+    assert (arm.width, arm.thickness, arm.length) == pytest.approx((16 * MM, 12 * MM, 59 * MM))
+
+
+def _off_axis(edge: object) -> float:
+    from OCP.BRepAdaptor import BRepAdaptor_Curve
+
+    point = BRepAdaptor_Curve(edge).Value(0.0)
+    return math.hypot(point.X(), point.Y())
+
+
+def test_an_arm_to_an_eye_ends_there() -> None:
+    lever = fuse(cylinder(22, 32), box((110, 18, 10), (0, -9, 0)), cylinder(14, 20, (110, 0, 0)))
+    (arm,) = [part for part in find(lever).of("prism") if "arm" in part.tags]
+    assert arm.width == pytest.approx(18 * MM)
+    assert arm.length == pytest.approx(77 * MM, rel=0.02)
+
+
+def test_spokes_end_at_the_inside_of_the_rim() -> None:
+    rim = cut(cylinder(90, 32), cylinder(74, 32))
+    spokes = (turned(box((80, 18, 12), (0, -9, 10)), (0, 0, 1), i * 72) for i in range(5))
+    wheel = cut(fuse(rim, cylinder(25, 44), *spokes), cylinder(12, 44))
+    found = [part for part in find(wheel).of("prism") if "spoke" in part.tags]
+    assert len(found) == 5
+    assert {round(1e3 * (spoke.length or 0), 3) for spoke in found} == {49.0}
+
+
+def test_ribs_around_a_post_and_pads_are_no_arms() -> None:
+    plate = box((100, 100, 10), (-50, -50, 0))
+    ribs = (turned(box((42, 8, 44), (0, -4, 10)), (0, 0, 1), 90 * i) for i in range(4))
+    post = fuse(plate, cylinder(18, 60, (0, 0, 10)), *ribs)
+    assert not [part for part in find(post).parts if "arm" in part.tags]
+    block = fuse(box((60, 40, 10)), box((20, 8, 10), (20, 16, 10)))
+    assert not [part for part in find(block).parts if "arm" in part.tags]
+    assert edges(block)
