@@ -109,21 +109,22 @@ def recognise_flat_walls(
         if face not in found.floor
     }
     slots = _forks(brep, depressions)
+    pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
+    most = {face: FLATTER * pocket.depth for face, pocket in pockets.items()} | slots
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
         for faces in linked({i for pair in pairs for i in pair}, pairs):
-            wall = _wall(brep, faces, max(slots.get(face, 0.0) for face in faces))
+            wall = _wall(brep, faces, max(most.get(face, 0.0) for face in faces))
             if wall is not None:
                 wall = _between(brep, _with_place(_gusset(brep, wall) or wall, floors), beside)
                 (thin if wall.is_thin else low).append(wall)
-    sides = {face for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
     low = [_as_tine(brep, wall, slots) for wall in low]
     low = [
         wall
         for wall in low
         if not {"between", "tine"}.isdisjoint(wall.tags)
-        or not sides.isdisjoint(wall.faces)
+        or not pockets.keys().isdisjoint(wall.faces)
         or next(_joined(brep, wall, thin), None) is not None
     ]
     return sorted(_legs(brep, _webs(brep, [*thin, *low])), key=lambda wall: (wall.faces, wall.thickness))
@@ -236,10 +237,10 @@ def _gap(brep: Brep, a: int, b: int) -> float:
     return abs(dot(brep.faces[a].point, brep.faces[a].axis) - dot(brep.faces[b].point, brep.faces[a].axis))
 
 
-def _wall(brep: Brep, faces: Collection[int], fork: float) -> FlatWall | None:
+def _wall(brep: Brep, faces: Collection[int], most: float) -> FlatWall | None:
     """The wall between the faces that look one way and those that look the other; None where it is too thick.
 
-    `fork`: how far the slot beside it reaches, metres: a tine may be as thick as that.
+    `most`: how thick it may be beside a slot or pocket, metres.
     """
     first = brep.faces[min(faces)]
     sides: dict[bool, list[FaceRecord]] = defaultdict(list)
@@ -260,7 +261,7 @@ def _wall(brep: Brep, faces: Collection[int], fork: float) -> FlatWall | None:
     clear = width if area > FILLED * length * width else area / length
     thin = thickness < PLATE_RATIO * clear
     low = thickness < FLATTER * clear and thickness < PLATE_RATIO * length
-    if thickness <= 0 or not (thin or low or thickness < fork):
+    if thickness <= 0 or not (thin or low or thickness < most):
         return None
     return FlatWall(
         thickness=thickness,
