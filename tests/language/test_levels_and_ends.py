@@ -6,7 +6,7 @@ import pytest
 from tests.made import body, part, whole
 
 from querycad_contracts import Measure, Part, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Check, Distance, Form, Get, Plane, Several, Towards
+from querycad_language.forms import SHORTER, Check, Distance, Form, Get, Plane, Towards
 from querycad_language.measures import options
 from querycad_language.programs import write
 from querycad_language.readings.frames.distances import overhangs
@@ -241,11 +241,21 @@ def test_how_deep_below_and_how_high_above_are_distances_of_no_two_alike() -> No
         assert all(form.second != "each other" for form in named)
 
 
-def test_the_width_across_is_the_shorter_side_and_two_directions_are_named_by_how_they_lie() -> None:
+def test_the_width_across_is_the_shorter_side() -> None:
     across = forms("What is the spacing of the lugs across the width of the lever?")
     assert any(isinstance(form, Distance) and form.axis == SHORTER for form in across)
-    both = forms("Horizontal and vertical pitch of the lugs?")
-    assert any(isinstance(form, Several) and [one.axis for one in form.of] == [LONGEST, SHORTER] for form in both)
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("How wide is the dovetail groove at its mouth?", Measure.MOUTH_WIDTH),
+        ("What width does the keyway have at the bottom?", Measure.BOTTOM_WIDTH),
+        ("How large is the radius on the outside of the bends?", Measure.OUTER_RADIUS),
+    ],
+)
+def test_a_measure_at_the_mouth_or_outside_is_one_of_its_own(question: str, measure: Measure) -> None:
+    assert any(isinstance(form, Get) and form.measures == (measure,) for form in forms(question))
 
 
 def test_a_root_circle_is_that_of_the_gear_and_a_curved_slots_radius_that_of_its_middle_line() -> None:

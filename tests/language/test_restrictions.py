@@ -93,7 +93,6 @@ def test_all_are_as_the_second_phrase_says() -> None:
     ("question", "measure"),
     [
         ("What percentage of the bounding box is material here?", Measure.FILL),
-        ("What volume is milled away from a block as large as the bounding box?", Measure.REMOVED),
         ("What is the area on which it stands, the footprint?", Measure.STANDING_AREA),
     ],
 )

@@ -217,7 +217,7 @@ class Part:
         ...
 
     def angle_to(self, other: "Part") -> float:
-        """0 to pi/2, of two arms to pi. Between axes or normals."""
+        """Of axes/normals; arms to pi."""
         ...
 
     def is_in(self, other: "Part") -> bool:

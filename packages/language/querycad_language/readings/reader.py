@@ -15,7 +15,7 @@ from .frames.comparisons import comparisons
 from .frames.counts import counts, exists
 from .frames.distances import angles, distances, overhangs
 from .frames.parts import bare, holders, mating, parts
-from .frames.values import values, wholes
+from .frames.values import values
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
 from .question import Question, seen_from
@@ -28,7 +28,7 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
-    counts, distances, overhangs, angles, comparisons, yes_no, values, wholes, mating, parts, holders, exists,
+    counts, distances, overhangs, angles, comparisons, yes_no, values, mating, parts, holders, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

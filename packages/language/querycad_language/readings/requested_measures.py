@@ -91,8 +91,6 @@ def _how_many(text: Text, at: int, end: int, power: int) -> Requested | None:
     """'How many millimetres deep is …?', 'How many degrees …?'; without a measure in the question: how large."""
     ahead = (text.find(i, "scale") for i in range(end, end + 6) if power == 1)
     scale = next((span for span in ahead if span and span.value.degree == "positive"), None)
-    if power == 1 and scale is None and text.at_phrases("measure", "distance", "reach"):
-        return None
     measure = UNITS[power] if scale is None else scale.value.measure
     return Requested(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
 
@@ -106,6 +104,9 @@ def _how(text: Text, at: int) -> Requested | None:
         return Requested(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
+        of = text.find(text.skip(scale.end, "be", "article"), "measure")
+        if scale.value.measure is Measure.MAGNITUDE and of and not text.find(of.start, "noun"):  # 'how big is a radius'
+            return Requested(at, of.end, (of.value,), "noun", used=frozenset(range(at, of.end)))
         return _joined_scales(text, at, scale)
     ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:

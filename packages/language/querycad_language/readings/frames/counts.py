@@ -35,9 +35,7 @@ def counts(question: Question) -> Iterator[Parse]:
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = question.parts
         yield from _treated(question, at, used)
-        yield from (whole := list(_topology(question, at, used)))
-        if whole:
-            continue  # 'how many faces' are all of them, whatever part they belong to
+        yield from _topology(question, at, used)
         after = [m for m in named if m.head >= at and not m.pronoun]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
         before = [m for m in before if m.end < span.start or not (m.query and m.query.ranks)]  # 'highest hole count'

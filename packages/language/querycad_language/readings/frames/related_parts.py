@@ -25,6 +25,12 @@ _BOUNDS = {
     Measure.WIDTH: ("opening", "mouth", "entry", "entrance"),
 }
 """What bounds a cut has its measure."""
+_THERE = {
+    Measure.WIDTH: {("mouth", "opening", "top", "rim", "surface"): Measure.MOUTH_WIDTH,
+                    ("bottom", "floor", "base"): Measure.BOTTOM_WIDTH},
+    Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
+}  # fmt: skip
+"""What a measure is at one end or on one side, and the words for those."""
 _TUBES = ("ring", "pipe", "cavity")
 _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
 """What has a measure that the whole has not."""
@@ -38,6 +44,7 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
     yield from _of_its_section(get, parse)
+    yield from _there(question, get, parse)
     if get.target is not None:
         yield from _across(get.target, get, parse)
     match get.measures:
@@ -55,8 +62,6 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
             owner = PartQuery(noun=_OWNERS[measure], definite=True)
             yield Parse(replace(get, target=owner), parse.features, parse.used)
-            if measure is Measure.ROOT_DIAMETER:  # of a groove its own
-                yield Parse(replace(get, measures=(Measure.DIAMETER,)), parse.features, parse.used)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -134,6 +139,17 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
                 yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
 
 
+def _there(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
+    text = question.text
+    for words, measure in _THERE.get(get.measures[0], {}).items() if get.target is not None else ():
+        led = (i for i in text.at_words(*words) if text.is_word(i - 1, "the", "its", "their"))
+        if at := next((i for i in led if text.is_word(i - 2, "at", "on")), 0):
+            form = replace(get, measures=(measure,), target=replace_fields(get.target, sides=()))
+            features = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
+            yield Parse(form, {**features, "link_of": 1.0, "there": 1.0}, parse.used | {at - 2, at - 1, at})
+
+
 def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
     """'The smallest shaft diameter' is that of its thinnest section."""
     target = get.target
@@ -150,8 +166,6 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     """'The top diameter of the cone', 'the diameter of the knob at its bottom': of the face there."""
     target, text = get.target, question.text
     behind = text.find(text.skip(asked.end + 1, "article"), "side") if text.is_word(asked.end, "at", "on") else None
-    if behind is not None and text.find(text.skip(behind.end, "side_noun"), "noun"):
-        behind = None  # 'on the top flange'
     before = text.find(asked.start - 1, "side") or behind
     sides: tuple[Side, ...] = (before.value,) if before is not None else ()
     if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:

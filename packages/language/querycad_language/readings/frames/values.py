@@ -209,14 +209,3 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
     named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
     several = named and target.plural and not target.definite and asked.measures[0] is not Measure.SIZE
     return Reduce.EACH if several else Reduce.ONE, used
-
-
-def wholes(question: Question) -> Iterator[Parse]:
-    """'How much material is cut from its block?', 'What volume is milled away from the bounding box?'"""
-    text = question.text
-    boxes = text.at_phrases("boxes") | {i for i in text.at_words("bounding") if text.is_word(i + 1, "box")}
-    boxes |= text.at_words("block", "blank", "stock", "bbox", "billet")
-    if boxes and (cutting := text.at_phrases("cutting")):
-        named = {i for m in question.mentions if m.query is None for i in m.used}
-        around = boxes | cutting | named | text.at_phrases("stuff") | text.at_words("much", "volume")
-        yield Parse(Get((Measure.REMOVED,), None), {"whole_box": 1.0, "asked_noun": 1.0}, around)

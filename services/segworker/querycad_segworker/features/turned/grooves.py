@@ -32,7 +32,8 @@ class TurnedGroove:
     """One groove around an axis. Metres, radians. `radius` is its bottom's; `depth` counts from the nearer shoulder.
 
     `section`: 'rectangular', 'v_shaped', 'trapezoidal' or 'semicircular' (part of a torus). `width` is that of its
-    mouth. `angle`: between its flanks, where they lean. `inner`: it lies in a bore.
+    mouth, `floor_width` that of the straight bottom between leaning flanks. `angle`: between its flanks, where they
+    lean. `inner`: it lies in a bore.
     """
 
     radius: float
@@ -42,6 +43,7 @@ class TurnedGroove:
     axis: Vector
     section: str
     inner: bool
+    floor_width: float | None
     angle: float | None
     faces: tuple[int, ...]
 
@@ -162,6 +164,7 @@ def _groove(
         axis=stack.axis.direction,
         section=section,
         inner=outward < 0,
+        floor_width=next((wall.height for wall in members if wall.kind is SurfaceKind.CYLINDER and angle), None),
         angle=angle,
         faces=tuple(sorted(faces)),
     )
