@@ -217,7 +217,7 @@ class Part:
         ...
 
     def angle_to(self, other: "Part") -> float:
-        """Of axes/normals; arms to pi."""
+        """Axes/normals; arms to pi."""
         ...
 
     def is_in(self, other: "Part") -> bool:

@@ -44,9 +44,9 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
     yield from _of_its_section(get, parse)
-    yield from _there(question, get, parse)
     if get.target is not None:
         yield from _across(get.target, get, parse)
+        yield from _there(question.text, get.target, get, parse)
     match get.measures:
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
             of = next((place for _, place in places_of(get.target, "of", "around")), None)
@@ -139,13 +139,12 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
                 yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
 
 
-def _there(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+def _there(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
-    text = question.text
-    for words, measure in _THERE.get(get.measures[0], {}).items() if get.target is not None else ():
+    for words, measure in _THERE.get(get.measures[0], {}).items():
         led = (i for i in text.at_words(*words) if text.is_word(i - 1, "the", "its", "their"))
         if at := next((i for i in led if text.is_word(i - 2, "at", "on")), 0):
-            form = replace(get, measures=(measure,), target=replace_fields(get.target, sides=()))
+            form = replace(get, measures=(measure,), target=replace_fields(target, sides=()))
             features = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
             yield Parse(form, {**features, "link_of": 1.0, "there": 1.0}, parse.used | {at - 2, at - 1, at})
 
