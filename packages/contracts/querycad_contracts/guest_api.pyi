@@ -217,7 +217,7 @@ class Part:
         ...
 
     def angle_to(self, other: "Part") -> float:
-        """Axes/normals; arms to pi."""
+        """0 to pi/2. Between axes or normals; of two arms, which point outwards, to pi."""
         ...
 
     def is_in(self, other: "Part") -> bool:

@@ -120,7 +120,8 @@ def _adjective(inventory: Inventory, way: Candidate, name: str, count: int | Non
         return [way.to(having, "adjective_agrees")]
     if wider:
         return [way.to(wider, "adjective_wider")]
-    if adjective.order and not all(inventory.has(p, adjective.opposite) for p in way.parts):
+    several = len(way.parts) > 1 or not adjective.tags  # what one alone is, its tags tell
+    if adjective.order and several and not all(inventory.has(p, adjective.opposite) for p in way.parts):
         return _ordered(inventory, way, adjective, count, name)
     if adjective.lacks:
         return [way.to([p for p in way.parts if not inventory.has(p, adjective.lacks)], "adjective_agrees")]

@@ -23,11 +23,11 @@ _FLANKS = ("flank", "side", "wall", "side wall")
 _BOUNDS = {
     **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE), _FLANKS),
     Measure.WIDTH: ("opening", "mouth", "entry", "entrance"),
+    Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
 """What bounds a cut has its measure."""
-_THERE = {
-    Measure.WIDTH: {("mouth", "opening", "top", "rim", "surface"): Measure.MOUTH_WIDTH,
-                    ("bottom", "floor", "base"): Measure.BOTTOM_WIDTH},
+_THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
+    Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
 }  # fmt: skip
 """What a measure is at one end or on one side, and the words for those."""
