@@ -169,3 +169,41 @@ def test_two_faces_and_the_chamfers_between_them_are_no_prism() -> None:
     block = chamfered(block, 3, *upright(block))
     found = find(cut(block, box((50, 18, 35), (50, 21, 0)))).of("prism")
     assert not [prism for prism in found if (prism.width or 0) > 96 * MM]
+
+
+def test_ribs_between_a_post_and_its_plate_are_gussets() -> None:
+    profile = [(5.0, 9.0), (42.0, 9.0), (42.0, 16.0), (24.0, 54.0), (5.0, 54.0)]
+    rib = turned(extruded(profile, -4, 8), (1, 0, 0), 90)
+    plate = box((100, 100, 10), (-50, -50, 0))
+    post = fuse(plate, cylinder(18, 60, (0, 0, 10)), *(turned(rib, (0, 0, 1), 90 * i) for i in range(4)))
+    gussets = [part for part in find(post).of("rib") if "gusset" in part.tags]
+    assert len(gussets) == 4
+    for gusset in gussets:
+        assert gusset.thickness == pytest.approx(8 * MM)
+        assert (gusset.length, gusset.height) == pytest.approx((24 * MM, 44 * MM), rel=0.01)
+
+
+def test_the_tines_of_a_yoke_are_walls_whatever_rounds_their_gap() -> None:
+    yoke = cut(box((30, 48, 64), (-15, -24, 0)), box((30, 26, 48), (-15, -13, 16)))
+    inner = [edge for edge in edges(yoke) if _runs_at(edge, 16, 13) and _ends(edge)[0].X() < _ends(edge)[1].X()]
+    tines = [wall for wall in find(filleted(yoke, 8, *inner)).of("wall") if "tine" in wall.tags]
+    assert [tine.thickness for tine in tines] == pytest.approx([11 * MM] * 2)
+
+
+def test_a_t_profile_is_as_wide_as_its_rounded_edges() -> None:
+    profile = fuse(box((80, 60, 10)), box((10, 60, 40), (35, 0, 10)))
+    outer = [edge for edge in edges(profile) if _lies_along_y(edge) and not _is_in_the_corner(edge)]
+    walls = find(filleted(profile, 1, *outer)).of("wall")
+    assert sorted(wall.length or 0 for wall in walls) == pytest.approx([60 * MM, 80 * MM])
+    plates = find(filleted(profile, 1, *outer)).of("prism")
+    assert max(plate.length or 0 for plate in plates) == pytest.approx(80 * MM)
+
+
+def _lies_along_y(edge: TopoDS_Edge) -> bool:
+    a, b = _ends(edge)
+    return abs(a.X() - b.X()) < 1e-6 and abs(a.Z() - b.Z()) < 1e-6
+
+
+def _is_in_the_corner(edge: TopoDS_Edge) -> bool:
+    point = _ends(edge)[0]
+    return abs(point.Z() - 10) < 1e-6 and 30 < point.X() < 50

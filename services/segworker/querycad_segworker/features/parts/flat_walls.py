@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 
 from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
-from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
+from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend, same_cylinder
+from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
@@ -22,7 +23,7 @@ from querycad_segworker.features.shared.part_measures import (
 )
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, linked
-from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub
+from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub, unit
 
 MOST = 0.5
 """More than this share of one of the two faces has the other one straight behind it."""
@@ -173,11 +174,13 @@ def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
         return None
     (a, a_length), (b, b_length) = next(iter(standing.values()))
     others = [i for found in feet.values() for i, _ in found]
-    same = all(_is_one_plane(brep, a, i) or _is_one_plane(brep, b, i) for i in others)
-    normals = brep.faces[a].axis, brep.faces[b].axis
-    if abs(dot(*normals)) < SQUARE:  # over a fillet in the corner the feet go on to where both faces would meet
+    same = all(_is_one_surface(brep, a, i) or _is_one_surface(brep, b, i) for i in others)
+    normals = _out_of(brep.faces[a], wall.center), _out_of(brep.faces[b], wall.center)
+    if abs(dot(*normals)) < SQUARE:  # over fillets the feet go on to where both faces would meet
         points = face_points(brep, standing)
-        b_length, a_length = (max(p) - min(p) for p in ([dot(point, n) for point in points] for n in normals))
+        b_length, a_length = (
+            max(_off(brep.faces[i], n, p) for p in points) for i, n in zip((a, b), normals, strict=True)
+        )
     area = max(brep.faces[face].area for face in standing)
     spread = norm(cross(*normals))
     if not same or spread < math.sqrt(1 - APART**2) or area > CORNER * a_length * b_length * spread:
@@ -189,26 +192,45 @@ def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
     return replace(wall, length=length, width=height, faces=faces, tags=("gusset",))
 
 
+def _out_of(foot: FaceRecord, at: Vector) -> Vector:
+    """The direction out of the plane, or of the outer cylinder, that something stands on."""
+    return foot.axis if foot.kind is SurfaceKind.PLANE else unit(sub(at, Axis.of(foot).foot(at)))
+
+
+def _off(foot: FaceRecord, out: Vector, point: Vector) -> float:
+    """How far is a point from what something stands on, along the direction out of it?"""
+    radius = 0.0 if foot.kind is SurfaceKind.PLANE else foot.radius
+    return dot(sub(point, foot.point if foot.kind is SurfaceKind.PLANE else foot.origin), out) - radius
+
+
 def _is_rim(face: FaceRecord, edge: EdgeRecord, thickness: float) -> bool:
     """Does a face beyond a convex edge of a wall go as far as the wall is thick, and no further?"""
     return edge.convexity is EdgeConvexity.CONVEX and abs(face.area - edge.length * thickness) < SAME * face.area
 
 
 def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
-    """The planes that a side of a wall stands on, over fillets too, and for how long."""
+    """The planes and outer cylinders that a side of a wall stands on, over fillets too, and for how long."""
     found: dict[int, float] = defaultdict(float)
     for edge, other in brep.neighbours(side.id):
-        if edge.convexity is EdgeConvexity.CONCAVE and brep.faces[other].kind is SurfaceKind.PLANE:
+        if edge.convexity is EdgeConvexity.CONCAVE and _bears(brep.faces[other], edge):
             found[other] += edge.length
         elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
             for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
-                if brep.faces[face].kind is SurfaceKind.PLANE and brep.faces[other].outward < 0:
+                if brep.faces[other].outward < 0 and _bears(brep.faces[face], edge):
                     found[face] += edge.length
     return sorted(found.items())
 
 
-def _is_one_plane(brep: Brep, a: int, b: int) -> bool:
+def _bears(face: FaceRecord, edge: EdgeRecord) -> bool:
+    """Is it a plane, or an outer cylinder along whose axis an edge runs?"""
+    upright = face.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE and face.outward > 0
+    return face.kind is SurfaceKind.PLANE or (upright and abs(dot(face.axis, edge.direction)) > 1 - UPRIGHT**2)
+
+
+def _is_one_surface(brep: Brep, a: int, b: int) -> bool:
     first, second = brep.faces[a], brep.faces[b]
+    if SurfaceKind.CYLINDER in (first.kind, second.kind):
+        return a == b or same_cylinder(first, second)
     apart = abs(dot(sub(second.point, first.point), first.axis))
     return a == b or (
         dot(first.axis, second.axis) > 1 - UPRIGHT**2 and apart <= UPRIGHT * dist(first.point, second.point)

@@ -49,7 +49,9 @@ def recognise_protrusions(brep: Brep, round_faces: Collection[int], tolerances: 
             walls = {other for e in loop.edges for other in brep.edges[e].faces if other != face.id}
             if not group or walls <= set(round_faces):
                 continue
-            if _is_turned(brep, loop, walls, tolerances):
+            if group <= _fillets(brep, loop):
+                refuse("protrusion", group, "fillets alone, at the foot of what stands on more than this face")
+            elif _is_turned(brep, loop, walls, tolerances):
                 refuse("protrusion", group, "a step or groove turned about an axis")
             elif not _is_minor(brep, face, group):
                 refuse("protrusion", group, "it is more than half of its body: the rest stands on it")
@@ -107,10 +109,14 @@ def _beyond(brep: Brep, host: FaceRecord, loop: Loop) -> set[int]:
     return group
 
 
+def _fillets(brep: Brep, loop: Loop) -> set[int]:
+    return {i for e in loop.edges for i in brep.edges[e].faces if brep.edges[e].convexity is EdgeConvexity.SMOOTH}
+
+
 def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], tolerances: Tolerances) -> Protrusion:
     normal = host.axis if host.outward == 0 and host.axis != (0.0, 0.0, 0.0) else host.point_normal
     frame = frame_of(brep, group, normal, loop)
-    fillets = {i for e in loop.edges for i in brep.edges[e].faces if brep.edges[e].convexity is EdgeConvexity.SMOOTH}
+    fillets = _fillets(brep, loop)
     if group - fillets:  # as high as it stands on the host, as wide as it is above the fillet at its foot
         above = frame_of(brep, group - fillets, normal, loop)
         low, size = (*above.low[:2], frame.low[2]), (*above.size[:2], frame.size[2])
