@@ -201,9 +201,9 @@ def test_a_t_profile_is_as_wide_as_its_rounded_edges() -> None:
 
 def _lies_along_y(edge: TopoDS_Edge) -> bool:
     a, b = _ends(edge)
-    return abs(a.X() - b.X()) < 1e-6 and abs(a.Z() - b.Z()) < 1e-6
+    return bool(abs(a.X() - b.X()) < 1e-6 and abs(a.Z() - b.Z()) < 1e-6)
 
 
 def _is_in_the_corner(edge: TopoDS_Edge) -> bool:
     point = _ends(edge)[0]
-    return abs(point.Z() - 10) < 1e-6 and 30 < point.X() < 50
+    return bool(abs(point.Z() - 10) < 1e-6 and 30 < point.X() < 50)
