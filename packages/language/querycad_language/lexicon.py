@@ -140,9 +140,7 @@ class Lexicon:
             return word
         if word.endswith("ies"):
             return word[:-3] + "y"
-        if word.endswith(("ches", "shes", "sses", "xes", "zzes")):
-            return word[:-2]
-        return word[:-1]
+        return word[:-2] if word.endswith(("ches", "shes", "sses", "xes", "zzes")) else word[:-1]
 
     def spans(self, words: Sequence[str]) -> list[list[Span]]:
         """Every phrase that begins at each word, the longest first."""

@@ -67,7 +67,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.OUTER_DIAMETER: "outer_diameter; 2 * max(radii); 2 * radius; ~extents[across]",
     Measure.PITCH_DIAMETER: {"gear": "count * (max(radii) - min(radii)) / 2.25", "pattern": "diameter"},
     Measure.MODULE: "(max(radii) - min(radii)) / 2.25",
-    Measure.ROOT_DIAMETER: {"gear": "2 * min(radii)", "": "inner_diameter; ?2 * min(radii); ?2 * radius"},
+    Measure.ROOT_DIAMETER: {"gear groove": "2 * min(radii)", "": "inner_diameter; ?2 * min(radii); ?2 * radius"},
     Measure.CENTRELINE_RADIUS: "bend_radius; ~center_length / angle; ~(min(radii) + max(radii)) / 2",
     Measure.CIRCUMFERENCE: "~3.141592653589793 * diameter",
     Measure.DEPTH: {

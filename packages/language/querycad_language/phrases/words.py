@@ -19,9 +19,7 @@ def noun_follows(text: Text, at: int) -> bool:
     """Does a word that can be part of a noun phrase stand here?"""
     if at >= len(text) or text.tokens[at].kind in (Kind.SYMBOL, Kind.POSSESSIVE):
         return False
-    if text.tokens[at].kind is not Kind.WORD:
-        return True
-    return text.find(at, *_OPEN) is not None or text.is_content(at)
+    return text.tokens[at].kind is not Kind.WORD or text.find(at, *_OPEN) is not None or text.is_content(at)
 
 
 def is_noun(text: Text, at: int) -> bool:

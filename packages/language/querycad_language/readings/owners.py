@@ -9,6 +9,7 @@ from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields, without
+from querycad_language.text import Text
 
 from .parses import Features
 from .question import Question
@@ -58,7 +59,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         yield Owner(mention.query, used, features)
         for holder in _part_of(mention.query):
             yield Owner(holder, used, features)
-    yield from _compound_of(linked, asked)
+    yield from _compound_of(text, linked, asked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
             noun = "face"  # 'the area of the underside'
@@ -86,10 +87,11 @@ def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
             yield replace_fields(without(query, place), adjectives=(*query.adjectives, *end.adjectives))
 
 
-def _compound_of(linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
+def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:
     """'the counterbore diameter of the small holes': of the counterbores of those."""
     before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
-    of = next((m for m, link in linked if link in ("of", "preposition", "subject") and m.query is not None), None)
+    held = (m for m, link in linked if link in ("of", "preposition") or text.find(m.end, "have"))
+    of = next((m for m in held if m.query is not None and m is not before), None)
     if before is not None and of is not None:
         joined = replace_fields(placed_in(before.part, "of", of.part), plural=of.part.plural)
         used = {*before.used, *of.used, *range(asked.end, of.start)}

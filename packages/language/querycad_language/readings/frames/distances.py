@@ -144,8 +144,6 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
     text = question.text
-    if over := text.covered("outside_to_outside"):
-        return "outsides", over
     if centred := text.covered("center_to_center"):
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}

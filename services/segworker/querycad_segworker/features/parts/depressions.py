@@ -28,6 +28,10 @@ ALONG = frozenset(("rectangular", "obround", "curved"))
 _DEPRESSION_NAMES = {DepressionKind.PASSAGE: "cutout"}
 
 
+_RUNNING = (DepressionKind.SLOT, DepressionKind.CHANNEL, DepressionKind.GROOVE)
+"""What is as wide at its mouth as it is called wide."""
+
+
 def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes) -> Part:
     """A pocket, cutout, slot, channel, step or notch as a part; its depth goes into the material from the opening.
 
@@ -70,7 +74,7 @@ def depression_part(brep: Brep, found: Depression, number: int, volumes: Volumes
         opening=None if found.kind is DepressionKind.CAVITY else found.opening,
         bottom=_bottom(found, through),
         local_size=(found.length, found.floor_width or found.width, found.depth),
-        mouth_width=found.width if found.floor_width else None,
+        mouth_width=found.width if found.kind in _RUNNING else None,
         bottom_width=found.floor_width,
         angle=found.angle,
         volume=volumes.of(found),

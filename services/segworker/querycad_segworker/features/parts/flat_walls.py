@@ -50,6 +50,8 @@ HALF_TURN_RAD = math.radians(150.0)
 """The end of an ear is round by so much at least."""
 UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
+TINE = 2.0
+"""Tines are no thicker than so many widths of the gap between them."""
 CORNER = 0.75
 """The side of a gusset fills less than this share of the block over its two feet: a triangle half of it, a plate in the
 corner of a box all."""
@@ -132,13 +134,18 @@ def recognise_flat_walls(
 
 
 def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
-    """How far does a slot reach between the tines of a fork, in metres, by its sides: farther than it is wide."""
+    """How thick may the tines beside a slot be, in metres, by its sides? It reaches farther than it is wide.
+
+    As thick as it reaches, and as twice its width: a slit between two halves of a clamp makes no fork.
+    """
     found = {}
     for cut in depressions:
-        reach, inwards = (cut.length, cut.direction) if "through" in cut.tags else (cut.depth, cut.normal)
+        reach = cut.length if "through" in cut.tags else cut.depth
         slit = cut.kind in (DepressionKind.SLOT, DepressionKind.CHANNEL) and not UNDERCUT.intersection(cut.tags)
         if slit and cut.is_open and reach > cut.width:
-            found.update({face: reach for face in cut.faces if abs(dot(brep.faces[face].axis, inwards)) < SQUARE})
+            across = cross(cut.normal, cut.direction)
+            sides = (face for face in cut.faces if abs(dot(brep.faces[face].axis, across)) > APART)
+            found.update(dict.fromkeys(sides, min(reach, TINE * cut.width)))
     return found
 
 
