@@ -91,8 +91,7 @@ def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Reque
     """'the counterbore diameter of the small holes': of the counterbores of those."""
     before = next((m for m, link in linked if link == "compound" and m.query is not None), None)
     held = (m for m, link in linked if link in ("of", "preposition") or text.find(m.end, "have"))
-    of = next((m for m in held if m.query is not None and m is not before), None)
-    if before is not None and of is not None:
+    if before and (of := next((m for m in held if m.query is not None and m is not before), None)):
         joined = replace_fields(placed_in(before.part, "of", of.part), plural=of.part.plural)
         used = {*before.used, *of.used, *range(asked.end, of.start)}
         yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})

@@ -29,8 +29,10 @@ _BOUNDS = {
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
+    Measure.POSITION: {("surface", "face", "mouth"): Measure.OPENING},
 }  # fmt: skip
-"""What a measure is at one end or on one side, and the words for those."""
+"""What a measure is at one end or on one side, and the words for those, which follow one of these within so many."""
+_AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross"), 5
 _TUBES = ("ring", "pipe", "cavity")
 _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
 """What has a measure that the whole has not."""
@@ -142,11 +144,11 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
 def _there(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
     for words, measure in _THERE.get(get.measures[0], {}).items():
-        led = (i for i in text.at_words(*words) if text.is_word(i - 1, "the", "its", "their"))
-        if at := next((i for i in led if text.is_word(i - 2, "at", "on")), 0):
+        led = ((i, at) for i in text.at_words(*_AT) for at in text.at_words(*words) if i < at <= i + _NEAR)
+        for start, end in sorted(led)[:1]:
             form = replace(get, measures=(measure,), target=replace_fields(target, sides=()))
-            features = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
-            yield Parse(form, {**features, "link_of": 1.0, "there": 1.0}, parse.used | {at - 2, at - 1, at})
+            said = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
+            yield Parse(form, said | {"link_of": 1.0, "there": 1.0}, parse.used | {*range(start, end + 1)})
 
 
 def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:

@@ -139,7 +139,9 @@ def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
     """The two walls between the lips of a T slot and its mouth."""
     found = []
     for lip, wall in zip(lips, pair, strict=True):
-        beside = [brep.faces[i] for i in brep.beside(lip.id, EdgeConvexity.CONVEX)]
+        outline = {e for loop in lip.loops if loop.outer for e in loop.edges}  # a window in the lip is no mouth
+        around = [(edge, brep.faces[i]) for edge, i in brep.neighbours(lip.id) if edge.id in outline]
+        beside = [face for edge, face in around if edge.convexity is EdgeConvexity.CONVEX]
         beside = [face for face in beside if dot(face.axis, wall.axis) > math.cos(DRAFT_RAD)]
         if not beside:
             return None
