@@ -263,3 +263,17 @@ def test_a_root_circle_is_that_of_the_gear_and_a_curved_slots_radius_that_of_its
     assert options(Measure.ROOT_DIAMETER, gear)[0] == ("2 * min({0}.radii)", "own")
     slot = part("cutout-1", center_length=0.07, angle=1.0)
     assert options(Measure.CENTRELINE_RADIUS, slot)[0][0] == "{0}.center_length / {0}.angle"
+
+
+@pytest.mark.parametrize(
+    ("question", "adjective"),
+    [("How wide are the keyways on the outside?", "outer"), ("Slots in the inside: depth?", "inner")],
+)
+def test_what_is_on_the_outside_is_outer(question: str, adjective: str) -> None:
+    targets = [form.target for form in forms(question) if isinstance(form, Get) and form.target is not None]
+    assert any(adjective in target.adjectives for target in targets)
+
+
+def test_where_an_axis_pierces_a_face_is_an_opening() -> None:
+    found = forms("Where does the axis of the bore pierce the top face?")
+    assert any(isinstance(form, Get) and form.measures == (Measure.OPENING,) for form in found)

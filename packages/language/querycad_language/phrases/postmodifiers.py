@@ -91,14 +91,11 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
         if (end := nested(phrases, at, build, depth)) > at:
             return end
     negated = text.is_word(at, "not")
-    adjective = text.find(at + negated, "adjective")
+    begin = at + 2 if text.is_word(at, "on", "in", "around") and text.is_word(at + 2, "inside", "outside") else at
+    adjective = text.find(begin + negated, "adjective")
+    place = begin == at and text.find(at, "place")
     sided = text.is_word(at, "side")  # 'on each side': no attribute
-    if (
-        own
-        and adjective
-        and not (sided or is_noun(text, adjective.end) or text.find(at, "place"))
-        and adjective.value.tags
-    ):
+    if own and adjective and not (sided or is_noun(text, adjective.end) or place) and adjective.value.tags:
         (build.lacking if negated else build.adjectives).append(adjective.value.name)
         return adjective.end
     if (end := placed(phrases, at, build, depth)) > at:

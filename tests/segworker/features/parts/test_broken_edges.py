@@ -207,3 +207,17 @@ def _lies_along_y(edge: TopoDS_Edge) -> bool:
 def _is_in_the_corner(edge: TopoDS_Edge) -> bool:
     point = _ends(edge)[0]
     return bool(abs(point.Z() - 10) < 1e-6 and 30 < point.X() < 50)
+
+
+def test_opposed_flats_tell_how_far_it_is_across_them() -> None:
+    tail = cut(cylinder(20, 34), box((40, 10, 15), (-20, 17, 19)), box((40, 10, 15), (-20, -27, 19)))
+    flats = [face for face in find(tail).of("face") if "milled" in face.tags]
+    assert [flat.across_flats for flat in flats] == pytest.approx([34 * MM] * 2)
+
+
+def test_a_window_in_the_wall_of_a_pocket_leaves_it_a_pocket() -> None:
+    shroud = cut(box((30, 13, 16)), box((27, 10, 13), (1.5, 1.5, 3)), box((4.5, 3, 8), (12.75, -1, 8)))
+    windows = (box((4, 4, 3), (-1, 4.5, 9)), box((4, 4, 3), (27, 4.5, 9)))
+    (pocket,) = find(cut(shroud, *windows)).of("pocket")
+    assert pocket.depth == pytest.approx(13 * MM)
+    assert pocket.length == pytest.approx(27 * MM)

@@ -5,15 +5,15 @@ Flats on round shafts and in D-shaped bores have the depth that they are milled 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.shared.frames import frame_of_edges, outline_of
 from querycad_segworker.features.shared.part_measures import geometry, inclination, millimetres, outlined, stance
 from querycad_segworker.features.shared.regular import UPRIGHT, depth_of_flat
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import box_center, box_extents, dist, dot
+from querycad_segworker.vectors import box_center, box_extents, dist, dot, sub
 
 MOST_FACES = 2000
 """Nobody asks for one face of so many; lists of parts stay short."""
@@ -29,7 +29,19 @@ def plane_face_parts(brep: Brep, parts: Iterable[Part], tolerances: Tolerances) 
         return []
     regular = [part for part in parts if part.across_corners]
     sides = {i for part in regular if part.normal for i in _upright(brep, part.faces, part.normal)}
-    return [_part(brep, face, number, face.id in sides, tolerances) for number, face in enumerate(planes, start=1)]
+    found = [_part(brep, face, number, face.id in sides, tolerances) for number, face in enumerate(planes, start=1)]
+    across = _across({part.id: face for part, face in zip(found, planes, strict=True) if "milled" in part.tags})
+    return [part.model_copy(update={"across_flats": across.get(part.id)}) for part in found]
+
+
+def _across(flats: Mapping[str, FaceRecord]) -> dict[str, float]:
+    """How far is it over each flat to the nearest one that looks the other way, in metres?"""
+    found = dict[str, float]()
+    for name, one in flats.items():
+        opposed = (o for o in flats.values() if o.body == one.body and dot(o.axis, one.axis) < -FACING.parallel)
+        gaps = [gap for other in opposed if (gap := dot(sub(one.point, other.point), one.axis)) > 0]
+        found |= {name: min(gaps)} if gaps else {}
+    return found
 
 
 def _upright(brep: Brep, faces: Iterable[int], normal: Vector) -> list[int]:
