@@ -26,8 +26,12 @@ _BOUNDS = {
     Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
 """What bounds a cut has its measure."""
+_ENDS = {
+    ("mouth", "opening", "entry", "entrance", "top", "rim"): Measure.MOUTH_WIDTH,
+    ("bottom", "floor"): Measure.BOTTOM_WIDTH,
+}
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
-    Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
+    **dict.fromkeys((Measure.WIDTH, Measure.DIAMETER), _ENDS),
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
     Measure.POSITION: {("surface", "face", "mouth"): Measure.OPENING},
 }  # fmt: skip
@@ -172,18 +176,11 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     if target is not None and not sides and text.has("at") and set(target.sides) <= {Side.TOP, Side.BOTTOM}:
         sides = target.sides
     owned = target is None and behind is not None and text.is_word(behind.end, "of")
-    ends = text.at_words("mouth", "opening", "entry", "entrance", "surface")
-    mouth = {
-        i for at in ends for i in range(at - 2, at + 1) if text.is_word(at - 2, "at") or text.is_word(at - 1, "at")
-    }
     round_ones = (Measure.DIAMETER, Measure.RADIUS, *_INSIDE, *_OUTSIDE)
-    if get.measures[0] not in round_ones or (len(sides) != 1 and not mouth) or owned:
+    if get.measures[0] not in round_ones or len(sides) != 1 or owned or is_cut(target):
         return
     said = set(before.tokens) if before is not None else set()
-    if is_cut(target) or (target is not None and target.noun in _CIRCLES):
-        if behind is None and mouth:
-            wide = Measure.OUTER_DIAMETER if get.measures[0] is Measure.DIAMETER else Measure.OUTER_RADIUS
-            yield Parse(replace(get, measures=(wide,)), {**parse.features, "its_end": 1.0}, parse.used | mouth)
+    if target is not None and target.noun in _CIRCLES:
         return
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         rounded = placed_in(PartQuery(noun="rounded end", definite=True), "on", replace_fields(target, sides=()))
