@@ -183,7 +183,8 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     if target is not None and target.noun in _CIRCLES:
         return
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
-        rounded = placed_in(PartQuery(noun="rounded end", definite=True), "on", replace_fields(target, sides=()))
+        ends = PartQuery(noun="rounded end", adjectives=("outer",), definite=True)
+        rounded = placed_in(ends, "on", replace_fields(target, sides=()))
         yield Parse(replace(get, target=rounded), {**parse.features, "its_end": 1.0}, parse.used | said)
     face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
     face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))

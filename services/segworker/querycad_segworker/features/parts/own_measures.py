@@ -182,7 +182,7 @@ def _round_ends(part: Part) -> Measured:
 def _chamfer(part: Part) -> Measured:
     """Along the axis of a turned one, whose draft is to that axis; else the smaller of what it takes off both faces."""
     if part.depth is not None:
-        return {"chamfer_size": part.depth} | ({} if part.angle is None else {"draft": math.pi / 2 - part.angle})
+        return {"chamfer_size": part.depth, "draft": None if part.angle is None else math.pi / 2 - part.angle}
     if part.width is None or part.angle is None:
         return {}
     return {"chamfer_size": part.width * min(math.cos(part.angle), math.sin(part.angle))}
