@@ -25,8 +25,8 @@ def test_what_gives_the_reading_is_needed_and_what_no_question_reaches_is_not() 
     found = list(statements(MODULE))
     needed = [one for one in found if lost(one, every, sorted(lines.get((one.module, one.reached), ())), 0) is None]
     assert any("values" in one.function for one in needed)
-    assert any("wholes" in one.function for one in found)
-    assert not any("wholes" in one.function and one.reached > one.first for one in needed)
+    assert any("density_of" in one.function for one in found)
+    assert not any("density_of" in one.function and one.reached > one.first for one in needed)
 
 
 def test_the_function_is_whole_again() -> None:
