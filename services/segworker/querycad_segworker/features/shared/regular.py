@@ -97,7 +97,9 @@ def depth_of_flat(brep: Brep, face: FaceRecord) -> float | None:
         if not beside or abs(dot(face.axis, wall.axis)) > UPRIGHT:
             continue
         reach = wall.outward * dot(sub(face.point, wall.origin), face.axis)
-        around = sum(piece.sweep for piece in brep.faces if piece.body == wall.body and same_cylinder(wall, piece))
-        if 0 < reach < CUT_IN * wall.radius and around > math.pi:
+        if not 0 < reach < CUT_IN * wall.radius:
+            continue
+        own = brep.of_kind(SurfaceKind.CYLINDER, brep.bodies[wall.body].faces)
+        if sum(piece.sweep for piece in own if same_cylinder(wall, piece)) > math.pi:
             return wall.radius - reach
     return None
