@@ -26,12 +26,9 @@ _BOUNDS = {
     Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
 """What bounds a cut has its measure."""
-_ENDS = {
-    ("mouth", "opening", "entry", "entrance", "top", "rim"): Measure.MOUTH_WIDTH,
-    ("bottom", "floor"): Measure.BOTTOM_WIDTH,
-}
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
-    **dict.fromkeys((Measure.WIDTH, Measure.DIAMETER), _ENDS),
+    Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
+    Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
     Measure.POSITION: {("surface", "face", "mouth"): Measure.OPENING},
 }  # fmt: skip

@@ -193,10 +193,15 @@ def tooth_parts(brep: Brep, gear: Gear, number: int) -> list[Part]:
 def arm_part(brep: Brep, found: Arm, number: int) -> Part:
     """An arm; its normal and length run out from the hub, its height along the hub's axis."""
     name = "spoke" if found.is_spoke else "arm"
+    _, second, longest = sorted((found.width, found.thickness, found.length))
     return Part(
         id=f"arm-{number}",
         kind="prism",
-        tags=("arm", "spoke") if found.is_spoke else ("arm",),
+        tags=(
+            *("rectangular", "arm"),
+            *(("spoke",) if found.is_spoke else ()),
+            *(("slender",) if longest > BAR_RATIO * second else ()),
+        ),
         label=f"{name}, {millimetres(found.width)} wide, {millimetres(found.thickness)} thick, "
         f"length {millimetres(found.length)}",
         faces=found.faces,
