@@ -39,7 +39,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
     linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
-    each = any(text.is_word(at, "each") and not noun_follows(text, at + 1) for at in range(len(text)))
+    each = any(not noun_follows(text, at + 1) for at in text.at_words("each"))
     named = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
     pronoun = named or each  # 'the holes and the diameter of each'
     owned = any(link in STRONG and not m.pronoun for m, link in linked)

@@ -99,9 +99,8 @@ def _of_model(text: Text, at: int) -> Spot | None:
         return Spot(at, Origin(), set(origin.tokens))
     if ground := text.find(at, "ground"):
         return Spot(at, Boundary(ground.value), set(ground.tokens))
-    side = text.find(at, "side")
-    led = text.find(at - 1, "article", "side_preposition", "place") or at == 0
-    if side and (led or text.is_possessive(at - 1)):  # 'the part's left side'
+    side, leading = text.find(at, "side"), ("article", "side_preposition", "place")
+    if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 
