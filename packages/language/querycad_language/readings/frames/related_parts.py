@@ -174,11 +174,10 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
         sides = target.sides
     owned = target is None and behind is not None and text.is_word(behind.end, "of")
     round_ones = (Measure.DIAMETER, Measure.RADIUS, *_INSIDE, *_OUTSIDE)
-    if get.measures[0] not in round_ones or len(sides) != 1 or owned or is_cut(target):
+    hollow = is_cut(target) or (target is not None and target.noun in _CIRCLES)
+    if get.measures[0] not in round_ones or len(sides) != 1 or owned or hollow:
         return
     said = set(before.tokens) if before is not None else set()
-    if target is not None and target.noun in _CIRCLES:
-        return
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         ends = PartQuery(noun="rounded end", adjectives=("outer",), definite=True)
         rounded = placed_in(ends, "on", replace_fields(target, sides=()))

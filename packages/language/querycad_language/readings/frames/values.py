@@ -132,9 +132,9 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
 
 def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'the diameters of the largest and the smallest hole': both, and not the first of them for sure."""
-    said = question.text.all("scale") if get.target is not None else ()
-    both = {one.value.degree: one.start for one in said if one.value.degree in EXTREMES}
-    both = {degree: start for degree, start in both.items() if question.in_question(start)}
+    scales = question.text.all("scale") if get.target is not None else ()
+    asked = [span for span in scales if question.in_question(span.start)]
+    both = {span.value.degree: span.start for span in asked if span.value.degree in EXTREMES}
     if get.target is not None and len(both) == len(EXTREMES) and is_length(get.measures[0]):
         form = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
         yield Parse(form, parse.features, parse.used | set(both.values()))

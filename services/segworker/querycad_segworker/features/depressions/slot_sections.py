@@ -205,10 +205,8 @@ def over_edge_break(brep: Brep, wall: FaceRecord) -> list[FaceRecord]:
 
     A chamfer is less wide than the wall is high and than what lies beyond, so its area is less.
     """
-    bevels = []
-    for edge, other in brep.neighbours(wall.id):
-        if breaks_edge(brep, wall, edge, brep.faces[other]):
-            bevels.append(brep.faces[other])
+    around = [(edge, brep.faces[i]) for edge, i in brep.neighbours(wall.id)]
+    bevels = [other for edge, other in around if breaks_edge(brep, wall, edge, other)]
     beyond = [(bevel, brep.faces[i]) for bevel in bevels for _, i in brep.neighbours(bevel.id) if i != wall.id]
     return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > bevel.area]
 

@@ -150,9 +150,9 @@ def _forks(brep: Brep, depressions: Sequence[Depression]) -> dict[int, float]:
 
 
 def _as_tine(brep: Brep, wall: FlatWall, slots: Mapping[int, float]) -> FlatWall:
-    """The same wall, a 'tine' where it stands beside a slot through a fork that reaches farther than it is thick.
+    """The same wall, a 'tine' where it stands beside a slot through a fork and is no thicker than tines are.
 
-    `slots`: how far, metres, by face.
+    `slots`: how thick that may be, metres, by the sides of the slots.
     """
     beside = (face for face in wall.faces if slots.get(face, 0.0) > wall.thickness)
     flank = any(abs(dot(brep.faces[face].axis, wall.normal)) > APART for face in beside)

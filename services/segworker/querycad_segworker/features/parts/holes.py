@@ -51,7 +51,6 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
         depth=hole.depth,
         width=width,
         mouth_width=width if hole.is_ring else 2 * hole.opening_radius,
-        bottom_width=width if hole.is_ring else 2 * (hole.sections[-1].end_radius if hole.sections else hole.radius),
         length=2 * widest,
         opening=hole.opening,
         bottom=hole.bottom,

@@ -13,7 +13,7 @@ from querycad_segworker.features.shared.adjacency import breaks_edge
 from querycad_segworker.features.shared.axes import Axis
 from querycad_segworker.features.shared.frames import face_points
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
 from querycad_segworker.vectors import add, dot, foot, mid, norm, parallel, scale, span, sub, unit
 
 ALONG = 0.02
@@ -139,11 +139,8 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
     way, axis = _outwards(hub, a, b), hub.axis.direction
     assert way is not None  # of a pair
     around = [brep.faces[i] for i in _around(brep, a) | _around(brep, b)]
-    levels = [
-        dot(face.point, axis)
-        for face in brep.of_kind(SurfaceKind.PLANE, (face.id for face in around))
-        if parallel(face.axis, axis, ALONG)
-    ]
+    caps = [face for face in around if face.kind is SurfaceKind.PLANE and parallel(face.axis, axis, ALONG)]
+    levels = [dot(cap.point, axis) for cap in caps]
     if max(levels, default=0.0) - min(levels, default=0.0) <= 0:
         levels = list(span(face_points(brep, (a.id, b.id)), axis))
     rims = [face.radius for face in around if _is_rim(face, hub)]
@@ -188,9 +185,12 @@ def _ends(brep: Brep, side: FaceRecord, axis: Vector) -> set[int]:
         for edge, other in brep.neighbours(side.id)
         if edge.kind is EdgeKind.LINE
         and parallel(edge.direction, axis, ALONG)
-        and (edge.convexity is EdgeConvexity.CONVEX or brep.faces[other].outward > 0)
-        and edge.convexity is not EdgeConvexity.CONCAVE
+        and (edge.convexity is EdgeConvexity.CONVEX or _rounds(edge, brep.faces[other]))
     }
+
+
+def _rounds(edge: EdgeRecord, face: FaceRecord) -> bool:
+    return edge.convexity is EdgeConvexity.SMOOTH and face.outward > 0
 
 
 def _is_rim(face: FaceRecord, hub: _Hub) -> bool:
