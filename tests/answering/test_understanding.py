@@ -10,7 +10,6 @@ from tests.made import body, hole, inventory, part, view, whole
 
 from querycad_answering.answering import answer_question
 from querycad_answering.candidates import candidates, with_value
-from querycad_answering.compound import clauses
 from querycad_answering.ranking import confidence, key, ranked
 from querycad_answering.understanding import ModelView, Understanding, meant
 from querycad_contracts import (
@@ -219,36 +218,3 @@ def test_two_names_in_one_question_are_seldom_one_part(other: str, same: float) 
     model = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004))
     asked = candidates(read(f"How far is the hole from the {other}?"), model.ground, model.whole)[0]
     assert asked.features["same_parts"] == same
-
-
-@pytest.mark.parametrize(
-    "question",
-    [
-        "What is the depth of the hole and the width of the slot?",
-        "Depth of the hole vs width of the slot?",
-    ],
-)
-def test_measures_of_two_parts_are_two_questions(question: str) -> None:
-    model = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004))
-    best = candidates(read(question), model.ground, model.whole)[0]
-    first, second = clauses(question, best)
-    assert ("depth of the hole" in first.lower(), second) == (
-        True,
-        "width of the slot?" if "vs" in question else "the width of the slot?",
-    )
-
-
-@pytest.mark.parametrize(
-    "question",
-    [
-        "What is the length and the width of the slot?",
-        "How wide is the slot of the hole and the lug?",
-        "What is the ratio of the length of the slot and the depth of the hole?",
-        "What is the sum of the length of the slot and the depth of the hole?",
-        "Is the length of the slot and the depth of the hole the same?",
-        "What is the distance between the centre of the slot and the axis of the hole?",
-    ],
-)
-def test_what_gives_one_answer_is_one_question(question: str) -> None:
-    model = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.01))
-    assert clauses(question, candidates(read(question), model.ground, model.whole)[0]) == ()

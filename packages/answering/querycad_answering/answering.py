@@ -213,9 +213,9 @@ def _told(
 def _compound(
     understanding: Understanding, run: Run, view: ModelView, unit: LengthUnit, judged: Judged, least: float
 ) -> AnswerRecord | None:
-    """What comes of two questions in one; None for any other."""
+    """What comes of several questions in one; None for any other."""
     best = next(iter(understanding.ranked), None) if understanding.refused is None else None
-    asked = clauses(understanding.question, best)
+    asked = clauses(understanding.reader, best)
     alone = AnswerOptions(codegen=Codegen.PARSER, least_confidence=least)
     records = [
         answer_question(one, run, view, unit, alone.model_copy(update={"context": asked[:index]}))

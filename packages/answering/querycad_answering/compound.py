@@ -1,79 +1,242 @@
-"""Two questions in one: 'How many fins are there, and how thick are they?'
+"""Several questions in one: 'How many fins are there, and how thick are they?', 'Boss: height, bore and wall?'
 
-Each is asked alone, the second after the first, where no reading of the whole answers both.
+Each is asked alone, the later ones after the first, where no reading of the whole answers all.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby
 
-from querycad_contracts import Answer, AnswerRecord, AnswerType, Program, Status, Unit
+from querycad_contracts import Answer, AnswerRecord, AnswerType, Measure, PartKind, Program, Status, Unit
+from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, of_several
+from querycad_language.phrases import Mention
 from querycad_language.readings.question import Question
+from querycad_language.readings.requested_measures import asked_in
+from querycad_language.tokens import Kind
 
 from .candidates import Candidate
 
 Judged = Callable[[Program], Answer | None]
 """Runs a program and types what it gives."""
 
-_JOINT = re.compile(
-    r"(?:[?;,] ?(?:and )?|,? and )(?:if so,? )?(?=(?:also )?"
-    r"(?:how|what|where (?:is|are|do|does)|(?:at|on|in|by|to) (?:what|which)|is|are|does|do)\b)"
-    r"|,? (?:and|vs\.?|versus) (?=(?:(?:the|its) )?(?:[\w-]+ ){1,3}of\b)",  # 'and the width of the slot'
-    re.IGNORECASE,
-)
-_EACH = re.compile(r"\beach(?= ?[?.!]?$)", re.IGNORECASE)
+_JOINTS = (",", "and", "&", "+", "/", "x", ";", ":", "?", "!", ".", "-", "plus", "then", "vs", "versus")
+_JOINING = ("as well as", "along with", "together with")
+_TOPIC_ENDS = (":", "-", ".", "?", ",", ";")
+_IF_SO = re.compile(r"^if so,? ", re.IGNORECASE)
+_EACH = re.compile(r"\beach$", re.IGNORECASE)
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
-_OF_TWO = ("between", "same", "different", "operation", "comparing", "total", "minus")
+_EXPLAINING = ("as", "namely", "meaning", "measured")
+_WISHES = ("need", "want", "wish", "would", "must", "should", "like", "also")
+_WHERE = ("of", "on", "in", "at", "between")
+_OF_TWO = ("same", "different", "operation", "comparing", "minus")
 """What makes one value of two measures: 'the ratio of the width of … and the height of …'."""
-_ASKED = ("measure", "scale", "count", "distance", "gap", "where")
+_POINTS = (Measure.POSITION, Measure.OPENING, Measure.TIP)
+_SIZES = (Measure.SIZE, Measure.MAGNITUDE)
+_SIDES = (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.THICKNESS)
 MAX_CHARS = 300
-"""Longer texts are not looked at for a second question; so three or four are answered at most, one after the other."""
-MAX_JOINTS = 4
-"""So many places are looked at where one question may end."""
-_LEADING = 4
-"""Words of a clause within which it asks."""
+"""Longer texts are not looked at for a second question."""
+MAX_CLAUSES = 5
+"""So many questions in one are answered; who lists more asks for a table."""
 _ALIKE = "(value{0}[:1] if len(different(value{0}, 1e-05)) == 1 else value{0})"
 """Values of a list, those of like parts once."""
 _NUMERIC = {*SCALARS, *map(of_several, SCALARS)}
 
 
-def clauses(question: str, best: Candidate | None) -> tuple[str, ...]:
-    """The two questions, where the best reading of both as one passes over what one of them asks; else none."""
-    joints = list(_JOINT.finditer(question)) if len(question) <= MAX_CHARS else []
-    whole = Question(question) if joints else None
-    if whole is None:
-        return ()
-    one_value = whole.closed or bool(whole.text.at_phrases(*_OF_TWO))
-    for joint in joints[:MAX_JOINTS]:
-        first, second = (Question(one) for one in (question[: joint.start()], question[joint.end() :]))
-        starts = (0, len(whole.text) - len(second.text))
-        asked = [_asked(one, start, not one_value) for one, start in zip((first, second), starts, strict=True)]
-        used = best.reading.used if best is not None else frozenset[int]()
-        if all(asked) and any(used.isdisjoint(each) for one in asked for each in one):
-            rest = _EACH.sub(r"\g<0> of them", question[joint.end() :].strip())
-            return question[: joint.start()].strip(" ,;") + "?", rest
-    return ()
+@dataclass(slots=True)
+class _Clause:
+    """A stretch of the question. `asks`: the tokens of each measure, number or distance that is asked for in it."""
+
+    start: int
+    end: int
+    asks: list[set[int]] = field(default_factory=list)
+    mentions: list[Mention] = field(default_factory=list)
+    lead: str = ""
+    """What it is asked of, or for, that stands elsewhere."""
 
 
-def _asked(clause: Question, start: int, names: bool) -> list[set[int]]:
-    """Where the clause says what it asks, and of which part; nowhere, if it asks nothing or names nothing.
+def clauses(asked: Question, best: Candidate | None) -> tuple[str, ...]:
+    """The single questions, where the best reading of all as one passes over what one of them asks; else none.
 
-    `names`: to name a measure of a part is to ask for it.
+    The later ones may lean on the first: 'How many ribs are there?', 'and how thick are they?'
     """
-    text = clause.text
-    named = clause.mentions or text.at_words(*_LEANING)
-    first = text.find(text.skip(0, "article"), "measure", "count")
-    begins = names and first is not None and "of" in text.words[first.end - 1 : first.end + 1]
-    if not named or not (begins or any(text.find(i, *_VERBS) for i in range(min(len(text), _LEADING)))):
+    text = asked.text
+    if len(text.question) > MAX_CHARS:
+        return ()
+    topic, found = _listed(asked)
+    used = best.reading.used if best is not None else frozenset[int]()
+    named = [[{m.head} for m in one.mentions if not m.pronoun] for one in found[1:]]
+    passed = any(all(map(used.isdisjoint, group)) for group in (*(one.asks for one in found), *filter(None, named)))
+    if not 1 < len(found) <= MAX_CLAUSES or not passed:
+        return ()
+    return tuple(_worded(asked, topic, found, index) for index in range(len(found)))
+
+
+def _listed(asked: Question) -> tuple[str, list[_Clause]]:
+    """What the question begins with, 'Boss:', and its stretches between commas and the like that ask for something."""
+    text = asked.text
+    topic, start, found = "", 0, list[_Clause]()
+    asks = _asks(asked)
+    if asked.chooses:
+        return topic, []
+    apart = asked.closed or text.at_phrases(*_OF_TWO) or any(text.is_word(s.end, "of") for s in text.all("total"))
+    for begin, end, after in _stretches(asked, asks):
+        one = _Clause(
+            begin,
+            end,
+            [each for each in asks if begin <= min(each) < end],
+            [m for m in asked.mentions if begin <= m.start < end and not text.is_word(m.head, "inside", "outside")],
+        )
+        verb = _verb(asked, one)
+        one.asks = one.asks or verb
+        if found and any(text.is_word(i, "first", "last", "order") for i in range(begin, end)):
+            continue  # 'longer side first'
+        if (apart and found and not verb) or _only_says_how(asked, one, found):
+            one.asks = []
+        elif not one.asks and not apart and after not in _TOPIC_ENDS[:2]:
+            _borrow(asked, one, found[-1] if found else None)
+        if one.asks:
+            one.start = one.start if found else start
+            found.append(one)
+        elif found:
+            found[-1].end = end
+        elif one.mentions and after in _TOPIC_ENDS:
+            topic, start = _text(asked, start, end), end + 1
+    return topic, found
+
+
+def _only_says_how(asked: Question, one: _Clause, found: Sequence[_Clause]) -> bool:
+    """Does a stretch ask for nothing: a statement, the width and height that a size consists of?"""
+    text = asked.text
+    second = range(one.start + 1, one.start + 2)
+    explains = text.is_word(one.start, *_EXPLAINING) or " ".join(text.words[one.start : second.stop]) == "that is"
+    tells = text.is_word(one.start, "i", "we") and not any(text.is_word(i, *_WISHES) for i in second)
+    within = text.words[: one.start].count("(") > text.words[: one.start].count(")")
+    _, end = text.sentences[asked.sentence_of(one.start)]
+    if explains or tells or within or not (asked.in_question(one.start) or text.is_word(end, "?", ";")):
+        return True
+    sizes = [span for span in text.all("measure", "scale") if found and found[-1].start <= span.start < one.end]
+    said = [(span.start < one.start, getattr(span.value, "measure", span.value)) for span in sizes]
+    wide = any(before and measure in _SIZES for before, measure in said)
+    return wide and not one.mentions and all(before or measure in _SIDES for before, measure in said)
+
+
+def _before_articles(asked: Question, at: int) -> int:
+    """The token before those articles that stand before this one."""
+    at -= 1
+    while asked.text.find(at, "article"):
+        at -= 1
+    return at
+
+
+def _stretches(asked: Question, asks: Sequence[set[int]]) -> Iterator[tuple[int, int, str]]:
+    """The stretches between joints, and the joint behind each. What one phrase says is not parted."""
+    text = asked.text
+    joints = {i for i in text.at_words(*_JOINTS) if text.tokens[i].kind is not Kind.TIMES}
+    for phrase in _JOINING:
+        size = len(phrase.split())
+        begins = (i for i in range(len(text)) if " ".join(text.words[i : i + size]) == phrase)
+        joints.update(i + k for i in begins for k in range(size))
+    for at in text.at_words("between"):
+        joints.difference_update(sorted(i for i in text.at_words("and", "&") if i > at)[:1])
+    for within in (*(range(m.start, m.end) for m in asked.mentions), *(range(min(one), max(one)) for one in asks)):
+        words = [i for i in within if i not in joints]
+        joints.difference_update(range(words[0], words[-1]) if words else ())
+    start = 0
+    for joint, run in groupby(range(len(text)), joints.__contains__):
+        places = list(run)
+        if not joint:
+            start = places[0]
+            behind = places[-1] + 1
+            yield start, behind, text.words[behind] if behind < len(text) else "?"
+
+
+def _asks(asked: Question) -> list[set[int]]:
+    """The tokens of every measure, number and distance that is asked for."""
+    text = asked.text
+    named = {i for m in asked.mentions for i in m.used if not m.pronoun}
+    before_noun = {m.start for m in asked.mentions}  # 'center hole'
+    apart = text.at_phrases("distance")
+    found: list[set[int]] = []
+    for one in asked_in(asked):
+        point = one.measures[0] in _POINTS and (one.end in before_noun or text.is_word(one.end, "to"))
+        cut = next((i for i in range(one.start + 1, one.end) if i in apart), one.end)  # 'width and spacing'
+        if not (point or _is_place(asked, one.start)):
+            found += [set(each) for each in (range(one.start, cut - (cut < one.end)), range(cut, one.end)) if each]
+    for span in text.all("count", "distance", "gap", "center_to_center"):
+        known = found if span.category == "count" else [named, *found]
+        adds = span.category == "center_to_center" and text.sentences[asked.sentence_of(span.start)][0] != span.start
+        if not (adds or any(each & set(span.tokens) for each in known) or _is_place(asked, span.start)):
+            found.append({span.start} if span.category == "count" else set(span.tokens))
+    return found
+
+
+def _is_place(asked: Question, at: int) -> bool:
+    """Does a measure say where, or along what: 'along the long side', 'from the hub's axis'?"""
+    text = asked.text
+    owned = at - text.is_possessive(at - 1)
+    owner = next((m.start for m in asked.mentions if m.end == owned), at - 2 if owned < at else at)
+    lead = _before_articles(asked, owner)
+    told = text.find(lead, "place", "axis_preposition", "side_preposition")
+    return told is not None and not text.is_word(lead, "of", "for", "with", "through")
+
+
+def _verb(asked: Question, one: _Clause) -> list[set[int]]:
+    """What a clause asks that begins with its verb or its question word: '… and is it through?'"""
+    text = asked.text
+    begin = next((i for i in range(one.start, one.end) if not text.is_word(i, "also", "if", "so", ",")), one.end)
+    lead = text.find(begin, *_VERBS) or (text.find(begin, "place") and text.find(begin + 1, *_VERBS))
+    if not lead or not (one.mentions or any(text.is_word(i, *_LEANING) for i in range(one.start, one.end))):
         return []
-    how = text.at_words("how")
-    pronouns = {i for mention in clause.mentions if mention.pronoun for i in mention.used}
-    asked = how or pronouns or {i for i in range(len(text)) if text.find(i, *_ASKED)}
-    owner = {clause.parts[0].head} if begins and clause.parts else set()
-    return [{start + i for i in one} for one in (asked, owner) if one]
+    pronouns = {i for m in one.mentions if m.pronoun for i in m.used}
+    return [pronouns or {one.mentions[0].head}] if one.mentions else []
+
+
+def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
+    """'Bore, outer diameter': the diameter of it. 'Radius on the long leg, on the short leg?': the radius there."""
+    text = asked.text
+    begin = text.skip(one.start, "article")
+    mention = one.mentions[0] if one.mentions else None
+    if mention is None or mention.query is None:
+        return
+    noun = lexicon().nouns.get(mention.query.noun)
+    if any(text.find(i, "measure") for i in range(mention.start, mention.end)) and not _is_place(asked, mention.start):
+        one.asks = [{mention.head}]  # 'lug end radius'
+    elif mention.end == one.end and mention.start <= begin and noun and noun.senses[0].kind[0] == PartKind.HOLE:
+        if not mention.query.plural and not mention.query.places and not mention.query.adjectives:
+            one.asks, one.lead = [{mention.head}], "diameter of"
+    behind = range(begin + 1, text.skip(begin + 1, "article") + 1)
+    if before is not None and text.is_word(begin, *_WHERE) and mention.part.known and mention.start in behind:
+        one.asks, one.lead = [{mention.head}], _text(asked, min(before.asks[-1]), max(before.asks[-1]) + 1)
+
+
+def _worded(asked: Question, topic: str, found: Sequence[_Clause], index: int) -> str:
+    """One of the clauses as a question: with what it is asked of where that stands before all, or only behind."""
+    text, one = asked.text, found[index]
+    said = _IF_SO.sub("", " ".join(filter(None, (one.lead, _text(asked, one.start, one.end)))))
+    said = _EACH.sub("each of them", said) if index else said
+    leans = any(text.is_word(i, *_LEANING) for i in range(one.start, one.end))
+    if topic:
+        return f"{topic}: {said}?"
+    if one.mentions or leans or (index and any(text.find(i, "over_all") for i in range(one.start, one.end))):
+        return f"{said}?"
+    if any(each.mentions for each in found[:index]):
+        return f"and {said}?"
+    for mention in (m for later in found[index + 1 :] for m in later.mentions[:1]):
+        lead = _before_articles(asked, mention.start)
+        if text.is_word(lead, "of", "for", "on", "in", "at"):
+            return f"{said} {_text(asked, lead, mention.end)}?"
+    return f"{said}?"
+
+
+def _text(asked: Question, start: int, end: int) -> str:
+    """What is said from one token to another, as it was typed."""
+    said = [raw for raw, _ in groupby(token.raw for token in asked.text.tokens[start:end])]  # 'PCD' is three tokens
+    return re.sub(r" (?=['’])", "", " ".join(said))
 
 
 def together(records: Sequence[AnswerRecord], judged: Judged) -> AnswerRecord | None:

@@ -26,6 +26,7 @@ from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.programs.builder import Read
+from querycad_language.readings.reader import Reader
 from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
@@ -112,6 +113,11 @@ class Understanding:
     def _asked(self) -> Refused:
         return Refused(reader_of(self.addressed, self._view.names), self._view.kinds)
 
+    @property
+    def reader(self) -> Reader:
+        """The question as it is read."""
+        return self._asked.reader
+
     @cached_property
     def addressed(self) -> Addressed:
         """The question with the parts that it names by their ids."""
@@ -122,7 +128,7 @@ class Understanding:
     @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
-        found = candidates(self._asked.reader.readings, self._ground, self._view.whole)
+        found = candidates(self.reader.readings, self._ground, self._view.whole)
         found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
@@ -146,7 +152,7 @@ class Understanding:
     def absences(self) -> list[Absence]:
         """The readings of parts that the model may lack, the best first."""
         _ = self.ranked  # which grounds the queries
-        return absences(self._asked.reader.readings, self.grounded, self._view.names)
+        return absences(self.reader.readings, self.grounded, self._view.names)
 
     @property
     def readings(self) -> tuple[str, ...]:
@@ -240,7 +246,7 @@ class Understanding:
         listed = best.candidate.written.expects is AnswerType.PARTS  # nothing that is fitted on is a list
         if "guessed" in best.candidate.features or (listed and skipped(best.candidate)):
             sure = min(sure, OTHER_CLASS)
-        if self._asked.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
+        if self.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
         restricting = RESTRICTING.intersection(kind for kind, _ in best.candidate.reading.skipped)
         half = isinstance(best.candidate.reading.form, CLOSED | Towards) and (restricting or unchecked(best.candidate))
@@ -279,9 +285,9 @@ class Understanding:
         program = _program(candidate, confidence)
         verdict = judge(program, self._outcomes[candidate.written.code], unit, self._expect)
         form = candidate.reading.form
-        if verdict.answer is not None and self._expect.type is None and asks_for_screw(self._asked.reader):
+        if verdict.answer is not None and self._expect.type is None and asks_for_screw(self.reader):
             return replace(verdict, answer=with_screw(verdict.answer, verdict.parts))
-        listed = isinstance(form, Parts) and self._asked.reader.text.at_words("list", "listed")
+        listed = isinstance(form, Parts) and self.reader.text.at_words("list", "listed")
         if listed and verdict.answer is not None and verdict.parts and self._view.contents is not None:
             text = told_parts(verdict.parts, self._view.contents()[1], unit)
             return replace(verdict, answer=verdict.answer.model_copy(update={"text": text}))
@@ -301,7 +307,7 @@ class Understanding:
             return None  # all parts are a lot to ask for
         summary, parts = self._view.contents()
         whole = is_of_whole(candidate, alone=len(summary.shape.bodies) < 2)
-        found = standing(self._asked.reader.text, summary, parts) if whole else None
+        found = standing(self.reader.text, summary, parts) if whole else None
         if found is None:
             return None
         code = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -10,7 +11,7 @@ from querycad_language.forms import Reduce
 from querycad_language.lexicon import Span
 from querycad_language.measures import EXTENTS, answer_type
 from querycad_language.text import Text
-from querycad_language.tokens import DENSITY
+from querycad_language.tokens import DENSITY, Kind
 
 from .question import Question
 
@@ -134,8 +135,8 @@ def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
 
 
 def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
-    """A noun such as 'depth'."""
-    span, noun = text.find(at, "measure"), text.find(at, "noun")
+    """A noun such as 'depth'; the adjective of 'slot, wide and deep?'."""
+    span, noun = text.find(at, "measure") or _bare_scale(text, at, taken), text.find(at, "noun")
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
     before = range(max(0, at - 4), at)
@@ -148,6 +149,23 @@ def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
         used = frozenset({*span.tokens, *(i for verb in verbs for i in verb.tokens)})
         return Requested(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
     return _of_measure(text, span, taken) or _joined_measures(text, span, taken)
+
+
+def _bare_scale(text: Text, at: int, taken: AbstractSet[int] = frozenset()) -> Span | None:
+    """'slot, wide and deep?', 'collar: diameter, thick?': an adjective that stands alone asks how much."""
+    scale = text.find(at, "scale")
+    if scale is None or scale.value.degree != "positive":
+        return None
+    last = scale.end >= len(text) or _ends(text, scale.end) or text.is_word(scale.end, "over", "from")
+    behind = at - 1 in taken and not text.find(at - 1, "article", "adjective", "be")
+    closed = any(text.find(i, "be", "do", "how") for i in range(at))
+    stands_alone = last and not closed and (behind or _ends(text, at - 1))
+    return replace(scale, value=scale.value.measure) if stands_alone else None
+
+
+def _ends(text: Text, at: int) -> bool:
+    """Does a symbol or an 'and' stand here?"""
+    return text.is_word(at, "and", "plus") or (0 <= at < len(text) and text.tokens[at].kind is Kind.SYMBOL)
 
 
 def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
@@ -210,7 +228,8 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
         while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
             after += 1
         after = text.skip(after, "article")
-        more = text.find(after, "measure")
+        after += span.start > 0 < after - end and text.is_word(after, text.words[span.start - 1])  # 'inner … inner'
+        more = text.find(after, "measure") or _bare_scale(text, after)
         if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
             measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
             continue

@@ -19,6 +19,8 @@ from .anchors import Spot, anchors_of, ends_between, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
+NEAR = 3
+"""Words between 'over the outsides' and the measure that it belongs to."""
 _CLOSE = ("closest", "nearest")
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
@@ -81,7 +83,8 @@ def _distance_words(question: Question) -> Iterator[_Words]:
     text = question.text
     yield from _unnamed(question)
     for span in text.all("outside_to_outside"):
-        yield _Words(span.start, span.end, "outsides", {*span.tokens, *text.at_phrases("measure")})
+        near = {i for i in text.at_phrases("measure") if span.start - NEAR < i < span.end + NEAR}
+        yield _Words(span.start, span.end, "outsides", {*span.tokens, *near})
     for span in text.all("distance", "gap"):
         noun = text.find(span.start, "noun")
         if question.in_question(span.start) and not (noun and noun.end > span.end):  # a pitch circle is no pitch

@@ -1,0 +1,71 @@
+"""Several questions in one are parted where no reading answers all, each with what it is asked of."""
+
+from __future__ import annotations
+
+import pytest
+from tests.made import hole, part, view
+
+from querycad_answering.candidates import candidates
+from querycad_answering.compound import clauses
+from querycad_language.readings.reader import Reader
+
+MODEL = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.01))
+
+
+def parted(question: str) -> tuple[str, ...]:
+    reader = Reader(question)
+    return clauses(reader, candidates(reader.readings, MODEL.ground, MODEL.whole)[0])
+
+
+@pytest.mark.parametrize(
+    ("question", "said"),
+    [
+        (
+            "What is the depth of the hole and the width of the slot?",
+            ("What is the depth of the hole?", "the width of the slot?"),
+        ),
+        ("Depth of the hole vs width of the slot?", ("Depth of the hole?", "width of the slot?")),
+        ("How many lugs are there, and how thick are they?", ("How many lugs are there?", "how thick are they?")),
+        ("Lug: thickness, how many?", ("Lug: thickness?", "Lug: how many?")),
+        ("Lugs - quantity, width & spacing", ("Lugs: quantity?", "Lugs: width?", "Lugs: spacing?")),
+        ("Bore, outer diameter of the collar?", ("diameter of Bore?", "outer diameter of the collar?")),
+        ("Number and pitch of the lugs?", ("Number of the lugs?", "pitch of the lugs?")),
+        ("Lug thickness plus the bore size", ("Lug thickness?", "the bore size?")),
+        ("Lug width as well as its distance from the bore?", ("Lug width?", "its distance from the bore?")),
+        ("Radius at the short lug, and at the long lug?", ("Radius at the short lug?", "Radius at the long lug?")),
+        ("How many lugs in the ring, what pitch?", ("How many lugs in the ring?", "and what pitch?")),
+        ("Slot width; total height?", ("Slot width?", "total height?")),
+        ("Slot width and lug height? Smaller one first.", ("Slot width?", "lug height?")),
+        ("Lugs: how many, how thick each", ("Lugs: how many?", "Lugs: how thick each of them?")),
+    ],
+)
+def test_what_is_asked_of_several_is_several_questions(question: str, said: tuple[str, ...]) -> None:
+    assert parted(question) == said
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "What is the length and the width of the slot?",
+        "How wide is the slot of the hole and the lug?",
+        "What is the ratio of the length of the slot and the depth of the hole?",
+        "What is the sum of the length of the slot and the depth of the hole?",
+        "Is the length of the slot and the depth of the hole the same?",
+        "What is the distance between the centre of the slot and the axis of the hole?",
+        "Slot size, length by width?",
+        "Slot length and width, longer side first",
+        "Which is wider, the slot or the hole?",
+        "How much room is there in the slot, i.e. how wide is it?",
+        "How long is the slot (at its full width)?",
+        "How far apart are the lugs, middle to middle?",
+        "How long is the slot, measured along its axis and from the outer edge?",
+        "The cover has a lug, 4 mm high and of 3 mm width. How long is the slot?",
+        "In which direction does the slot run, as a unit vector in model coordinates?",
+    ],
+)
+def test_what_gives_one_answer_is_one_question(question: str) -> None:
+    assert parted(question) == ()
+
+
+def test_longer_lists_are_tables() -> None:
+    assert parted("Lug width, bore depth, rib height, slot length, pad thickness, groove radius?") == ()
