@@ -40,6 +40,7 @@ from .judging import Verdict, judge
 from .ranking import SHOWN, Ranked, Value, ranked, softmax
 from .typed import is_like
 from .unanswerable import TAKEN_FOR_WHOLE, Refused, cannot_know, nothing_asked, unread
+from .value_order import in_order, order_of
 
 UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
@@ -132,7 +133,14 @@ class Understanding:
         found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
-        return fitting or found
+        return [self._ordered(one) for one in fitting or found]
+
+    def _ordered(self, candidate: Candidate) -> Candidate:
+        """The candidate with its values in the order that the question asks for."""
+        order, written = order_of(self.reader.text), candidate.written
+        if order is None:
+            return candidate
+        return replace(candidate, written=replace(written, code=in_order(written.code, written.expects, order)))
 
     def _ground(self, queries: Sequence[PartQuery]) -> Sequence[Sequence[Grounded]]:
         ways = self._view.ground(queries)

@@ -31,9 +31,14 @@ Target: TypeAlias = PartQuery | None
 
 @dataclass(frozen=True, slots=True)
 class Boundary:
-    """The outermost plane of the whole model on one side; the nearest edge of the part's face where None."""
+    """The outermost plane of the model on one side; the nearest edge of the part's face where None.
+
+    `of`: the nearer of the two ends of that part, or of the model; along which `axis`, LONGEST or SHORTER.
+    """
 
     side: Side | None
+    of: Target = None
+    axis: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,8 +93,11 @@ class Distance:
 
     first: Anchor
     second: Anchor | Literal["each other"]
-    mode: Literal["centers", "surfaces", "outsides", "usual", "overlap", "beyond"] = "usual"
-    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within."""
+    mode: Literal[
+        "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "within", "on diameter", "on radius"
+    ] = "usual"
+    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within;
+    'within': how far the first reaches into the second; 'on diameter': what a bore has more than what runs in it."""
     axis: int | None = None
     """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
     reduce: Reduce = Reduce.ONE

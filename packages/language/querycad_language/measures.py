@@ -92,6 +92,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "": "width; ~diameter; ~height; ?extents[0]",
     },
     Measure.LENGTH: {
+        "TILTED": "length; ~max(extents)",
         "DISC": "max(extents); ~extents[along]; length; ~extents[0]",
         "WHOLE": "max(extents); extents[along]; length; ~extents[0]",  # a short gland is wider than it is long
         "hole counterbore spotface": "depth; length",
@@ -254,6 +255,10 @@ def _meaning(text: str) -> tuple[str, Grade]:
     return text if "{0}" in text else _ATTRIBUTE.sub(r"{0}.\g<0>", text), grade
 
 
+UPRIGHT = 0.9998
+"""The cosine of a degree: an axis further from x, y and z is along none of them."""
+
+
 def _groups(part: Part) -> Iterator[str]:
     """What the lines of the table may be for: the kind of the part, and in capitals what else tells parts apart."""
     yield part.kind
@@ -270,6 +275,7 @@ def _groups(part: Part) -> Iterator[str]:
         "BORE": part.kind == "hole" and bool(part.radii),
         "TUBE": stepped and (not whole or _is_plain_tube(part)),
         "DISC": whole and along is not None and part.extents[along] < FLAT * max(part.extents),
+        "TILTED": whole and along is not None and part.axis is not None and abs(part.axis[along]) < UPRIGHT,
         "LYING": {"through", "vertical"} <= set(part.tags),
         "ASKEW": local is not None and part.width != min(local[:2]),
     }

@@ -18,7 +18,7 @@ _OPERATIONS = {
 }  # fmt: skip
 _MODES = {
     "centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides ",
-    "beyond": "beyond, ",
+    "beyond": "beyond, ", "on diameter": "on diameter ", "on radius": "on radius ",
 }  # fmt: skip
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
@@ -41,6 +41,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"number of {values}{noun_phrase(target)}"
         case Distance(first, second, "overlap"):
             return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
+        case Distance(first, second, "within"):
+            return f"how far {_anchor(first)} reaches into {_anchor(second)}"
         case Distance(first, second, mode, axis, reduce):
             both = f"from {_anchor(first)} to {_anchor(second)}"
             if second == "each other":
@@ -94,6 +96,8 @@ def _anchor(anchor: object) -> str:
             return noun_phrase(anchor)
         case forms.Plane(side, of):
             return f"the {side.value if side else 'end'} of {noun_phrase(of)}"
+        case forms.Boundary(None, of, int() as axis):
+            return f"the nearer {'long side' if axis == forms.SHORTER else 'end'} of {noun_phrase(of)}"
         case forms.Boundary(side):
             return f"the {side.value} of the model" if side else "the edge"
         case forms.Behind():

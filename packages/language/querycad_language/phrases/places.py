@@ -26,7 +26,7 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if view and text.find(start, "place") and (noun_follows(text, view.end) or text.find(view.end, "pronoun")):
         view = None  # 'underneath the flange' is no side
     sides, end = ([view.value], view.end) if view is not None else _sides(text, start)
-    if view is None and seeing is None and _leads_away(text, start):
+    if view is None and seeing is None and (leads_away(text, start) or text.find(start, "perpendicular")):
         return at  # 'how far is the hole from the left side': a plane
     if sides and not negated and text.is_word(end - 1, "half"):
         build.seen_on(sides, half=True)
@@ -42,7 +42,7 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     return end
 
 
-def _leads_away(text: Text, at: int) -> bool:
+def leads_away(text: Text, at: int) -> bool:
     """Does a 'from' begin here that a distance is measured from?"""
     asked = "far" in text.words[:at] or any(span.end <= at for span in text.all("distance"))
     return text.is_word(at, "from") and (asked or ("long" in text.words[:at] and "to" in text.words[at:]))
@@ -147,7 +147,7 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     text = phrases.text
     span = text.find(at, "place")
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
-    if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or _leads_away(text, at):
+    if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or leads_away(text, at):
         return at
     start = span.end
     size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)

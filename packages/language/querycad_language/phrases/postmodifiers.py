@@ -9,7 +9,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import Mention, PhraseBuilder
-from .places import along, central, nearest, placed, seen, sideways
+from .places import along, central, leads_away, nearest, placed, seen, sideways
 from .sizes import stated_size
 from .words import is_noun, noun_follows, superlative
 
@@ -206,7 +206,7 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have") else len(text)
     span = text.find(start, "most", "least") or superlative(text, start)
     measure = text.find(span.end, "measure") if span is not None else None
-    if span is None or measure is None:
+    if span is None or measure is None or leads_away(text, at):
         return at
     most = "most" in (span.category, getattr(span.value, "degree", ""))
     build.ranks.append(Rank(measure=measure.value, most=most))

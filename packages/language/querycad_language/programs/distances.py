@@ -48,6 +48,8 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
         return _to_place(build, first, second, form), kind
     if form.mode == "outsides":
         return _over(build, form, first), kind
+    if isinstance(second, PartQuery) and form.mode in ("within", "on diameter", "on radius"):
+        return (_within if form.mode == "within" else _clearance)(build, form, first, second), kind
     other = second if isinstance(second, PartQuery) else None
     return pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
@@ -147,6 +149,35 @@ def _over(build: Builder, form: Distance, first: PartQuery) -> str:
     build.reads.append(Read("distance", kinds(found), "outsides", "own"))
     lower = f"min(p.center[{i}] - p.half_extents[{i}] for p in found)"
     return f"max(p.center[{i}] + p.half_extents[{i}] for p in found) - {lower}"
+
+
+def _clearance(build: Builder, form: Distance, first: PartQuery, second: PartQuery) -> str:
+    """The least difference of the diameters, or radii, of two coaxial cylinders of which one runs in the other."""
+    if not (build.of(first) and build.of(second)):
+        raise Unwritable
+    pairs = f"for p in {build.parts(first)} for q in {build.parts(second)} for a in p.faces for b in q.faces"
+    round_ones = 'a.kind == b.kind == "cylinder" and {a.convexity, b.convexity} == {"convex", "concave"}'
+    alongside = "sum(abs(x - y) * abs(z) for x, y, z in zip(a.center, b.center, a.axis)) < (a.length + b.length) / 2"
+    bore = '(1 if a.convexity == "concave" else -1) * (a.radius - b.radius)'
+    build.lines.append(f"found = [{bore} {pairs} if {round_ones} and coaxial(a, b) and {alongside}]")
+    build.reads.append(Read("distance", kinds(build.all_of(first, second)), form.mode, "own"))
+    return f"{'' if form.mode == 'on radius' else '2 * '}min(d for d in found if d > -{SLACK:g})"
+
+
+def _within(build: Builder, form: Distance, first: PartQuery, second: PartQuery) -> str:
+    """How far the parts reach into the others: along their axis, or where they do not lie within them altogether."""
+    parts, others = build.of(first), build.of(second)
+    ends = _ends(parts, others)
+    along, _ = side_axis(ends[0])
+    if along_axis(parts[0]) is None:
+        crosses = {side_axis(side)[0] for side in Side if _reach(parts[0], side) > max(_reach(o, side) for o in others)}
+        along = next(iter(crosses), along)
+    low, high = (_outermost(build, second, along, sign) for sign in "-+")
+    middle, half = f"p.center[{along}]", f"p.half_extents[{along}]"
+    found = f"[min({middle} + {half}, high) - max({middle} - {half}, low) for p in {build.parts(first)}]"
+    build.lines += [f"low, high = {low}, {high}", f"found = {found}"]
+    build.reads.append(Read("distance", kinds([*parts, *others]), form.mode, "own"))
+    return "found[0] if len(different(found, 1e-05)) == 1 else found"
 
 
 def overlapping(build: Builder, form: Distance) -> str:
@@ -293,10 +324,29 @@ def _behind(parts: Sequence[Part]) -> Side:
 # To places
 
 
+def _both_ends(build: Builder, of: PartQuery | None, along: int) -> tuple[int, str, str]:
+    """Which axis is along the longer side of a part, or across it, and from where to where the part reaches there."""
+    base = [build.whole] if of is None else build.of(of)
+    if not base:
+        raise Unwritable
+    i = sorted(range(3), key=lambda k: base[0].extents[k], reverse=True)[along - LONGEST]
+    if of is None:
+        return i, f"shape.min_corner[{i}]", f"shape.max_corner[{i}]"
+    name = f"{build.parts(of)}[0]"
+    return i, f"({name}.center[{i}] - {name}.half_extents[{i}])", f"({name}.center[{i}] + {name}.half_extents[{i}])"
+
+
 def _to_place(build: Builder, first: PartQuery, place: Boundary | Origin | None, form: Distance) -> str:
     """To an edge, to the outside of the model on one side, to its middle or to the origin."""
     found = build.of(first)
     match place:
+        case Boundary(None, of, int() as along):
+            i, low, high = _both_ends(build, of, along)
+            middle = f"min(p.center[{i}] - {low}, {high} - p.center[{i}])"
+            modes = {"center": middle, "near": f"{middle} - p.half_extents[{i}]"}
+            round_parts = bool(found) and found[0].axis is not None
+            names = ("center", "near") if form.mode == "centers" or round_parts else ("near", "center")
+            modes = {name: modes[name] for name in names if form.mode != "surfaces" or name == "near"}
         case Boundary(None):
             modes = {"near": "p.edge_distance()"}
             if form.mode != "surfaces" and found and found[0].radius is not None:

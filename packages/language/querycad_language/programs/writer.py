@@ -238,7 +238,8 @@ def _scalar(build: Builder, get: Get | Count) -> str:
         return f"len({build.parts(get.target)})"
     if get.target is not None:
         expression = build.read(get.measures[0], build.of(get.target), scalar=True)
-        return f"max({expression.format('p')} for p in {build.parts(get.target)})"
+        pick = "min" if get.reduce is Reduce.SMALLEST else "max"
+        return f"{pick}({expression.format('p')} for p in {build.parts(get.target)})"
     if get.measures[0] in (Measure.MAGNITUDE, Measure.SIZE, Measure.POSITION):
         raise Unwritable
     return _of_whole(build, get)[0]

@@ -228,7 +228,8 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
         while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
             after += 1
         after = text.skip(after, "article")
-        after += span.start > 0 < after - end and text.is_word(after, text.words[span.start - 1])  # 'inner … inner'
+        again = after > end and text.find(after, "adjective") is not None and span.start > 0
+        after += again and text.is_word(after, text.words[span.start - 1])  # 'inner length and inner width'
         more = text.find(after, "measure") or _bare_scale(text, after)
         if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
             measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'

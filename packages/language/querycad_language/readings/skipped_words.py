@@ -13,7 +13,8 @@ from .question import Question
 
 _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("courtesy", {"courtesy"}), ("side", {"side", "view"}), ("axis", {"axis"}), ("negation", {"negation", "except"}),
-    ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}), ("measure", {"measure", "distance", "gap"}),
+    ("noun", {"noun"}), ("function", {"whole", "pronoun", "ask"}),
+    ("measure", {"measure", "distance", "gap", "engagement"}),
     ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing", "emerging"}),
     ("function", {"function", "be", "side_preposition"}),
     ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each"}),

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Literal, NamedTuple, TypeAlias
 
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import Anchor, Boundary, Origin, Plane, Target
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import places_of, replace_fields
+from querycad_language.phrases import Mention, places_of, replace_fields, without
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
 
@@ -21,6 +23,15 @@ def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
         second = next(iter(first.also), None)
         end: End = Boundary(None) if second is not None and _is_edge(second) else second or "each other"
         yield replace_fields(first, also=(), plural=first.plural or second is None), end
+
+
+def pairs_named(parts: Sequence[Mention], *relations: str) -> list[tuple[PartQuery, PartQuery, frozenset[int]]]:
+    """Every two parts named one after the other, and what stands in such a relation to another: 'the pin in the hub'.
+
+    With the tokens that name both.
+    """
+    placed = [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, *relations)]
+    return [*((a.part, b.part, a.used | b.used) for a, b in pairwise(parts)), *placed]
 
 
 class Spot(NamedTuple):
@@ -51,7 +62,7 @@ def anchors_of(question: Question) -> list[Spot]:
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
-    return sorted([*found, *planes_of(question)], key=lambda one: one.at)
+    return sorted([*found, *planes_of(question), *_nearer_ends(question)], key=lambda one: one.at)
 
 
 def floored(query: PartQuery) -> PartQuery | None:
@@ -103,6 +114,23 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
+
+
+def _nearer_ends(question: Question) -> Iterator[Spot]:
+    """'the nearest end of the base', 'the plate's long edge': the nearer of two opposite ends."""
+    text = question.text
+    for at in sorted(text.at_words("end", "edge", "side")):
+        sized = text.is_word(at - 1, "long", "longer", "short", "shorter")
+        lead = at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)
+        if not (sized or (lead < at and text.is_word(at, "end"))):
+            continue
+        end = text.skip(at + 1, "side_noun")
+        other = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
+        holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
+        across = text.is_word(at - 1, "long", "longer")
+        used = {*range(lead, other.end if other else end), *(holder.used if holder is not None else ())}
+        of = holder.query if holder is not None else None
+        yield Spot(at, Boundary(None, of, SHORTER if across else LONGEST), used)
 
 
 def planes_of(question: Question) -> list[Spot]:

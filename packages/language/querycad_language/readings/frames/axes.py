@@ -8,6 +8,7 @@ from querycad_contracts import PartQuery
 from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
+from querycad_language.text import Text
 
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
 _MEASURES = {"width": 0, "depth": 1, "height": 2}
@@ -22,15 +23,8 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
     """The axis that is named."""
     text = question.text
     for at in sorted(text.at_phrases("axis_preposition") - taken):
-        owned = next((i + 1 for i in range(at + 1, at + 5) if text.is_possessive(i)), at + 1)  # 'the plate's width'
-        if side := text.find(text.skip(owned, "article"), "measure", "adjective"):
-            word = text.words[side.start]
-            if word == "width" and text.is_word(at, "across"):  # 'across the width of the plate'
-                return SHORTER, set(range(at, side.end))
-            if word in _SIDES:
-                return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
-            if word in _MEASURES and text.is_word(at, "along"):
-                return _MEASURES[word], set(range(at, side.end))
+        if (found := _along(text, at)) is not None:
+            return found
     for at in text.at_words("vertical") - taken:
         if text.find(at + 1, "noun"):
             continue  # 'the vertical drill holes'
@@ -41,6 +35,20 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
         if lead or span.end - span.start > 1 or len(text.words[span.start]) > 1:
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
+
+
+def _along(text: Text, at: int) -> tuple[int, set[int]] | None:
+    """'along its length', 'across the width of the plate': the axis that a preposition here leads to."""
+    owned = next((i + 1 for i in range(at + 1, at + 5) if text.is_possessive(i)), at + 1)  # 'the plate's width'
+    side = text.find(text.skip(owned, "article", "pronoun"), "measure", "adjective")
+    word = text.words[side.start] if side is not None else ""
+    if side is None or not (word in _SIDES or word in _MEASURES):
+        return None
+    if word == "width" and text.is_word(at, "across"):
+        return SHORTER, set(range(at, side.end))
+    if word in _SIDES:
+        return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
+    return (_MEASURES[word], set(range(at, side.end))) if text.is_word(at, "along") else None
 
 
 def _of_whole(question: Question) -> tuple[int, set[int]] | None:
@@ -82,6 +90,9 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     if LONGEST in spans.values() or text.at_words("long", "along", "longer") - led:
         spans |= dict.fromkeys(text.at_words("long", "along", "longer") - led, LONGEST)
         spans |= dict.fromkeys(text.at_words("short", "across", "shorter") - led, SHORTER)
+    led_to = [found for at in sorted(text.at_phrases("axis_preposition")) if (found := _along(text, at)) is not None]
+    if len(dict(led_to)) > 1 and not spans:  # 'along the length and across the width'
+        return tuple(axis for axis, _ in led_to), set().union(*(tokens for _, tokens in led_to))
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}

@@ -6,14 +6,16 @@ from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, Relation
-from querycad_language.forms import Check, Combine, Get, Target, Which
+from querycad_language.forms import Check, Combine, Distance, Get, Reduce, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, places_of, without
+from querycad_language.phrases import Mention, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
+
+from .anchors import pairs_named
 
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 
@@ -21,6 +23,7 @@ _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure
 def comparisons(question: Question) -> Iterator[Parse]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
+    yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
     yield from _clearances(question)
@@ -107,13 +110,24 @@ def _combined(question: Question) -> Iterator[Parse]:
 
 
 def _clearances(question: Question) -> Iterator[Parse]:
-    """'How much play has the pin in its bore, on diameter?': what the bore has more than the pin."""
-    parts = [m for m in question.parts if m.part.known]
-    said = question.text.covered("gap", "on_diameter")
-    pairs = [(a.part, b.part, a.used | b.used) for a, b in pairwise(parts)]
-    pairs += [(without(m.part, at), what, m.used) for m in parts for at, what in places_of(m.part, "in", "between")]
-    for first, second, used in pairs if all(map(question.text.at_phrases, ("gap", "on_diameter"))) else ():
-        for inner, outer in ((first, second), (second, first)):  # what is hollow goes around the other
-            bore = Get((Measure.INNER_DIAMETER,), outer)
-            form = Combine("apart", bore, Get((Measure.DIAMETER,), inner))
-            yield Parse(form, {"combined": 1.0}, {*used, *said})
+    """'How much play has the pin in its bore, on diameter?': what a bore has more than what runs in it."""
+    text = question.text
+    said, radial = text.covered("gap", "on_diameter"), text.has("radial", "radius")
+    asked = all(map(text.at_phrases, ("gap", "on_diameter")))
+    for first, second, used in pairs_named(question.parts, "in", "on", "between") if asked else ():
+        form = Distance(first, second, "on radius" if radial else "on diameter")
+        yield Parse(form, {"combined": 1.0}, {*used, *said})
+
+
+def _of_two(question: Question) -> Iterator[Parse]:
+    """'By how much is one lug thicker than the other?': what the larger of two has more."""
+    text = question.text
+    scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
+    one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
+    than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
+    if scale is None or one is None or than is None or not text.has("much", "many"):
+        return
+    measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
+    target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
+    most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
+    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))

@@ -34,6 +34,12 @@ def counts(question: Question) -> Iterator[Parse]:
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = question.parts
+        owner = next((m for m in question.parts if different and m.start == inner), None)
+        if owner is not None and (size := text.find(owner.end, "measure")):  # 'how many different hole sizes'
+            measured = Measure.DIAMETER if size.value in (Measure.SIZE, Measure.MAGNITUDE) else size.value
+            values = Count(replace_fields(owner.part, plural=True), measured)
+            said = used | owner.used | {*range(at, inner), *size.tokens}
+            yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, said)
         yield from _treated(question, at, used)
         yield from _topology(question, at, used)
         after = [m for m in named if m.head >= at and not m.pronoun]

@@ -15,7 +15,7 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
-from .anchors import Spot, anchors_of, ends_between, plane_of, planes_of, rimmed
+from .anchors import Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
@@ -70,6 +70,8 @@ def distances(question: Question) -> Iterator[Parse]:
                     other = second if isinstance(second, PartQuery) else None
                     yield Parse(Angle(first, other), {"angle_of_parts": 1.0}, used | more)
                 continue
+            if reduce is Reduce.SMALLEST and isinstance(second, PartQuery) and mode == "usual":
+                mode = "surfaces"  # the shortest way from one to the other
             across = second == "each other" and reduce is Reduce.ONE and opposed
             form = Distance(first, second, mode, axis, Reduce.LARGEST if across else reduce)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
@@ -170,6 +172,9 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
     for at in range(max(0, start - 2), min(end + 1, len(text))):
         if span := text.find(at, "most", "least"):
             return EXTREMES[span.category], {at}
+    ends = text.at_words("first"), text.at_words("last")
+    if all(ends) and min(ends[0]) < max(ends[1]):  # 'from the first hole to the last one'
+        return Reduce.LARGEST, ends[0] | ends[1]
     each = {i for i in text.at_phrases("different") if question.in_question(i)}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 
@@ -302,6 +307,17 @@ def overhangs(question: Question) -> Iterator[Parse]:
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         beyond = Distance(Plane(None, without(first.part, place)), Plane(None, holder))
         yield Parse(beyond, {"overhang": 1.0}, used)
+
+
+def insertions(question: Question) -> Iterator[Parse]:
+    """'How deep does the plug sit in the socket?', 'Engagement of the pin in the hub?': how far one is in another."""
+    text = question.text
+    asks = text.at_words("deep", "far", "much") & {at + 1 for at in text.at_words("how")}
+    named, into = text.covered("engagement"), text.at_words("in", "into", "inside", "within")
+    words = named | asks | {at - 1 for at in asks} | into | text.covered("entering", "reach")
+    wanted = named or (asks and into and text.at_phrases("entering"))
+    for first, second, used in pairs_named(question.parts, "in") if wanted else ():
+        yield Parse(Distance(first, second, "within"), {"insertion": 1.0}, used | words)
 
 
 def angles(question: Question) -> Iterator[Parse]:

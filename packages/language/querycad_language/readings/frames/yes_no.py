@@ -70,6 +70,7 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Parse]:
     for category in ("overlap", "contact"):
         said = question.text.at_phrases(category)
         named = [m for m in question.mentions if m.start >= (start or 0) and m.used.isdisjoint(said)][:2]
+        named = named[:1] if len(named) > 1 and named[1].pronoun else named  # 'do they touch one another'
         meant = [one.query or bodies for one in named] or [bodies]
         shared = Distance(meant[0], meant[1] if len(meant) > 1 else "each other", "overlap", reduce=Reduce.SMALLEST)
         used = said.union(*(one.used for one in named))
@@ -161,7 +162,8 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
-            yield Parse(forms.Parallel(target, second, square=word == "perpendicular"), used=at | more)
+            used = at | more | text.at_words("axis")
+            yield Parse(forms.Parallel(target, second, square=word == "perpendicular"), used=used)
     said = [text.lexicon.adjectives.get(name) for name in (*target.adjectives, *target.lacking)[-1:]]
     restricted, last = any(one and (one.tags or one.order or one.lacks) for one in said), mention.end - 1
     if restricted and _any_of(text, mention):
