@@ -7,6 +7,7 @@ from typing import Literal
 from querycad_contracts import AnswerType
 from querycad_language.measures import SCALARS, of_several
 from querycad_language.text import Text
+from querycad_language.tokens import Kind
 
 _REACH = 4
 """Words between an adjective and the 'first' that it goes with: 'smaller of the two first'."""
@@ -25,12 +26,17 @@ def order_of(text: Text) -> Order | None:
         order, behind = _direction(text, at), range(at + 1, at + 1 + _REACH)
         if order is None:
             continue
-        first = any(text.is_word(i, "first") for i in behind)
+        first = any(text.is_word(i, "first") and not _goes_on(text, i + 1) for i in behind)
         to = next((i for i in behind if text.is_word(i, "to", "then")), None)
         turns = to is not None and any(_direction(text, i) not in (None, order) for i in range(to, to + _REACH))
         if first or turns:
             return order
     return None
+
+
+def _goes_on(text: Text, at: int) -> bool:
+    """Does a word stand here that 'first' may belong to: 'the first slot'?"""
+    return at < len(text) and text.tokens[at].kind is Kind.WORD and not text.is_word(at, "then", "and", "please")
 
 
 def _direction(text: Text, at: int) -> Order | None:

@@ -341,9 +341,9 @@ def _to_place(build: Builder, first: PartQuery, place: Boundary | Origin | None,
     found = build.of(first)
     match place:
         case Boundary(None, of, int() as along):
-            i, low, high = _both_ends(build, of, along)
-            middle = f"min(p.center[{i}] - {low}, {high} - p.center[{i}])"
-            modes = {"center": middle, "near": f"{middle} - p.half_extents[{i}]"}
+            x, low, high = _both_ends(build, of, along)
+            middle = f"min(p.center[{x}] - {low}, {high} - p.center[{x}])"
+            modes = {"center": middle, "near": f"{middle} - p.half_extents[{x}]"}
             round_parts = bool(found) and found[0].axis is not None
             names = ("center", "near") if form.mode == "centers" or round_parts else ("near", "center")
             modes = {name: modes[name] for name in names if form.mode != "surfaces" or name == "near"}
