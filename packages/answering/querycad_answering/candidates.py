@@ -12,9 +12,10 @@ from typing import Any
 from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
-from querycad_language.programs import Unwritable, Written, write
 from querycad_language.readings import Reading
 from querycad_language.weights import weights
+
+from .programs import Unwritable, Written, write
 
 GROUNDINGS = 5
 """Of each query so many ways are followed."""

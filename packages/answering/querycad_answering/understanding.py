@@ -25,7 +25,6 @@ from querycad_contracts import (
 from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
-from querycad_language.programs.builder import Read
 from querycad_language.readings.reader import Reader
 from querycad_language.readings.skipped_words import CLOSED
 
@@ -37,6 +36,7 @@ from .drawing.meaning import describe
 from .drawing.numbers import significant
 from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
+from .programs.builder import Read
 from .ranking import SHOWN, Ranked, Value, ranked, softmax
 from .typed import is_like
 from .unanswerable import TAKEN_FOR_WHOLE, Refused, cannot_know, nothing_asked, unread

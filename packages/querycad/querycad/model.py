@@ -18,6 +18,7 @@ from pydantic import PrivateAttr
 from querycad_answering.answering import NO_OPTIONS
 from querycad_answering.drawing.callouts import callouts
 from querycad_answering.drawing.comparing import compare
+from querycad_answering.programs import Grounds, Unwritable, Written, write
 from querycad_answering.typed import WrongAnswerType, typed_answer
 from querycad_contracts import (
     Answer,
@@ -51,7 +52,6 @@ from querycad_contracts import (
 )
 from querycad_language.forms import Get
 from querycad_language.measures import answer_type, of_several
-from querycad_language.programs import Grounds, Unwritable, Written, write
 
 SIZE = (800, 600)
 """Width and height of a picture of the model, pixels."""

@@ -340,8 +340,8 @@ def _to_place(build: Builder, first: PartQuery, place: Boundary | Origin | None,
     """To an edge, to the outside of the model on one side, to its middle or to the origin."""
     found = build.of(first)
     match place:
-        case Boundary(None, of, int() as along):
-            x, low, high = _both_ends(build, of, along)
+        case Boundary(None, of, int() as longest):
+            x, low, high = _both_ends(build, of, longest)
             middle = f"min(p.center[{x}] - {low}, {high} - p.center[{x}])"
             modes = {"center": middle, "near": f"{middle} - p.half_extents[{x}]"}
             round_parts = bool(found) and found[0].axis is not None

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import pytest
 from tests.made import body, hole, part, whole
 
+from querycad_answering.programs import Unwritable, write
 from querycad_contracts import AnswerType, Measure, PartQuery, Relation, Side
 from querycad_language.forms import (
     LONGEST,
@@ -30,7 +31,6 @@ from querycad_language.forms import (
     queries,
 )
 from querycad_language.measures import options
-from querycad_language.programs import Unwritable, write
 from querycad_sandbox.check import TypeChecker
 
 HOLES = PartQuery(noun="hole", plural=True)
