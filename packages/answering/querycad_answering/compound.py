@@ -30,14 +30,15 @@ _IF_SO = re.compile(r"^if so,? ", re.IGNORECASE)
 _EACH = re.compile(r"\beach$", re.IGNORECASE)
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
-_EXPLAINING = ("as", "namely", "meaning", "measured")
+_EXPLAINING = ("as", "namely", "meaning", "measured", "to", "from", "over", "across", "along", "not", "past")
+"""Words that a stretch begins with which says more of what was asked before it."""
 _WISHES = ("need", "want", "wish", "would", "must", "should", "like", "also")
 _WHERE = ("of", "on", "in", "at", "between")
 _OF_TWO = ("same", "different", "operation", "comparing", "minus")
 """What makes one value of two measures: 'the ratio of the width of … and the height of …'."""
 _POINTS = (Measure.POSITION, Measure.OPENING, Measure.TIP)
 _SIZES = (Measure.SIZE, Measure.MAGNITUDE)
-_SIDES = (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.THICKNESS)
+_SIDES = (Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.THICKNESS)
 MAX_CHARS = 300
 """Longer texts are not looked at for a second question."""
 MAX_CLAUSES = 5
@@ -122,7 +123,8 @@ def _only_says_how(asked: Question, one: _Clause, found: Sequence[_Clause]) -> b
     sizes = [span for span in text.all("measure", "scale") if found and found[-1].start <= span.start < one.end]
     said = [(span.start < one.start, getattr(span.value, "measure", span.value)) for span in sizes]
     wide = any(before and measure in _SIZES for before, measure in said)
-    return wide and not one.mentions and all(before or measure in _SIDES for before, measure in said)
+    sides = [measure for before, measure in said if not before]
+    return wide and not one.mentions and set(sides) <= {*_SIDES, Measure.DEPTH} and not {*_SIDES}.isdisjoint(sides)
 
 
 def _before_articles(asked: Question, at: int) -> int:
@@ -141,11 +143,14 @@ def _stretches(asked: Question, asks: Sequence[set[int]]) -> Iterator[tuple[int,
         size = len(phrase.split())
         begins = (i for i in range(len(text)) if " ".join(text.words[i : i + size]) == phrase)
         joints.update(i + k for i in begins for k in range(size))
-    for at in text.at_words("between"):
-        joints.difference_update(sorted(i for i in text.at_words("and", "&") if i > at)[:1])
+    asking, parting = {min(one) for one in asks}, set[int]()
+    for at in text.at_words("between"):  # 'between the lugs and their thickness' is between the lugs
+        joining = next((i for i in sorted(text.at_words("and", "&")) if i > at), len(text))
+        parting |= {joining} if asking & {*range(joining + 1, joining + 4)} else set()
+        joints -= {joining} - parting
     for within in (*(range(m.start, m.end) for m in asked.mentions), *(range(min(one), max(one)) for one in asks)):
         words = [i for i in within if i not in joints]
-        joints.difference_update(range(words[0], words[-1]) if words else ())
+        joints.difference_update({*range(words[0], words[-1])} - parting if words else ())
     start = 0
     for joint, run in groupby(range(len(text)), joints.__contains__):
         places = list(run)
@@ -164,11 +169,13 @@ def _asks(asked: Question) -> list[set[int]]:
     found: list[set[int]] = []
     for one in asked_in(asked):
         point = one.measures[0] in _POINTS and (one.end in before_noun or text.is_word(one.end, "to"))
+        point = point or (one.how == "where" and not text.find(one.start + 1, "be", "do"))  # 'where the rail sits'
+        point = point or one.start in asked.phrases.included
         cut = next((i for i in range(one.start + 1, one.end) if i in apart), one.end)  # 'width and spacing'
         if not (point or _is_place(asked, one.start)):
             found += [set(each) for each in (range(one.start, cut - (cut < one.end)), range(cut, one.end)) if each]
     for span in text.all("count", "distance", "gap", "center_to_center"):
-        known = found if span.category == "count" else [named, *found]
+        known = found if span.category in ("count", "gap") else [named, *found]
         adds = span.category == "center_to_center" and text.sentences[asked.sentence_of(span.start)][0] != span.start
         if not (adds or any(each & set(span.tokens) for each in known) or _is_place(asked, span.start)):
             found.append({span.start} if span.category == "count" else set(span.tokens))
@@ -190,6 +197,7 @@ def _verb(asked: Question, one: _Clause) -> list[set[int]]:
     text = asked.text
     begin = next((i for i in range(one.start, one.end) if not text.is_word(i, "also", "if", "so", ",")), one.end)
     lead = text.find(begin, *_VERBS) or (text.find(begin, "place") and text.find(begin + 1, *_VERBS))
+    lead = lead if not text.is_word(begin, "where") or text.find(begin + 1, "be", "do") else None
     if not lead or not (one.mentions or any(text.is_word(i, *_LEANING) for i in range(one.start, one.end))):
         return []
     pronouns = {i for m in one.mentions if m.pronoun for i in m.used}

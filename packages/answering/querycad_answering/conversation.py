@@ -105,7 +105,8 @@ def _turn(question: str, last: Turn | None, selected: Sequence[str], before: Bef
         return _pointed(question, selected)
     if last is not None and last.noun and Question(question).text.at_phrases("distance", "center_to_center"):
         noun = last.noun  # of all from each other: 'their pitch'
-        question = _THEIR.sub(lambda match: f"the {match[1]} of the {noun}", question)
+        alone = f"{question.rstrip(' ?.!')} of the {noun}?" if _measure_alone(question) else question
+        question = _THEIR.sub(lambda match: f"the {match[1]} of the {noun}", alone)
     leans = _NTH.search(question) or _ITS.search(question) or _IT.search(question) or _measure_alone(question)
     ids = before(last.text) if last is not None and leans else None
     if last is None or ids is None or not (ids or last.noun):

@@ -57,9 +57,12 @@ def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
         start = max((at + 1 for at in range(comma) if tokens[at].word in (".", "?", "!", ";", ":", ",")), default=0)
         topic = tokens[start:comma]
         verbal = any(finds(at, category) for at in range(start, comma) for category in _VERBS if category != "relation")
-        if not topic or len(topic) > _LONGEST or verbal or not any(finds(at, "noun") for at in range(start, comma)):
+        joined = tokens[comma + 1 : comma + 2] != () and tokens[comma + 1].word == "and"
+        measured = joined and any(finds(at, "measure") for at in range(start, comma))  # 'hub width, and how long is it'
+        named = any(finds(at, "noun") for at in range(start, comma))
+        if not topic or len(topic) > _LONGEST or verbal or measured or not named:
             continue
-        begin = comma + 1 + (tokens[comma + 1 : comma + 2] != () and tokens[comma + 1].word == "and")
+        begin = comma + 1 + joined
         gap = _gap(tokens, begin, finds)
         if gap is not None:
             at, end = gap

@@ -109,6 +109,9 @@ class Builder:
         box = (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT)  # along x, y, z, where all three are asked
         if set(box) == set(others) and not any(part.kind in CUT for part in parts):
             return f"{{0}}.extents[{box.index(measure)}]"
+        sides = {Measure.LENGTH: "max({0}.extents[:2])", Measure.WIDTH: "min({0}.extents[:2])"}
+        if {*sides, Measure.HEIGHT} == set(others) and all(part.kind in WHOLE for part in parts):
+            return sides.get(measure, "{0}.extents[2]")
         if {Measure.LENGTH, Measure.WIDTH} <= set(others) and measure in (Measure.LENGTH, Measure.WIDTH):
             if all(part.kind in WHOLE for part in parts):
                 return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"

@@ -236,9 +236,13 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
             continue
         if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
+        if more.value is Measure.ANGLE and text.is_word(more.end, "between"):
+            break  # that of two others
+        if text.is_word(after, "overall", "total") and not text.is_word(span.start, "overall", "total"):
+            break  # 'outer diameter and overall length'
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
             break  # 'the holes in the cone tips, Ø?'
         measures.append(more.value)
         end = more.end
     lengths = [one for one in measures if one not in (Measure.SIZE, Measure.MAGNITUDE)]
-    return lengths or measures, end  # 'size, width by height' asks for two
+    return lengths if len(lengths) > 1 else measures, end  # 'size, width by height' asks for two

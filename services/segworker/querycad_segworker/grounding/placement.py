@@ -50,18 +50,22 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
         whole = way.to(way.parts, f"{name}_whole")
         whole = whole.to(way.parts, "whole_deictic") if place.what and place.what.deictic else whole
         return [whole] if place.side is None else _from_sides(request, whole, [place.side])  # 'from its top'
-    parts = [p for p in grounded.parts if not place.side or place.side in p.sides or request.inventory.alone]
+    floor = place.side is Side.BOTTOM and grounded.parts[0].kind.cuts_in  # 'at the bottom of the pocket' is in it
+    side = None if floor else place.side
+    parts = [p for p in grounded.parts if not side or side in p.sides or request.inventory.alone]
     among = all(part.kind == "body" and part in way.parts for part in grounded.parts)
     if place.relation in ("in", "of") and among:
         return []  # 'the parts of this hinge' are no parts of the bodies that are called so
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
-    kept = [p for p in kept if place.side in p.sides] or kept
     if place.relation:  # nothing is in itself, but 'a flange plate' may be both
         kept = [p for p in kept if p not in grounded.parts] or kept
     if place.negated:
         known = {id(p) for p in kept}
         kept = [p for p in way.parts if id(p) not in known]
-    return [way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))] if kept else []
+    if not kept:
+        return []
+    holding = way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))
+    return [holding] if side is None else _from_sides(request, holding, [side])
 
 
 def _worth(grounded: Grounded) -> float:

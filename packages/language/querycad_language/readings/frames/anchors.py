@@ -75,7 +75,7 @@ def floored(query: PartQuery) -> PartQuery | None:
 
 def rimmed(query: PartQuery) -> PartQuery | None:
     """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    named = query.noun in ("rim", "edge", "border", "wall", "outline")
+    named = query.noun in ("rim", "edge", "border", "wall", "outline", "flank", "side")
     return next((cut for _, cut in places_of(query, "of") if named), None)
 
 
@@ -122,8 +122,9 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
     for at in sorted(text.at_words("end", "edge", "side")):
         sized = text.is_word(at - 1, "long", "longer", "short", "shorter")
         lead = at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)
-        if not (sized or (lead < at and text.is_word(at, "end"))):
-            continue
+        along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
+        if along is not None or not (sized or (lead < at and text.is_word(at, "end"))):
+            continue  # 'along the long side' says how a distance is taken
         end = text.skip(at + 1, "side_noun")
         other = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
@@ -137,6 +138,11 @@ def planes_of(question: Question) -> list[Spot]:
     """'the underside of the head', 'the flange's top face', 'the plate top': outer planes of parts."""
     text = question.text
     found: list[Spot] = []
+    for at in sorted(text.at_words("lowest", "highest")):  # 'the lowest point of the bore'
+        pointed = question.phrases.at(at + 3, 1) if text.is_word(at + 1, "point", "spot") else None
+        if pointed is not None and pointed.query is not None:
+            outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest") else Side.TOP, pointed.query)
+            found.append(Spot(at, outermost, set(range(at, pointed.end))))
     for at in range(len(text)):
         side = text.find(at, "side")
         end = text.find(at, "measure")

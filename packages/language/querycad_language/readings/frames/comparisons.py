@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
-from querycad_contracts import Measure, Relation
-from querycad_language.forms import Check, Combine, Distance, Get, Reduce, Target, Which
+from querycad_contracts import Measure, Relation, Side
+from querycad_language.forms import Check, Combine, Distance, Get, Plane, Reduce, Target, Which
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
@@ -53,6 +53,9 @@ def _compared(question: Question) -> Iterator[Parse]:
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Parse(Combine("apart", a, b), {"combined": 1.0}, used)
+        if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # how much higher it ends
+            tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
+            yield Parse(tops, {"combined": 1.0, "level_top": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which"):
         relation = COMPARISONS.get(comparative.value.degree, Relation.EQUAL)
         yield Parse(Check(a, relation, b), {"check": 1.0}, used | {start})

@@ -15,13 +15,16 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
-from .anchors import Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of, rimmed
+from .anchors import NEAREST, Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3
 """Words between 'over the outsides' and the measure that it belongs to."""
 _CLOSE = ("closest", "nearest")
+_RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
+_BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
+"""What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
@@ -152,9 +155,10 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     if centred := text.covered("center_to_center"):
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
-    facing = (
-        inside | text.covered("surface_to_surface") | (text.at_phrases("remaining") if text.has("between") else set())
-    )
+    near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *_BORDERS)}
+    near |= {at for at in text.at_words("beginning", "start") if text.is_word(at + 1, "of")}
+    left = text.at_phrases("remaining") if text.has("between") else frozenset[int]()
+    facing = near | inside | text.covered("surface_to_surface") | left
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
     ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
     named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
@@ -304,6 +308,11 @@ def overhangs(question: Question) -> Iterator[Parse]:
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Parse(form, {"overhang": 1.0}, used | around)
+    if text.is_word(word, "below") and other is not None and other.part.noun in _RIMS:  # 'how far below the rim'
+        down = Side.BOTTOM if reach and reach.value is Measure.DEPTH else Side.TOP
+        rim = next((what for _, what in places_of(other.part, "of")), None)
+        level = Plane(Side.TOP, rim) if rim is not None else Boundary(Side.TOP)
+        yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         beyond = Distance(Plane(None, without(first.part, place)), Plane(None, holder))
         yield Parse(beyond, {"overhang": 1.0}, used)

@@ -141,7 +141,8 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
     """'Are all lugs 5 mm round lugs?', 'Is the hole a counterbore?'"""
     for first, second in pairwise(parts):
         said = text.is_word(second.start, "a", "an") or (second.plural and second.start == first.end)
-        if said and first.query and second.query:
+        has = any(text.find(i, "have") for i in range(first.end, second.start))  # 'does the shaft have a flat'
+        if said and not has and first.query and second.query:
             every = Every(first.query, replace_fields(second.query, plural=True, sample=True))
             yield Parse(every, {"predicate": 1.0}, first.used | second.used)
 
