@@ -94,10 +94,11 @@ class Distance:
     first: Anchor
     second: Anchor | Literal["each other"]
     mode: Literal[
-        "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "within", "on diameter", "on radius"
+        "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "within", "across", "on diameter", "on radius"
     ] = "usual"
     """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within;
-    'within': how far the first reaches into the second; 'on diameter': what a bore has more than what runs in it."""
+    'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;
+    'on diameter': what a bore has more than what runs in it."""
     axis: int | None = None
     """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
     reduce: Reduce = Reduce.ONE

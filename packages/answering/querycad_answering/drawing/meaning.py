@@ -43,6 +43,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"overlap of {_anchor(first)}" + (f" and {_anchor(second)}" if second != "each other" else "")
         case Distance(first, second, "within"):
             return f"how far {_anchor(first)} reaches into {_anchor(second)}"
+        case Distance(first, second, "across"):
+            return f"distance from the floor of {_anchor(first)} to the opposite side of {_anchor(second)}"
         case Distance(first, second, mode, axis, reduce):
             both = f"from {_anchor(first)} to {_anchor(second)}"
             if second == "each other":

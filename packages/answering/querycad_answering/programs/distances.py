@@ -48,8 +48,8 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
         return _to_place(build, first, second, form), kind
     if form.mode == "outsides":
         return _over(build, form, first), kind
-    if isinstance(second, PartQuery) and form.mode in ("within", "on diameter", "on radius"):
-        return (_within if form.mode == "within" else _clearance)(build, form, first, second), kind
+    if isinstance(second, PartQuery) and (fit := _FITS.get(form.mode)) is not None:
+        return fit(build, form, first, second), kind
     other = second if isinstance(second, PartQuery) else None
     return pairwise(build, first, other, _between(build, form, other is not None), form.reduce), kind
 
@@ -178,6 +178,21 @@ def _within(build: Builder, form: Distance, first: PartQuery, second: PartQuery)
     build.lines += [f"low, high = {low}, {high}", f"found = {found}"]
     build.reads.append(Read("distance", kinds([*parts, *others]), form.mode, "own"))
     return "found[0] if len(different(found, 1e-05)) == 1 else found"
+
+
+def _across(build: Builder, form: Distance, first: PartQuery, second: PartQuery) -> str:
+    """From the flat floor of what is cut into something round, past its axis, to the opposite side."""
+    if not (build.of(first) and any(part.radius for part in build.of(second))):
+        raise Unwritable
+    floors = 'f.kind == "plane" and abs(sum(x * y for x, y in zip(f.normal, p.normal))) > 0.99'
+    beside = "sum((x - y) * z for x, y, z in zip(f.center, q.center, f.normal))"
+    pairs = f"for p in {build.parts(first)} for q in {build.parts(second)} for f in p.faces"
+    build.lines.append(f"found = [abs({beside}) + q.radius {pairs} if {floors}]")
+    build.reads.append(Read("distance", kinds(build.all_of(first, second)), form.mode, "own"))
+    return "found[0] if len(different(found, 1e-05)) == 1 else found"
+
+
+_FITS = {"within": _within, "across": _across, "on diameter": _clearance, "on radius": _clearance}
 
 
 def overlapping(build: Builder, form: Distance) -> str:

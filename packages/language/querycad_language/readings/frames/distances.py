@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import chain, pairwise, product
+from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
-from .anchors import NEAREST, Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of, rimmed
+from .anchors import NEAREST, Spot, anchors_of, ends_between, floored, pairs_named, plane_of, planes_of, rimmed
 from .axes import axes_listed, axis_named
+from .related_parts import is_cut
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3
 """Words between 'over the outsides' and the measure that it belongs to."""
 _CLOSE = ("closest", "nearest")
+_ROUND = frozenset(("hole", "boss", "cylinder", "body"))
 _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 _BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
@@ -324,9 +327,27 @@ def insertions(question: Question) -> Iterator[Parse]:
     asks = text.at_words("deep", "far", "much") & {at + 1 for at in text.at_words("how")}
     named, into = text.covered("engagement"), text.at_words("in", "into", "inside", "within")
     words = named | asks | {at - 1 for at in asks} | into | text.covered("entering", "reach")
-    wanted = named or (asks and into and text.at_phrases("entering"))
+    verbs = {at for at in text.at_phrases("entering") if at > min(asks, default=len(text))}
+    wanted = named or (into and verbs)
     for first, second, used in pairs_named(question.parts, "in") if wanted else ():
         yield Parse(Distance(first, second, "within"), {"insertion": 1.0}, used | words)
+
+
+def opposites(question: Question) -> Iterator[Parse]:
+    """'From the floor of the keyway to the opposite side of the bore?', 'Flat to the opposite wall of the shaft?'"""
+    text = question.text
+    named = [(m.part, m.used) for m in question.parts]
+    named += [(what, m.used) for m in question.parts for _, what in places_of(m.part)]
+    named += [(cut, m.used) for m in question.parts if (cut := floored(m.part)) is not None]
+    across = text.at_words("opposite", "across", "to", "from") | text.at_words("wall", "side", "floor", "bottom")
+    for (flat, used), (other, more) in permutations(named, 2) if text.has("opposite") else ():
+        if (is_cut(flat) or flat.noun == "flat") and not _is_round(flat) and _is_round(other):
+            yield Parse(Distance(flat, other, "across"), {"across_round": 1.0}, used | more | across)
+
+
+def _is_round(query: PartQuery) -> bool:
+    noun = lexicon().nouns.get(query.noun)
+    return noun is not None and not _ROUND.isdisjoint(noun.senses[0].kind)
 
 
 def angles(question: Question) -> Iterator[Parse]:

@@ -9,7 +9,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
 from querycad_language import forms
 from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
-from querycad_language.phrases import Mention, places_of, replace_fields, stated_size
+from querycad_language.phrases import Mention, placed_in, places_of, replace_fields, stated_size
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested, asked_in
@@ -34,7 +34,7 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
     yield from _apart(question, start)
     asked = [one for one in asked_in(question) if one.start >= start]
     parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
-    yield from _alike(text, start, parts[:1], asked)
+    yield from _alike(text, start, parts, asked)
     if text.is_word(start + 1, "there"):
         return
     yield from _of_kind(text, parts[:2])
@@ -150,11 +150,28 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Are the holes all the same size?', 'Is there only one size of hole?'"""
     same = {i for i in text.at_phrases("same") if i >= start}
-    for mention in parts if same else ():
+    for mention in parts[:1] if same else ():
         for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
                 yield Parse(forms.Uniform(get), used=mention.used | same | one.used)
+                for right, used in _others(text, max(same), mention.part, parts):  # 'the same size as those in the hub'
+                    form = Check(get, Relation.EQUAL, Get(one.measures, right))
+                    yield Parse(form, {"check": 1.0}, mention.used | same | one.used | used)
+
+
+def _others(text: Text, at: int, own: PartQuery, parts: Sequence[Mention]) -> Iterator[tuple[PartQuery, set[int]]]:
+    """What parts are compared with: 'the same as the bore', 'the same as those in the hub'."""
+    than = next((i for i in sorted(text.at_words("as", "like")) if i > at), None)
+    other = next((m for m in parts if than is not None and m.start > than), None)
+    if than is None or other is None:
+        return
+    those = any(text.is_word(i, "those", "that", "one", "ones") for i in range(than, other.start))
+    place = text.find(other.start - 1, "place")
+    right = other.part
+    if those:
+        right = placed_in(replace_fields(own, places=()), place.value if place is not None else "of", right)
+    yield right, {*other.used, *range(than, other.start)}
 
 
 def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Parse]:
