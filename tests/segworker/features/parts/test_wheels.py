@@ -63,6 +63,18 @@ def test_a_disc_turned_out_on_both_sides_has_a_rim_and_a_web() -> None:
     assert (rim.thickness, rim.width, web.thickness) == pytest.approx((9 * MM, 22 * MM, 8 * MM))
 
 
+@pytest.mark.parametrize(("longer", "length"), [(0, 22), (5, 27)])
+def test_a_hub_reaches_through_the_web_from_end_to_end(longer: float, length: float) -> None:
+    wheel = fuse(webbed(), ring(21, 10, longer, 22)) if longer else webbed()
+    (hub,) = [part for part in find(wheel).of("prism") if "hub" in part.tags]
+    assert (hub.length, hub.diameter) == pytest.approx((length * MM, 42 * MM))
+
+
+def test_what_stands_out_on_one_side_alone_is_no_such_hub() -> None:
+    flange = fuse(ring(55, 10, 12), ring(21, 10, 20, 12))
+    assert not [part for part in find(flange).parts if "hub" in part.tags]
+
+
 def test_a_seal_groove_in_a_flange_makes_no_rim() -> None:
     flange = cut(cylinder(55, 22), ring(40, 36, 3, 19))
     assert not [part for part in find(flange).parts if "rim" in part.tags]

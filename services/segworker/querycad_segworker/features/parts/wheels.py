@@ -1,10 +1,11 @@
-"""What a disc is made of that is turned out on one or both sides: the rim and the web of a wheel, pulley or gear."""
+"""What a disc is made of that is turned out on one or both sides: the rim, the web and the hub of a wheel or pulley."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from querycad_contracts import Part
+from querycad_contracts import Bottom, Part
 from querycad_segworker.features.holes.hole import RIM, Hole
 from querycad_segworker.features.shared.part_measures import (
     faces_area,
@@ -15,16 +16,16 @@ from querycad_segworker.features.shared.part_measures import (
 )
 from querycad_segworker.features.turned.bosses import Boss
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import add, box_extents, dot, line_distance, mid, parallel, scale, sub
+from querycad_segworker.vectors import Vector, add, box_extents, dot, line_distance, mid, parallel, scale, sub
 
 ON_AXIS = 0.02
 """Two axes are one that are nearer to each other than this share of the radius."""
 
 
 def wheel_parts(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> list[Part]:
-    """The rims around ring-shaped recesses that are wider than the rim is thick, and the webs between two recesses."""
+    """The rims around ring-shaped recesses that are wider than the rim is thick, the webs between two, and the hubs."""
     rings = [hole for hole in holes if hole.core_radius is not None]
-    found = [*_rims(brep, rings, bosses), *_webs(brep, rings)]
+    found = [*_rims(brep, rings, bosses), *_webs(brep, rings), *_hubs(brep, holes, bosses)]
     return [part.model_copy(update={"id": f"{part.id}-{number}"}) for number, part in enumerate(found, start=1)]
 
 
@@ -100,3 +101,67 @@ def _webs(brep: Brep, rings: Sequence[Hole]) -> Iterator[Part]:
                 area=faces_area(brep, faces),
                 evidence=geometry("the floors of two ring-shaped recesses that look away from each other"),
             )
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """Where a hub may end: the tip of a boss, or the opening of a recess around its core."""
+
+    at: Vector
+    normal: Vector
+    radius: float
+    body: int
+    faces: tuple[int, ...]
+
+
+def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator[Part]:
+    """What is around a bore and ends on both sides in a boss, or in the middle of a recess, of one radius."""
+    ends = [_End(boss.tip, boss.normal, boss.radius, boss.body, boss.faces) for boss in bosses if boss.hole is not None]
+    ends += [_End(one.opening, one.normal, one.core_radius, one.body, one.faces) for one in holes if one.core_radius]
+    through = [hole for hole in holes if hole.bottom is Bottom.THROUGH and hole.core_radius is None]
+    left = ends
+    while left:
+        first, *left = left
+        own = [first, *(end for end in left if _same_core(first, end))]
+        left = [end for end in left if end not in own]
+        bore = next((hole for hole in through if _runs_in(hole, first)), None)
+        levels = [dot(sub(end.at, first.at), first.normal) for end in own]
+        if bore is None or all(dot(end.normal, first.normal) > 0 for end in own):
+            continue
+        high = max(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) > 0)
+        low = min(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) < 0)
+        faces = tuple(sorted({face for end in own for face in end.faces}))
+        yield Part(
+            id="hub",
+            kind="prism",
+            tags=("circular", "cylindrical", "hub"),
+            label=f"hub, diameter {millimetres(2 * first.radius)}, length {millimetres(high - low)}",
+            faces=faces,
+            center=add(first.at, scale(first.normal, (high + low) / 2)),
+            extents=box_extents(faces_box(brep, faces)),
+            axis=first.normal,
+            radius=first.radius,
+            diameter=2 * first.radius,
+            thickness=first.radius - bore.radius,
+            width=2 * first.radius,
+            height=high - low,
+            length=high - low,
+            radii=(first.radius, bore.radius),
+            area=faces_area(brep, faces),
+            evidence=geometry("cylinders around a bore that end on both sides"),
+        )
+
+
+def _same_core(first: _End, end: _End) -> bool:
+    near = ON_AXIS * first.radius
+    return (
+        first.body == end.body
+        and abs(first.radius - end.radius) < near
+        and parallel(first.normal, end.normal, 1e-2)
+        and line_distance(end.at, first.at, first.normal) < near
+    )
+
+
+def _runs_in(hole: Hole, end: _End) -> bool:
+    near = line_distance(hole.center, end.at, end.normal) < ON_AXIS * end.radius
+    return hole.body == end.body and hole.radius < end.radius and near and parallel(hole.normal, end.normal, 1e-2)
