@@ -19,6 +19,7 @@ from querycad_language.forms import (
     Towards,
     Which,
 )  # fmt: skip
+from querycad_language.readings.question import Question
 from querycad_language.readings.reader import read
 from querycad_language.readings.skipped_words import CLOSED
 
@@ -147,3 +148,18 @@ def test_a_word_before_a_noun_is_not_what_is_asked_of_it() -> None:
 def test_a_part_of_a_hole_or_a_cone_is_measured_on_it(question: str, noun: str, word: str) -> None:
     targets = [form.target for form in forms(question) if isinstance(form, Get) and form.target]
     assert any(target.noun == noun and word in target.adjectives and not target.places for target in targets)
+
+
+@pytest.mark.parametrize(
+    ("question", "closed"),
+    [
+        ("The slot goes right through?", True),
+        ("Lugs are on the left side?", True),
+        ("Lugs on the left side?", False),
+        ("The slot that runs through the hub?", False),
+        ("The lugs are how thick?", False),
+        ("Lugs are left or right?", False),
+    ],
+)
+def test_what_is_said_with_a_question_mark_is_answered_by_yes_or_no(question: str, closed: bool) -> None:
+    assert Question(question).closed is closed

@@ -257,7 +257,8 @@ class Understanding:
         if self.reader.text.at_phrases("stuff") and any(map(_is_bulk, best.candidate.written.reads)):
             sure = min(sure, OTHER_CLASS)
         restricting = RESTRICTING.intersection(kind for kind, _ in best.candidate.reading.skipped)
-        half = isinstance(best.candidate.reading.form, CLOSED | Towards) and (restricting or unchecked(best.candidate))
+        closed = isinstance(best.candidate.reading.form, CLOSED | Towards)
+        half = closed and (restricting or unchecked(best.candidate) or _at_several(best.candidate))
         if "value_for_yes_no" in best.candidate.features or half:
             sure = min(sure, OTHER_CLASS)
         return replace(best, confidence=min(sure, self.at_most))
@@ -379,6 +380,12 @@ class Understanding:
                 )
                 found.append(one)
         return tuple(found)
+
+
+def _at_several(candidate: Candidate) -> bool:
+    """Is asked whether parts are at two places, 'on both ends'? That one of them holds is all that is looked at."""
+    places = (place.what for query in candidate.grounds for place in query.places)
+    return any(what is not None and what.count is not None and what.count > 1 for what in places)
 
 
 def _is_bulk(read: Read) -> bool:

@@ -73,9 +73,24 @@ class Question:
         yes = (i for i in range(len(text)) if text.is_word(i, "y", "yes", "true"))
         if any(text.is_word(i + 2, "n", "no", "false") for i in yes):
             return True
-        if not text.is_word(end, "?") or any(text.find(i, *_ASKING) for i in range(start, end)):
+        if not text.is_word(end, "?"):
+            return False
+        if self._declares:
+            return True
+        if any(text.find(i, *_ASKING) for i in range(start, end)):
             return False
         return any(start <= at < end for at in text.at_phrases("same"))
+
+    @property
+    def _declares(self) -> bool:
+        """Is it said, with a question mark: 'Holes are on both ends?', 'The slot goes right through?'"""
+        text, (start, end) = self.text, self.asking
+        subject = next((m for m in self.parts if m.start <= start + 1), None)
+        asks = any(text.find(i, "ask", "where", "count", "imperative") for i in range(start, end))
+        if subject is None or asks or any(text.is_word(i, "how", "or") for i in range(start, end)):
+            return False
+        verb = next((i for i in range(subject.head + 1, subject.end + 1) if text.is_word(i, *_SAYING)), None)
+        return verb is not None and not any(text.is_word(i, "that", "which", "who") for i in range(subject.head, verb))
 
     def _asks_yes_no(self, begin: int) -> bool:
         """Does a clause begin here with its verb: 'so is the bore …', 'will a pin …'? Not: 'would you …'."""
@@ -177,6 +192,8 @@ _ASKS_IF = (
 """Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
+_SAYING = ("is", "are", "go", "goe", "pass", "run", "has", "have", "come", "reach", "open")
+"""Verbs of what is said, and asked by a question mark alone."""
 _REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
 _BEFORE_VERB = ("and", "but", "so", "please", "now", "then")
 _MAIN_VERBS = ("has", "have", "go", "goes", "exist", "exists")

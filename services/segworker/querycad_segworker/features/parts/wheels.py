@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from querycad_contracts import Bottom, Part
+from querycad_contracts import Bottom, Part, Vector
 from querycad_segworker.features.holes.hole import RIM, Hole
 from querycad_segworker.features.shared.part_measures import (
     faces_area,
@@ -16,7 +16,7 @@ from querycad_segworker.features.shared.part_measures import (
 )
 from querycad_segworker.features.turned.bosses import Boss
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import Vector, add, box_extents, dot, line_distance, mid, parallel, scale, sub
+from querycad_segworker.vectors import add, box_extents, dot, line_distance, mid, parallel, scale, sub
 
 ON_AXIS = 0.02
 """Two axes are one that are nearer to each other than this share of the radius."""
