@@ -51,6 +51,7 @@ class Service:
 
     def __init__(self, model: Model, file: Path) -> None:
         self.model = model
+        _ = model.parts  # here: a cached property is locked for all instances, and the other one waits for an answer
         self.id = sha256(file.read_bytes()).hexdigest()
         self.job: Job | None = None
         self.resource = ModelResource(

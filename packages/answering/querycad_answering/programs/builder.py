@@ -111,7 +111,8 @@ class Builder:
             return f"{{0}}.extents[{box.index(measure)}]"
         sides = {Measure.LENGTH: "max({0}.extents[:2])", Measure.WIDTH: "min({0}.extents[:2])"}
         if {*sides, Measure.HEIGHT} == set(others) and all(part.kind in WHOLE for part in parts):
-            return sides.get(measure, "{0}.extents[2]")
+            upright = self.read(measure, parts) if measure is Measure.HEIGHT else ""
+            return sides.get(measure, upright and "{0}.extents[2]")
         if {Measure.LENGTH, Measure.WIDTH} <= set(others) and measure in (Measure.LENGTH, Measure.WIDTH):
             if all(part.kind in WHOLE for part in parts):
                 return "max({0}.extents)" if measure is Measure.LENGTH else "sorted({0}.extents)[1]"

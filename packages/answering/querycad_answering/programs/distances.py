@@ -155,11 +155,15 @@ def _clearance(build: Builder, form: Distance, first: PartQuery, second: PartQue
     """The least difference of the diameters, or radii, of two coaxial cylinders of which one runs in the other."""
     if not (build.of(first) and build.of(second)):
         raise Unwritable
-    pairs = f"for p in {build.parts(first)} for q in {build.parts(second)} for a in p.faces for b in q.faces"
+    pairs = f"for p in {build.parts(first)} for q in {build.parts(second)}"
+    own = "for a in p.faces for b in q.faces"
+    bodies = " ".join(f'for {x} in faces(kind="cylinder", body={y}.faces[0].body)' for x, y in ("ap", "bq"))
     round_ones = 'a.kind == b.kind == "cylinder" and {a.convexity, b.convexity} == {"convex", "concave"}'
     alongside = "sum(abs(x - y) * abs(z) for x, y, z in zip(a.center, b.center, a.axis)) < (a.length + b.length) / 2"
     bore = '(1 if a.convexity == "concave" else -1) * (a.radius - b.radius)'
-    build.lines.append(f"found = [{bore} {pairs} if {round_ones} and coaxial(a, b) and {alongside}]")
+    fit = f"if {round_ones} and coaxial(a, b) and {alongside}"
+    build.lines.append(f"found = [{bore} {pairs} {own} {fit}]")
+    build.lines.append(f"found = found or [{bore} {pairs} {bodies} {fit} and a.body != b.body]")
     build.reads.append(Read("distance", kinds(build.all_of(first, second)), form.mode, "own"))
     return f"{'' if form.mode == 'on radius' else '2 * '}min(d for d in found if d > -{SLACK:g})"
 
