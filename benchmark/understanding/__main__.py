@@ -2,6 +2,7 @@
 
 python -m benchmark.understanding fit              collect, cross-validate, fit, write weights.toml and the figures
 python -m benchmark.understanding score FILE ...   the score of questions that nothing was fitted on
+python -m benchmark.understanding ask FILE ...     likewise, of what the product answers, several questions in one too
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from .cross_validation import asks_for_missing, cross_validated, judged, risk_an
 from .data import Question, asked, questions
 from .fit import Table
 from .plot import draw
+from .product import answered_by_product
 from .table import write
 
 PRIOR = Path(__file__).with_name("prior.toml")
@@ -28,10 +30,10 @@ STORE = Path("build/understanding")
 
 
 def main() -> int:
-    """Runs one of the two commands; returns the exit code."""
+    """Runs one of the commands; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchmark.understanding", description=__doc__)
-    parser.add_argument("command", choices=("fit", "score"))
-    parser.add_argument("files", nargs="*", type=Path, help="of score: files of questions as in benchmark/asked")
+    parser.add_argument("command", choices=("fit", "score", "ask"))
+    parser.add_argument("files", nargs="*", type=Path, help="of score and ask: files as in benchmark/asked")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument(
         "--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights"
@@ -39,7 +41,15 @@ def main() -> int:
     options = parser.parse_args()
     own_models(options.jobs)
     own_models(options.jobs, last_look=True)
-    return _fit(options.jobs, options.rounds) if options.command == "fit" else _score(options.files, options.jobs)
+    if options.command == "fit":
+        return _fit(options.jobs, options.rounds)
+    data = [one for file in options.files for one in asked(file)] or questions(held_out=True)
+    if options.command == "ask":
+        print(summary(answered_by_product(data, STORE, options.jobs)))
+    else:
+        rows: list[Row] = collect(data, STORE, options.jobs)
+        print(summary(judged(rows, weights(), calibration())))
+    return 0
 
 
 def _fit(jobs: int, rounds: int) -> int:
@@ -64,13 +74,6 @@ def _fit(jobs: int, rounds: int) -> int:
         json.dumps({"data": _hash(data), "table": text.splitlines(), "risk_and_coverage": curve}, indent=1) + "\n",
         encoding="utf-8",
     )
-    return 0
-
-
-def _score(files: list[Path], jobs: int) -> int:
-    data = [one for file in files for one in asked(file)] if files else questions(held_out=True)
-    rows: list[Row] = collect(data, STORE, jobs)
-    print(summary(judged(rows, weights(), calibration())))
     return 0
 
 

@@ -58,6 +58,8 @@ def test_what_is_asked_of_several_is_several_questions(question: str, said: tupl
         "How much room is there in the slot, i.e. how wide is it?",
         "How long is the slot (at its full width)?",
         "How far apart are the lugs, middle to middle?",
+        "What is the angle, seen from above, between the lugs?",
+        "How wide is the slot at its narrowest, between the lugs?",
         "How long is the slot, measured along its axis and from the outer edge?",
         "The cover has a lug, 4 mm high and of 3 mm width. How long is the slot?",
         "In which direction does the slot run, as a unit vector in model coordinates?",

@@ -218,7 +218,10 @@ def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
         if not mention.query.plural and not mention.query.places and not mention.query.adjectives:
             one.asks, one.lead = [{mention.head}], "diameter of"
     behind = range(begin + 1, text.skip(begin + 1, "article") + 1)
-    if before is not None and text.is_word(begin, *_WHERE) and mention.part.known and mention.start in behind:
+    if before is None or not before.mentions:
+        return  # 'the angle, seen from above, between the lugs'
+    again = not text.is_word(begin, "between") or text.is_word(before.start, "between") or "between" in before.lead
+    if text.is_word(begin, *_WHERE) and again and mention.part.known and mention.start in behind:
         one.asks, one.lead = [{mention.head}], _text(asked, min(before.asks[-1]), max(before.asks[-1]) + 1)
 
 
