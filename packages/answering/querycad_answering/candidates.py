@@ -186,6 +186,8 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
         return not _DECIDABLE.isdisjoint(way.features)
     if isinstance(reading.form, Count | Exists) and "thread_dropped" in way.features:
         return True  # how wide holes are is known
+    if isinstance(reading.form, Exists) and "place_dropped" in way.features:
+        return True  # that there is one elsewhere says nothing
     if isinstance(reading.form, Exists) and "adjective_agrees" not in way.features:
         ordered = [found for name in query.adjectives if (found := lexicon().adjectives.get(name)) and found.order]
         if any(found.tags for found in ordered) and way.parts:

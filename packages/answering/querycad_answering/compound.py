@@ -185,6 +185,8 @@ def _asks(asked: Question) -> list[set[int]]:
 def _is_place(asked: Question, at: int) -> bool:
     """Does a measure say where, or along what: 'along the long side', 'from the hub's axis'?"""
     text = asked.text
+    if text.find(at - 1, "axis"):
+        return True  # 'in x and y direction'
     owned = at - text.is_possessive(at - 1)
     owner = next((m.start for m in asked.mentions if m.end == owned), at - 2 if owned < at else at)
     lead = _before_articles(asked, owner)
@@ -212,7 +214,8 @@ def _borrow(asked: Question, one: _Clause, before: _Clause | None) -> None:
     if mention is None or mention.query is None:
         return
     noun = lexicon().nouns.get(mention.query.noun)
-    if any(text.find(i, "measure") for i in range(mention.start, mention.end)) and not _is_place(asked, mention.start):
+    last = text.find(mention.end - 1, "measure")
+    if last is not None and last.value not in _POINTS and not _is_place(asked, mention.start):
         one.asks = [{mention.head}]  # 'lug end radius'
     elif mention.end == one.end and mention.start <= begin and noun and noun.senses[0].kind[0] == PartKind.HOLE:
         if not mention.query.plural and not mention.query.places and not mention.query.adjectives:

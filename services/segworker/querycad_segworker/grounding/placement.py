@@ -64,8 +64,9 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
         kept = [p for p in way.parts if id(p) not in known]
     if not kept:
         return []
-    holding = way.to(kept, f"{name}_holds").to(kept, f"{name}_score", _worth(grounded))
-    return [holding] if side is None else _from_sides(request, holding, [side])
+    sided = [p for p in kept if side is None or side in p.sides]
+    holding = way.to(sided or kept, f"{name}_holds").to(sided or kept, f"{name}_score", _worth(grounded))
+    return [holding] if sided or side is None else _from_sides(request, holding, [side])
 
 
 def _worth(grounded: Grounded) -> float:

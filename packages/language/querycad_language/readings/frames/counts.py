@@ -136,8 +136,16 @@ def exists(question: Question) -> Iterator[Parse]:
         if question.in_question(span.start) and not counted:
             named = [m for m in question.mentions if m.start >= span.start]
             yield from _existing(text, named[:2], set(span.tokens))
+    verbs = sorted(text.at_phrases("have") - text.at_words("with"))
+    has = next((i for i in verbs if question.in_question(i)), len(text))
+    owner = next((m for m in reversed(question.parts) if m.end <= has), None)
+    owns = next((m for m in question.parts if m.start > has), None)
     start = _having(question)
     owned = [m for m in question.parts if start is not None and m.start >= start][:2]
+    if question.closed and owner is not None and owns is not None and not owns.part.count:
+        in_it = Exists(placed_in(owns.part, "of", owner.part))  # 'does the bore have a keyway'
+        yield Parse(in_it, {"exists": 1.0, "count_far": 1.0}, owner.used | owns.used | {*range(owner.end, owns.start)})
+        owned = [m for m in owned if m not in (owner, owns)]
     yield from _existing(text, owned, {start or 0})
     said = text.at_words(*_PRESENT)
     present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
