@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
@@ -24,7 +24,7 @@ Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3
 """Words between 'over the outsides' and the measure that it belongs to."""
 _CLOSE = ("closest", "nearest")
-_ROUND = frozenset(("hole", "boss", "cylinder", "body"))
+_ROUND = frozenset((PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY))
 _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 _BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""

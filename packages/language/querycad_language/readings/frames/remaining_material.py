@@ -18,7 +18,7 @@ _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measur
 
 
 def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
-    """'How thick is the web between the keyways?', 'What thickness remains under the keyway?'"""
+    """'How thick is the land between the keyways?', 'What thickness remains under the keyway?'"""
     text = question.text
     if get.measures[0] not in _THICKNESSES:
         return
