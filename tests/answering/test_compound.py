@@ -36,6 +36,7 @@ def parted(question: str) -> tuple[str, ...]:
         ("How many lugs in the ring, what pitch?", ("How many lugs in the ring?", "and what pitch?")),
         ("Slot width; total height?", ("Slot width?", "total height?")),
         ("Slot width and lug height? Smaller one first.", ("Slot width?", "lug height?")),
+        ("How many lugs, and what width has the first rib?", ("How many lugs?", "what width has the first rib?")),
         ("Lugs: how many, how thick each", ("Lugs: how many?", "Lugs: how thick each of them?")),
     ],
 )

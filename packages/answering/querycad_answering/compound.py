@@ -19,6 +19,7 @@ from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
 
 from .candidates import Candidate
+from .value_order import stands_first
 
 Judged = Callable[[Program], Answer | None]
 """Runs a program and types what it gives."""
@@ -94,7 +95,7 @@ def _listed(asked: Question) -> tuple[str, list[_Clause]]:
         )
         verb = _verb(asked, one)
         one.asks = one.asks or verb
-        if found and any(text.is_word(i, "first", "last", "order") for i in range(begin, end)):
+        if found and any(text.is_word(i, "order") or stands_first(text, i) for i in range(begin, end)):
             continue  # 'longer side first'
         if (apart and found and not verb) or _only_says_how(asked, one, found):
             one.asks = []

@@ -26,7 +26,7 @@ def order_of(text: Text) -> Order | None:
         order, behind = _direction(text, at), range(at + 1, at + 1 + _REACH)
         if order is None:
             continue
-        first = any(text.is_word(i, "first") and not _goes_on(text, i + 1) for i in behind)
+        first = any(stands_first(text, i) for i in behind)
         to = next((i for i in behind if text.is_word(i, "to", "then")), None)
         turns = to is not None and any(_direction(text, i) not in (None, order) for i in range(to, to + _REACH))
         if first or turns:
@@ -34,9 +34,10 @@ def order_of(text: Text) -> Order | None:
     return None
 
 
-def _goes_on(text: Text, at: int) -> bool:
-    """Does a word stand here that 'first' may belong to: 'the first slot'?"""
-    return at < len(text) and text.tokens[at].kind is Kind.WORD and not text.is_word(at, "then", "and", "please")
+def stands_first(text: Text, at: int) -> bool:
+    """Does 'first' or 'last' here say where in a list something comes, and not which part: 'the first slot'?"""
+    alone = at + 1 >= len(text) or text.tokens[at + 1].kind is not Kind.WORD
+    return text.is_word(at, "first", "last") and (alone or text.is_word(at + 1, "then", "and", "please"))
 
 
 def _direction(text: Text, at: int) -> Order | None:

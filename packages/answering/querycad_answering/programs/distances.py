@@ -178,7 +178,8 @@ def _within(build: Builder, form: Distance, first: PartQuery, second: PartQuery)
         along = next(iter(crosses), along)
     low, high = (_outermost(build, second, along, sign) for sign in "-+")
     middle, half = f"p.center[{along}]", f"p.half_extents[{along}]"
-    found = f"[min({middle} + {half}, high) - max({middle} - {half}, low) for p in {build.parts(first)}]"
+    reach = f"min({middle} + {half}, high) - max({middle} - {half}, low)"
+    found = f"[max(0.0, {reach}) for p in {build.parts(first)}]"
     build.lines += [f"low, high = {low}, {high}", f"found = {found}"]
     build.reads.append(Read("distance", kinds([*parts, *others]), form.mode, "own"))
     return "found[0] if len(different(found, 1e-05)) == 1 else found"

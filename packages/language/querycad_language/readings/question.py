@@ -193,7 +193,7 @@ _ASKS_IF = (
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
 _SAYING = ("is", "are", "go", "goe", "pass", "run", "has", "have", "come", "reach", "open")
-"""Verbs of what is said, and asked by a question mark alone."""
+"""Verbs of what is said, and asked by a question mark alone; 'goe' is 'goes' as words are folded."""
 _REQUESTS = ("ask", "trouble", "have", "get", "know", "request", "bother")
 _BEFORE_VERB = ("and", "but", "so", "please", "now", "then")
 _MAIN_VERBS = ("has", "have", "go", "goes", "exist", "exists")
