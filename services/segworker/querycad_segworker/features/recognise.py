@@ -51,6 +51,7 @@ from .parts.protrusions import (
     gear_part,
     hollow_section_part,
     knurl_part,
+    ledge_parts,
     prism_part,
     protrusion_part,
     rib_part,
@@ -214,6 +215,7 @@ def _parts(
         *(tooth for n, gear in enumerate(gears, start=1) for tooth in tooth_parts(brep, gear, n)),
     ]
     parts += region_parts(brep, parts, volumes, tolerances)
+    parts += ledge_parts(brep, standing_out.ledges, parts, volumes)
     bearings = recognise_bearings(brep, tolerances)
     turned = _turned(brep, bosses, holes, gears)
     bodies = with_bearing_roles(_bodies(brep, shape.bodies, turned, tolerances, is_clear), bearings)
@@ -237,6 +239,7 @@ def _parts(
 @dataclass(frozen=True, slots=True)
 class _StandingOut:
     protrusions: list[Protrusion]
+    ledges: list[Protrusion]
     arms: list[Arm]
     prisms: list[Prism]
 
@@ -247,11 +250,12 @@ def _standing_out(
     """Pads, arms, blocks and plates; what an arm is made of is no other part."""
     arms = recognise_arms(brep, [frozenset(rib.flanks) for rib in ribs], tolerances)
     protrusions = without_arms(recognise_protrusions(brep, round_faces, tolerances), arms)
-    pads = recognise_pads(brep, {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}, tolerances)
+    known = {f for p in protrusions for f in p.faces} | {rib.top for rib in ribs}
+    pads, ledges = recognise_pads(brep, known, tolerances)
     sides = {face for arm in arms for face in arm.sides}
     prisms = [prism for prism in recognise_prisms(brep, chamfers) if sides.isdisjoint(prism.faces)]
     plates = recognise_plates(brep, prisms, ribs, tolerances)
-    return _StandingOut([*protrusions, *pads], arms, [*without_edgewise(prisms, plates), *plates])
+    return _StandingOut([*protrusions, *pads], ledges, arms, [*without_edgewise(prisms, plates), *plates])
 
 
 def _only(bodies: Sequence[Part]) -> Part | None:

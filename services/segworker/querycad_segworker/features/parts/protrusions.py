@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from querycad_contracts import Part, PartKind
 from querycad_segworker.features.protrusions.arms import Arm
 from querycad_segworker.features.protrusions.prisms import Prism
@@ -27,6 +29,8 @@ from .volumes import Volumes
 
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
+TAKEN = 0.5
+"""A ledge with more than this share of its surface, or with its largest face, in a part is that part."""
 BAR_RATIO = 3.0
 """A bar is longer than three times its second dimension."""
 
@@ -57,6 +61,24 @@ def protrusion_part(
         area=faces_area(brep, found.faces),
         evidence=geometry(f"{len(found.faces)} faces that rise from what they stand on, closed off by concave edges"),
     )
+
+
+def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part], volumes: Volumes) -> list[Part]:
+    """Ledges as elevations, numbered after those among `parts`; none that is a wall, rib or other part already.
+
+    A ledge is as thick as the lesser side of its foot.
+    """
+    standing = [part for part in parts if part.kind.stands_out or part.kind is PartKind.WALL]
+    number = sum(part.kind is PartKind.ELEVATION for part in parts)
+    found: list[Part] = []
+    for ledge in ledges:
+        whole, largest = faces_area(brep, ledge.faces), max(ledge.faces, key=lambda face: brep.faces[face].area)
+        shared = [set(ledge.faces).intersection(part.faces) for part in standing]
+        if any(largest in faces or faces_area(brep, faces) > TAKEN * whole for faces in shared):
+            continue
+        part = protrusion_part(brep, ledge, number + len(found) + 1, volumes, PartKind.ELEVATION)
+        found.append(part.model_copy(update={"tags": (*part.tags, "ledge"), "thickness": ledge.width}))
+    return found
 
 
 def prism_part(brep: Brep, prism: Prism, number: int) -> Part:

@@ -1,125 +1,285 @@
-"""Pads and ridges: what rises from a face as far as its border, so that some of its sides are flush with the body's."""
+"""What rises from a face as far as its border, so that some of its sides are flush with the body's: pads and ledges."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+import math
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TypeAlias
 
-from querycad_contracts import SurfaceKind
-from querycad_segworker.features.shared.frames import edge_points, frame_of_edges, outline_of
-from querycad_segworker.features.shared.refusals import refuse
-from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import add, dot, scale
+from querycad_contracts import SurfaceKind, Vector
+from querycad_segworker.features.shared.frames import LocalFrame, edge_points, outline_of
+from querycad_segworker.tolerances import FACING, Tolerances
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
+from querycad_segworker.vectors import add, box_extents, box_of, cross, dist, dot, scale, span, sub, unit
 
 from .protrusions import Protrusion, tags_of
 
 SQUARE = 1e-2
-"""Sine of the angle by which the sides of a pad may deviate from upright, and what it stands on from its top."""
-MIN_FEET = 2
-"""A wall that stands on one side only is a step of the body, or a flange bent up from it."""
+"""Sine of the angle by which the foot edges of one piece may run apart, and its sides deviate from upright."""
+LEAN = 0.5
+"""Cosine: the sides of a piece lean by up to 30 degrees, as those of cast tongues and dovetails do."""
+BEHIND = 0.9
+"""The share of its foot behind which a piece lies: what goes around the face is the body, and the face a floor."""
+MINOR = 0.5
+"""A piece whose box fills more than this share of its body's box is the body."""
+RIVAL = 2.0
+"""Of the two pieces that meet at one edge, one that is so many times larger is what the other stands on."""
 
 
-def recognise_pads(brep: Brep, known: Collection[int], tolerances: Tolerances) -> list[Protrusion]:
-    """Which protrusions reach as far as the border of the face they stand on? Sorted by lowest face id.
+MANY = 200
+"""A piece of more faces is a part with parts of its own."""
+_Foot: TypeAlias = tuple[EdgeRecord, FaceRecord, int | None]
+"""An edge at which something rises from a level, the plane wall there, and the fillet between."""
 
-    A plane top with upright sides all around, of which two at least stand on one level and the others run on below it;
-    smaller than what is left of that level beside it, for a larger one is the body, with steps cut beside it. `known`:
-    faces of protrusions that stand within a face, and the tops of ribs.
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """What lies on the outer side of a level, connected there. `feet`: the edges it stands on, each with its wall."""
+
+    normal: Vector
+    hosts: frozenset[int]
+    feet: tuple[tuple[EdgeRecord, FaceRecord], ...]
+    fillets: frozenset[int]
+    faces: frozenset[int]
+    flush: frozenset[int]
+    """Those of its faces that run on below the level."""
+    frame: LocalFrame
+
+    @property
+    def room(self) -> float:
+        """The volume of its box, m3."""
+        return math.prod(self.frame.size)
+
+    @property
+    def sides(self) -> int:
+        """To how many sides does it stand out, as its walls look?"""
+        looks: list[Vector] = []
+        for _, wall in self.feet:
+            if all(dot(wall.axis, look) < FACING.alike for look in looks):
+                looks.append(wall.axis)
+        return len(looks)
+
+
+def recognise_pads(
+    brep: Brep, known: Collection[int], tolerances: Tolerances
+) -> tuple[list[Protrusion], list[Protrusion]]:
+    """Which pieces reach as far as the border of the face they stand on: pads, and ledges? By lowest face id.
+
+    A piece is all that lies beyond the plane of a face, connected there, behind the straight edges at which it rises.
+    A pad rises at two or more sides, and its top is smaller than what is left of the face beside it. A ledge rises at
+    one, or is larger: the leg of an angle, a lip, the nose of a hook, what steps on both sides leave between them.
+    `known`: faces of protrusions that stand within a face, and the tops of ribs.
     """
-    found = []
-    for top in brep.faces:
-        if top.kind is SurfaceKind.PLANE and top.id not in known and top.loops and top.loops[0].outer:
-            pad = _pad(brep, top, tolerances)
-            if pad is not None:
-                found.append(pad)
-    return found
+    pieces = [piece for level in _levels(brep, tolerances) for piece in _pieces(brep, level, tolerances)]
+    pieces = [piece for piece in pieces if piece.flush and _is_apart(piece, known)]
+    pads = [piece for piece in pieces if piece.sides > 1 and _is_smaller(brep, piece)]
+    ledges = [
+        piece for piece in pieces if piece not in pads and not _is_the_body(brep, piece) and not _outdone(piece, pieces)
+    ]
+    made = ([_protrusion(brep, piece, tolerances) for piece in own] for own in (pads, ledges))
+    pad_records, ledge_records = (sorted(records, key=lambda record: record.faces) for records in made)
+    return pad_records, ledge_records
 
 
-def _pad(brep: Brep, top: FaceRecord, tolerances: Tolerances) -> Protrusion | None:
-    sides = _sides(brep, top)
-    if sides is None:
-        return None
-    feet: dict[int, tuple[float, set[int]]] = {}
-    for side in sides:
-        foot = _foot(brep, side, top)
-        if foot is not None:
-            feet[side.id] = foot
+def _is_apart(piece: _Piece, known: Collection[int]) -> bool:
+    """Is none of its own faces known?"""
+    return not (piece.faces - piece.flush).intersection(known)
+
+
+def _levels(brep: Brep, tolerances: Tolerances) -> Iterator[list[FaceRecord]]:
+    """Plane faces of one body in one plane that look one way."""
     near = 10 * tolerances.length
-    levels = [level for level, _ in feet.values()]
-    if len(feet) < MIN_FEET or len(feet) == len(sides) or max(levels) - min(levels) > near:
+    levels: dict[int, list[list[FaceRecord]]] = defaultdict(list)
+    for face in brep.faces:
+        if face.kind is not SurfaceKind.PLANE:
+            continue
+        for level in levels[face.body]:
+            first = level[0]
+            if dot(first.axis, face.axis) > 1 - 1e-6 and abs(dot(sub(face.point, first.point), first.axis)) <= near:
+                level.append(face)
+                break
+        else:
+            levels[face.body].append([face])
+    for own in levels.values():
+        yield from own
+
+
+def _pieces(brep: Brep, level: Sequence[FaceRecord], tolerances: Tolerances) -> Iterator[_Piece]:
+    """What stands on one level, each connected piece once."""
+    feet = [foot for host in level for foot in _feet(brep, host)]
+    side = _Beyond(brep, level, 10 * tolerances.length)
+    while feet:
+        faces, edges = side.connected(feet[0])
+        own = [foot for foot in feet if foot is feet[0] or foot[1].id in faces]
+        feet = [foot for foot in feet if foot not in own]
+        piece = _piece(side, own, faces, edges) if faces else None
+        if piece is not None:
+            yield piece
+
+
+class _Beyond:
+    """The outer side of one level."""
+
+    def __init__(self, brep: Brep, level: Sequence[FaceRecord], near: float) -> None:
+        self.brep, self.near = brep, near
+        self.hosts = frozenset(face.id for face in level)
+        self.normal = level[0].axis
+        self.level = dot(level[0].point, self.normal)
+
+    def height(self, point: Vector) -> float:
+        """How far out of the level does a point lie, in metres?"""
+        return dot(point, self.normal) - self.level
+
+    def rises(self, edge: int) -> bool:
+        """Does some of the edge lie beyond the level?"""
+        return max(map(self.height, edge_points(self.brep, edge))) > self.near
+
+    def is_flush(self, face: int) -> bool:
+        """Does the face run on below the level?"""
+        points = (p for e in self.brep.face_edges[face] for p in edge_points(self.brep, e))
+        return any(self.height(p) < -self.near for p in points)
+
+    def connected(self, foot: _Foot) -> tuple[frozenset[int], frozenset[int]]:
+        """The faces and edges that one comes to from a foot, beyond the level; none where they are too many.
+
+        Within a face that runs on below the level one comes no farther than along the edges beyond it.
+        """
+        edge, wall, fillet = foot
+        start = {wall.id} if fillet is None else {wall.id, fillet}
+        todo = [e for face in start for e in self._onwards(face, edge)]
+        edges, faces = set(todo), set(start)
+        while todo:
+            at = self.brep.edges[todo.pop()]
+            for face in set(at.faces) - self.hosts:
+                faces.add(face)
+                new = set(self._onwards(face, at)) - edges
+                edges |= new
+                todo.extend(new)
+            if len(faces) > MANY:
+                return frozenset(), frozenset()
+        return frozenset(faces), frozenset(edges)
+
+    def _onwards(self, face: int, edge: EdgeRecord) -> Iterator[int]:
+        flush = self.is_flush(face)
+        ends = [p for p in (edge.start, edge.end) if self.height(p) > -self.near]
+        for e in self.brep.face_edges[face]:
+            other = self.brep.edges[e]
+            meets = not flush or any(dist(a, b) <= self.near for a in (other.start, other.end) for b in ends)
+            if meets and e != edge.id and self.rises(e):
+                yield e
+
+
+def _feet(brep: Brep, host: FaceRecord) -> Iterator[_Foot]:
+    """The straight edges of the outline at which something rises, the plane wall there, and the fillet between."""
+    outline = {e for loop in host.loops if loop.outer for e in loop.edges}
+    for edge, other in brep.neighbours(host.id):
+        if edge.id not in outline or edge.kind is not EdgeKind.LINE:
+            continue
+        wall = brep.faces[other]
+        if edge.convexity is EdgeConvexity.CONCAVE:
+            if wall.kind is SurfaceKind.PLANE and abs(dot(wall.axis, host.axis)) < LEAN:
+                yield edge, wall, None
+        elif edge.convexity is EdgeConvexity.SMOOTH and wall.kind is SurfaceKind.CYLINDER and wall.outward < 0:
+            for beyond in map(brep.faces.__getitem__, brep.beside(other, EdgeConvexity.SMOOTH)):
+                plane = beyond.id != host.id and beyond.kind is SurfaceKind.PLANE
+                if plane and abs(dot(beyond.axis, host.axis)) < LEAN:
+                    yield edge, beyond, other
+
+
+def _piece(side: _Beyond, feet: Sequence[_Foot], faces: frozenset[int], edges: frozenset[int]) -> _Piece | None:
+    """The piece on these feet; None where it does not lie behind them, or has no height."""
+    fillets = frozenset(fillet for _, _, fillet in feet if fillet is not None)
+    flush = frozenset(face for face in faces if side.is_flush(face))
+    if not faces - flush - fillets:
         return None
-    level = max(levels)
-    if any(_low(brep, side, top) > level - near for side in sides if side.id not in feet):
+    own = edges - side.brep.edges_of(fillets) | side.brep.edges_of(faces - flush - fillets)
+    frame = _frame(side, own, max((edge for edge, _, _ in feet), key=lambda edge: edge.length))
+    if frame.size[2] <= side.near:
         return None
-    hosts = set().union(*(faces for _, faces in feet.values()))
-    faces = {top.id, *feet}
-    if top.area >= sum(brep.faces[f].area for f in hosts):
-        refuse("protrusion", faces, "larger than what is left beside it: the body, with steps cut beside it")
+    middle = frame.point(0.5, 0.5, 0.5)
+    whole = sum(edge.length for edge, _, _ in feet)
+    behind = sum(edge.length for edge, wall, _ in feet if dot(sub(middle, wall.point), wall.axis) < 0)
+    if behind < BEHIND * whole:
         return None
-    return _protrusion(brep, top, faces, level, tolerances)
+    walls = tuple((edge, wall) for edge, wall, _ in feet)
+    return _Piece(side.normal, side.hosts, walls, fillets, faces, flush, frame)
 
 
-def _sides(brep: Brep, top: FaceRecord) -> list[FaceRecord] | None:
-    """The upright faces all around a top; None where one leans, or where something rises beside it."""
-    sides: dict[int, FaceRecord] = {}
-    for e in top.loops[0].edges:
-        edge = brep.edges[e]
-        others = [i for i in edge.faces if i != top.id]
-        if len(others) != 1 or edge.convexity is not EdgeConvexity.CONVEX:
-            return None
-        side = brep.faces[others[0]]
-        plane = side.kind is SurfaceKind.PLANE and abs(dot(side.axis, top.axis)) < SQUARE
-        round_side = side.kind is SurfaceKind.CYLINDER and abs(dot(side.axis, top.axis)) > 1 - SQUARE
-        if not plane and not round_side:
-            return None
-        sides[side.id] = side
-    return list(sides.values())
+def _frame(side: _Beyond, edges: Collection[int], foot: EdgeRecord) -> LocalFrame:
+    """The box of what lies beyond the level, as wide as it is above the fillets at its foot."""
+    normal = side.normal
+    along = unit(sub(foot.direction, scale(normal, dot(foot.direction, normal))))
+    u, v = along, cross(normal, along)
+    points = list(_above(side, edges))
+    (u_low, u_high), (v_low, v_high), (_, top) = span(points, u), span(points, v), span(points, normal)
+    if v_high - v_low > (u_high - u_low) * (1 + 1e-9):
+        u, v, u_low, u_high, v_low, v_high = v, scale(u, -1.0), v_low, v_high, -u_high, -u_low
+    size = (u_high - u_low, v_high - v_low, top - side.level)
+    return LocalFrame(u, v, normal, (u_low, v_low, side.level), size)
 
 
-def _foot(brep: Brep, side: FaceRecord, top: FaceRecord) -> tuple[float, set[int]] | None:
-    """On which level does a side stand, along the top's normal, and on which faces? None where it runs on down."""
-    levels: list[float] = []
-    hosts: set[int] = set()
-    for edge, other in brep.neighbours(side.id):
-        host = brep.faces[other]
-        if edge.convexity is EdgeConvexity.CONCAVE and _faces_up(host, top):
-            levels.append(dot(host.point, top.axis))
-            hosts.add(other)
-        elif edge.convexity is EdgeConvexity.SMOOTH and host.outward < 0:  # over a fillet
-            beyond = [brep.faces[i] for i in brep.beside(other, EdgeConvexity.SMOOTH) if i != side.id]
-            levels += [dot(face.point, top.axis) for face in beyond if _faces_up(face, top)]
-            hosts |= {face.id for face in beyond if _faces_up(face, top)}
-    if not levels or _low(brep, side, top) < min(levels) - SQUARE * (dot(top.point, top.axis) - min(levels)):
-        return None
-    return min(levels), hosts
+def _above(side: _Beyond, edges: Collection[int]) -> Iterator[Vector]:
+    """Which points span the edges beyond the level? Where an edge crosses it, the point there."""
+    for e in edges:
+        edge = side.brep.edges[e]
+        for a, b in pairwise(edge_points(side.brep, e) if edge.closed else edge.points):
+            at_a, at_b = side.height(a), side.height(b)
+            if max(at_a, at_b) > side.near:
+                crossing = add(a, scale(sub(b, a), at_a / (at_a - at_b))) if at_a * at_b < 0 else a
+                yield a if at_a >= 0 else crossing
+                yield b if at_b >= 0 else crossing
 
 
-def _faces_up(face: FaceRecord, top: FaceRecord) -> bool:
-    below = dot(face.point, top.axis) < dot(top.point, top.axis)
-    return face.kind is SurfaceKind.PLANE and below and dot(face.axis, top.axis) > 1 - SQUARE
+def _is_smaller(brep: Brep, piece: _Piece) -> bool:
+    """Is its top smaller than what is left beside it?"""
+    length, width, _ = piece.frame.size
+    top = max((face.area for face in _tops(brep, piece)), default=length * width)
+    return top < sum(brep.faces[f].area for f in piece.hosts)
 
 
-def _low(brep: Brep, side: FaceRecord, top: FaceRecord) -> float:
-    """How far down does a side reach, along the top's normal?"""
-    return min(dot(p, top.axis) for e in brep.face_edges[side.id] for p in brep.edges[e].points)
+def _is_the_body(brep: Brep, piece: _Piece) -> bool:
+    body = brep.bodies[brep.faces[min(piece.faces)].body]
+    points = [p for face in body.faces for p in brep.faces[face].box]
+    box = box_of(points)
+    return box is not None and piece.room > MINOR * math.prod(box_extents(box))
 
 
-def _protrusion(brep: Brep, top: FaceRecord, faces: set[int], level: float, tolerances: Tolerances) -> Protrusion:
-    rim = top.loops[0]
-    frame = frame_of_edges(brep, rim.edges, top.axis, rim)
-    length, width, _ = frame.size
-    height = max(dot(p, top.axis) for e in rim.edges for p in edge_points(brep, e)) - level
-    tip = frame.point(0.5, 0.5, 1.0)
-    outline, _ = outline_of(brep, rim, tolerances)
+def _outdone(piece: _Piece, pieces: Sequence[_Piece]) -> bool:
+    """Does a much smaller piece stand on it, at one of its own feet?"""
+    edges = {edge.id for edge, _ in piece.feet}
+    for other in pieces:
+        meets = edges.intersection(edge.id for edge, _ in other.feet) or piece.fillets & other.fillets
+        if other is not piece and meets and piece.room > RIVAL * other.room:
+            return True
+    return False
+
+
+def _protrusion(brep: Brep, piece: _Piece, tolerances: Tolerances) -> Protrusion:
+    length, width, height = piece.frame.size
+    own = piece.faces - piece.flush
     return Protrusion(
-        outline=outline,
-        normal=top.axis,
-        base=add(tip, scale(top.axis, -height)),
-        tip=tip,
-        center=add(tip, scale(top.axis, -height / 2)),
+        outline=_outline(brep, piece, tolerances),
+        normal=piece.normal,
+        base=piece.frame.point(0.5, 0.5, 0.0),
+        tip=piece.frame.point(0.5, 0.5, 1.0),
+        center=piece.frame.point(0.5, 0.5, 0.5),
         length=length,
         width=width,
         height=height,
-        faces=tuple(sorted(faces)),
+        faces=tuple(sorted(own)),
         tags=tags_of(length, width, height),
     )
+
+
+def _outline(brep: Brep, piece: _Piece, tolerances: Tolerances) -> str:
+    """The name of the outline of its largest level top; 'free' where it has none."""
+    tops = _tops(brep, piece)
+    return outline_of(brep, max(tops, key=lambda top: top.area).loops[0], tolerances)[0] if tops else "free"
+
+
+def _tops(brep: Brep, piece: _Piece) -> list[FaceRecord]:
+    own = brep.of_kind(SurfaceKind.PLANE, sorted(piece.faces - piece.flush))
+    return [face for face in own if dot(face.axis, piece.normal) > 1 - SQUARE and face.loops]
