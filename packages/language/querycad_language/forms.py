@@ -96,7 +96,8 @@ class Distance:
     mode: Literal[
         "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "within", "across", "on diameter", "on radius"
     ] = "usual"
-    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within;
+    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within, the
+    least at the two ends if reduced so;
     'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;
     'on diameter': what a bore has more than what runs in it."""
     axis: int | None = None
@@ -142,7 +143,7 @@ class Check:
 
     left: Get | Count | Distance
     relation: Relation
-    low: float | Get | Count
+    low: float | Get | Count | Distance
     high: float | None = None
 
 
@@ -189,11 +190,15 @@ class Uniform:
 
 @dataclass(frozen=True, slots=True)
 class Parallel:
-    """Are the parts' axes (or normals) parallel, or square to each other?"""
+    """Are the parts' axes (or normals) parallel, square to each other, or on one line?
+
+    `in_line`: along their 'axis', or several of them in a 'row' as well.
+    """
 
     first: PartQuery
     second: PartQuery | None
     square: bool = False
+    in_line: Literal["", "axis", "row"] = ""
 
 
 @dataclass(frozen=True, slots=True)

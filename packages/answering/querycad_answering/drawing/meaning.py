@@ -57,8 +57,9 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"angle between {noun_phrase(first)}" + (f" and {noun_phrase(second)}" if second else "")
         case forms.Combine(operation, left, right):
             return f"{describe(left)}, {_OPERATIONS[operation]} {describe(right)}"
-        case forms.Check(Distance(first, second, "beyond"), Relation.MORE, 0.0):
-            return f"whether {_anchor(first)} reaches beyond {_anchor(second)}"
+        case forms.Check(Distance(first, second, "beyond", reduce=reduce), Relation.MORE, 0.0):
+            ends = " on both sides" if reduce is Reduce.SMALLEST else ""
+            return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"
         case forms.Check(left, relation, low, high):
             counted = isinstance(left, forms.Count) and isinstance(low, float)
             measure = left.measures[0] if isinstance(left, Get) else None
@@ -78,9 +79,10 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether {noun_phrase(target)} {_is(target)} among {noun_phrase(among, several=True)}"
         case forms.Uniform(get):
             return f"whether the {describe(get)} is the same for all"
-        case forms.Parallel(first, second, square):
+        case forms.Parallel(first, second, square, in_line):
             other = f" and {noun_phrase(second)}" if second else ""
-            return f"whether {noun_phrase(first)}{other} are {'square to each other' if square else 'parallel'}"
+            said = "on one line" if in_line else "square to each other" if square else "parallel"
+            return f"whether {noun_phrase(first)}{other} are {said}"
         case forms.Parts(target):
             return noun_phrase(target)
         case forms.Towards(target, sides, seen):

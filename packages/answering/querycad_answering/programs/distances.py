@@ -33,6 +33,8 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
     if isinstance(first, Plane):
+        if form.mode == "beyond" and form.reduce is Reduce.SMALLEST and isinstance(second, Plane):
+            return _beyond_both(build, first.of, second.of), AnswerType.LENGTH
         return _from_plane(build, first, second, form.mode), AnswerType.LENGTH
     if isinstance(second, Plane):
         return _from_plane(build, second, first, form.mode), AnswerType.LENGTH
@@ -241,6 +243,16 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
             names = {"centers": ("center",), "surfaces": ("near", "far")}.get(mode, usual)
             return _of_each(build, other, {name: modes[name] for name in names})
     raise Unwritable
+
+
+def _beyond_both(build: Builder, first: PartQuery, second: PartQuery) -> str:
+    """How far a part reaches beyond another on that one of its two ends where it is less."""
+    out = []
+    for side in _ends(build.of(first), build.of(second)):
+        axis, sign = side_axis(side)
+        ends = (_outermost(build, query, axis, sign) for query in (first, second))
+        out.append(f"{sign}1 * ({next(ends)} - {next(ends)})")
+    return f"min({', '.join(out)})"
 
 
 def _floor(build: Builder, plane: Plane) -> Plane:

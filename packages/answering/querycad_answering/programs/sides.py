@@ -12,6 +12,8 @@ from .distances import kinds, pairwise, side_axis, turned
 
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""
+SLANT, ASIDE = 0.01, 1e-4
+"""Radians and metres by which parts on one line may be off it."""
 
 
 def directions(build: Builder, first: PartQuery, second: Target, reduce: Reduce) -> str:
@@ -30,6 +32,29 @@ def _between(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
         meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
     return meanings
+
+
+def in_line(build: Builder, first: PartQuery, second: Target, row: bool) -> str:
+    """Do parallel parts lie on one line: along the axis of the first, or as a `row` of three or more beside each other?
+
+    Raises Unwritable: fewer than two, or no axis.
+    """
+    parts = build.all_of(first, second)
+    if len(parts) < 2 or any(part.axis is None for part in parts):
+        raise Unwritable
+    names = " + ".join(f"list({build.parts(query)})" for query in (first, second) if query is not None)
+    build.lines += [
+        f"found = {names}",
+        "line = found[0]",
+        "apart = [[p.center[i] - line.center[i] for i in range(3)] for p in found]",
+        "far = max(apart, key=lambda d: sum(x * x for x in d))",
+        "length = max(1e-9, sum(x * x for x in far) ** 0.5)",
+        f"ways = [line.axis, [x / length for x in far]][: {1 + (row and len(parts) > 2)}]",
+        "along = [[sum(a * b for a, b in zip(d, way)) for d in apart] for way in ways]",
+        "aside = [max(abs(d[i] - s * way[i]) for d, s in zip(apart, own) for i in range(3))"
+        " for way, own in zip(ways, along)]",
+    ]
+    return f"min(aside) < {ASIDE} and all(p.angle_to(line) < {SLANT} for p in found[1:])"
 
 
 def angle_between(build: Builder, first: PartQuery, second: Target) -> str:

@@ -13,7 +13,7 @@ from querycad_language.measures import SCALARS, answer_type, is_length, of_sever
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping
-from .sides import angle_between, directions, towards
+from .sides import angle_between, directions, in_line, towards
 
 _OF_SHAPE = {
     "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "half_extents", "volume", "area",
@@ -92,6 +92,8 @@ def _decided(build: Builder, form: Form) -> str:
             different = f"different({_values(build, get.measures[0], get.target)}, 5e-05)"
             build.compared.append(Compared(get, different, answer_type(get.measures[0])))
             return f"len({different}) == 1"
+        case forms.Parallel(first, second, in_line=line) if line:
+            return in_line(build, first, second, row=line == "row")
         case forms.Parallel(first, second, square):
             limit = "abs(angle - 1.5707963267948966)" if square else "angle"
             angles = directions(build, first, second, Reduce.EACH)
@@ -245,6 +247,15 @@ def _scalar(build: Builder, get: Get | Count) -> str:
     return _of_whole(build, get)[0]
 
 
+def _compared(build: Builder, form: Get | Count | Distance) -> str:
+    """One number that another value is compared with."""
+    if not isinstance(form, Distance):
+        return _scalar(build, form)
+    apart = distance(build, replace(form, reduce=Reduce.SMALLEST))[0]
+    build.lines.append(f"other = {apart}")
+    return "other"
+
+
 def _kind(form: Get | Count | Distance) -> AnswerType:
     if isinstance(form, Count):
         return AnswerType.COUNT
@@ -302,8 +313,8 @@ def _check(build: Builder, form: forms.Check) -> str:
                 values = f"[{_dense(form.left, 'v')} for v in {values}]"
         case _:
             values = f"[{_scalar(build, form.left)}]"
-    low = repr(form.low) if isinstance(form.low, float) else _scalar(build, form.low)
     build.lines.append(f"values = {values}")
+    low = repr(form.low) if isinstance(form.low, float) else _compared(build, form.low)
     kind = _kind(form.left)
     build.compared.append(Compared(form.left, "values[0]" if kind is AnswerType.COUNT else "values", kind))
     if not isinstance(form.low, float):

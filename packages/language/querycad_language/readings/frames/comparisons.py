@@ -42,21 +42,22 @@ def _compared(question: Question) -> Iterator[Parse]:
     behind = [m for m in parts if m.start > than]
     before = [m for m in parts if m.start < than][-1:] or behind[1:2]
     other = next(filter(None, (text.find(i, "scale") for i in range(than + 1, len(text)))), None)
-    own = other if other and other.value.degree == "positive" and all(m.pronoun for m in behind) else None
+    itself = all(m.pronoun for m in behind)
+    own = other if other and other.value.degree == "positive" and (itself or text.find(other.start - 1, "be")) else None
     if not before or not (behind or own) or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
-    left, right = before[0], (before if own else behind)[0]
+    left, right = before[0], (before if own and itself else behind)[0]
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, measure, used)
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
-    used.update(range(than, own.end) if own else ())  # 'taller than it is wide'
+    used.update(range(than, own.end) if own else ())  # 'taller than it is wide', 'as long as the block is deep'
     if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Parse(Combine("apart", a, b), {"combined": 1.0}, used)
         if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # how much higher it ends
             tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
             yield Parse(tops, {"combined": 1.0, "level_top": 1.0}, used)
-    elif text.find(start, "be", "do") or text.is_word(start, "which"):
+    elif text.find(start, "be", "do") or text.is_word(start, "which") or question.closed:
         relation = COMPARISONS.get(comparative.value.degree, Relation.EQUAL)
         yield Parse(Check(a, relation, b), {"check": 1.0}, used | {start})
 

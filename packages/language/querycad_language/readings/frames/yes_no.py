@@ -16,6 +16,7 @@ from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
 from .distances import distances, overhangs
+from .predicates import all_such, predicates
 from .values import density_of
 
 
@@ -39,6 +40,7 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
         return
     yield from _of_kind(text, parts[:2])
     yield from _fits(question, start)
+    yield from predicates(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
@@ -92,7 +94,7 @@ def _either(question: Question) -> Iterator[Parse]:
             query = mention.query or PartQuery(noun="object", words=("object",))
             kept = {k: tuple(v for v in getattr(query, k) if v not in names) for k in ("adjectives", "lacking")}
             bare = replace_fields(query, **kept)
-            one, other = (_all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
+            one, other = (all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
             said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
             used = {at, *mention.used, *range(first.start, second.end)}
             yield Parse(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
@@ -122,8 +124,10 @@ def _apart(question: Question, start: int) -> Iterator[Parse]:
     size, used = found or (SizeFilter(relation=Relation.MORE, low=0.0), {start, start + asks_gap})
     for parse in beyond:
         if isinstance(parse.form, Distance):
-            signed = Check(replace(parse.form, mode="beyond"), size.relation, size.low, size.high)
-            yield Parse(signed, parse.features, parse.used | used)
+            both = [at for at in text.at_words("both") if text.is_word(at + 1, "side", "end")]
+            over = replace(parse.form, mode="beyond", reduce=Reduce.SMALLEST if both else Reduce.ONE)
+            said = {at + i for at in both for i in (0, 1)}
+            yield Parse(Check(over, size.relation, size.low, size.high), parse.features, parse.used | used | said)
     for parse in distances(question) if found or asks_gap else ():
         form = mapped(parse.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
         if isinstance(form, Distance):
@@ -150,14 +154,20 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Are the holes all the same size?', 'Is there only one size of hole?'"""
     same = {i for i in text.at_phrases("same") if i >= start}
+    scale = text.find(max(same, default=-1) + 1, "scale")  # 'equally thick'
+    if scale is not None:
+        asked = [Requested(scale.start, scale.end, (scale.value.measure,), "how", used=frozenset(scale.tokens))]
     for mention in parts[:1] if same else ():
         for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
                 yield Parse(forms.Uniform(get), used=mention.used | same | one.used)
                 for right, used in _others(text, max(same), mention.part, parts):  # 'the same size as those in the hub'
-                    form = Check(get, Relation.EQUAL, Get(one.measures, right))
-                    yield Parse(form, {"check": 1.0}, mention.used | same | one.used | used)
+                    wide = text.find(max(used) + 2, "scale") if text.find(max(used) + 1, "be") else None
+                    measures = (wide.value.measure,) if wide is not None else one.measures  # 'as the rim is wide'
+                    form = Check(get, Relation.EQUAL, Get(measures, right))
+                    said = {max(used) + 1, *wide.tokens} if wide is not None else set()
+                    yield Parse(form, {"check": 1.0}, mention.used | same | one.used | used | said)
 
 
 def _others(text: Text, at: int, own: PartQuery, parts: Sequence[Mention]) -> Iterator[tuple[PartQuery, set[int]]]:
@@ -191,22 +201,17 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     ):
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
-        yield Parse(Every(bare, _all_such(target)))
+        yield Parse(Every(bare, all_such(target)))
     if target.sides:  # 'Do the keyways on the left emerge at the top?'
-        such = _all_such(replace_fields(target, sides=target.sides[-1:]))
+        such = all_such(replace_fields(target, sides=target.sides[-1:]))
         yield Parse(Every(replace_fields(target, sides=target.sides[:-1]), such), {"check_side": 1.0})
     if target.places and target.places[-1].relation:  # 'Do the cross holes run into the bore?', no compound
-        yield Parse(Every(replace_fields(target, places=target.places[:-1]), _all_such(target)), {"check_place": 1.0})
+        yield Parse(Every(replace_fields(target, places=target.places[:-1]), all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
     if end > mention.end and text.is_word(end, "through") and not target.threads:  # 'Do they go right through?'
         across = set(more) if other is not None and other.start <= end + 2 else set()
         said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
-        yield Parse(Every(target, _all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
-
-
-def _all_such(query: PartQuery) -> PartQuery:
-    """All that are as is said, however many: the ones that the parts in question must be among."""
-    return replace_fields(query, plural=True, sample=True, ranks=(), count=None)
+        yield Parse(Every(target, all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
@@ -228,7 +233,7 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
         if named is None and not span.value.decided:  # the whole has no other tags
             return
         said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-        form = Every(target, _all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
+        form = Every(target, all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
         yield Parse(form, {"predicate": 1.0}, set(span.tokens))
         return
 

@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from querycad_contracts import Vector
+from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.frames import LocalFrame
+from querycad_segworker.vectors import add, scale
 
 ELONGATED = 1.5
 """A depression this much longer than wide is called a slot rather than a pocket or cutout; keyways and mounting slots
 are longer than that (DIN 6885, ISO 15071), square pockets are not."""
+
+BEYOND = 0.1
+"""So much of its width beyond its end it is open there."""
 
 
 class DepressionKind(StrEnum):
@@ -96,3 +101,12 @@ def depression_in(
         body=body,
         is_open=is_open,
     )
+
+
+def with_open_ends(found: Depression, is_clear: IsClear) -> Depression:
+    """Tagged 'open_ended' where one can leave it at both ends of its length, 'open_end' where at one."""
+    if not found.is_open or found.length <= found.width:
+        return found
+    ends = (scale(found.direction, side * (found.length / 2 + BEYOND * found.width)) for side in (-1.0, 1.0))
+    clear = sum(is_clear(found.center, add(found.center, end)) for end in ends)
+    return replace(found, tags=(*found.tags, ("open_end", "open_ended")[clear - 1])) if clear else found

@@ -20,7 +20,7 @@ from querycad_segworker.vectors import cross, dot, foot, mean, norm, parallel, s
 
 from .cavities import recognise_cavities
 from .concave_regions import group_depression
-from .depression import Depression, DepressionKind, depression_in
+from .depression import Depression, DepressionKind, depression_in, with_open_ends
 from .interrupted_slots import united_slots
 from .keyways import with_hosts
 from .round_notches import recognise_round_notches
@@ -74,6 +74,7 @@ def recognise_depressions(
     found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
         found = united_slots(brep, found, tolerances, is_clear, found_walls)
+        found = [with_open_ends(cut, is_clear) for cut in found]
     found.extend(relieved_vees(brep, found))
     return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
 

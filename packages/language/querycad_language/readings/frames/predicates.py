@@ -1,0 +1,134 @@
+"""Yes or no: what a verb says of parts: that they come out somewhere, run all along, lie in the middle or in line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import Measure, PartQuery, Relation
+from querycad_language.forms import LONGEST, SHORTER, Check, Distance, Every, Get, Parallel
+from querycad_language.lexicon import Span
+from querycad_language.phrases import Mention, Phrases, replace_fields
+from querycad_language.readings.parses import Parse
+from querycad_language.readings.question import Question
+from querycad_language.text import Text
+
+_AXES = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
+_SAYS = {"predicate": 1.0}
+_ENDS = ("end", "end face", "shaft end")
+
+
+def predicates(question: Question, start: int) -> Iterator[Parse]:
+    """What the clause that begins here says by its verb."""
+    yield from _openings(question, start)
+    yield from _full_extents(question, start)
+    yield from _middles(question, start)
+    yield from _in_line(question, start)
+
+
+def all_such(query: PartQuery) -> PartQuery:
+    """All that are as is said, however many: the ones that the parts in question must be among."""
+    return replace_fields(query, plural=True, sample=True, ranks=(), count=None)
+
+
+def _openings(question: Question, start: int) -> Iterator[Parse]:
+    """'Does the hole come out at the top?', '… go right through?', '… break into the bore?'"""
+    text = question.text
+    verb = _first(text, start, "opening")
+    subject = _subject(question, start, verb.start) if verb is not None else None
+    if verb is None or subject is None:
+        return
+    end = _clause_end(text, verb.end)
+    ways = [span for span in text.all("all_through") if verb.start <= span.start < end]
+    used = {*subject.used, *verb.tokens}
+    if ways:
+        lengthwise = any(text.is_word(i, "end", "across") for i in range(verb.start, end))
+        way = "open at both ends" if lengthwise else "through"
+        said = replace_fields(subject.part, adjectives=(*subject.part.adjectives, way))
+        yield Parse(Every(subject.part, all_such(said)), _SAYS, {*used, *range(verb.start, end)})
+    for at in range(verb.end, end) if not ways else ():
+        side = text.find(at, "side")
+        if side is not None and not text.is_word(at - 1, "same"):
+            such = all_such(replace_fields(subject.part, sides=(side.value,)))
+            yield Parse(Every(subject.part, such), _SAYS, {*used, *side.tokens})
+            return
+    other = next((m for m in _behind(question, verb.end) if m.start < end), None)
+    if other is not None and other.part.noun in _ENDS and not ways:
+        said = replace_fields(subject.part, adjectives=(*subject.part.adjectives, "open at the end"))
+        yield Parse(Every(subject.part, all_such(said)), _SAYS, used | other.used)
+    elif other is not None and not ways and not text.is_word(other.start - 1, "through"):
+        meets = Check(Distance(subject.part, other.part, "surfaces"), Relation.AT_MOST, 0.0)
+        yield Parse(meets, _SAYS, used | other.used | {other.start - 1})
+
+
+def _full_extents(question: Question, start: int) -> Iterator[Parse]:
+    """'Does the keyway run the full length of the bore?', 'Do the ribs cover the whole width?'"""
+    text = question.text
+    for at in range(start + 1, len(text)):
+        measure = text.find(at + 1, "measure") if text.is_word(at, "full", "entire", "whole", "complete") else None
+        subject = _subject(question, start, at) if measure is not None and measure.value in _AXES else None
+        if measure is None or subject is None:
+            continue
+        owner = question.phrases.at(measure.end + 1, 1) if text.is_word(measure.end, "of") else None
+        target = owner.query if owner is not None else None
+        used = {*subject.used, at, *measure.tokens, *(owner.used if owner is not None else ()), measure.end}
+        check = Check(Get((Measure.LENGTH,), subject.part), Relation.AT_LEAST, Get((measure.value,), target))
+        yield Parse(check, _SAYS, used)
+
+
+def _middles(question: Question, start: int) -> Iterator[Parse]:
+    """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
+    text = question.text
+    cue = _first(text, start + 1, "halfway")
+    subject = _subject(question, start, cue.start) if cue is not None else None
+    if cue is None or subject is None:
+        return
+    others = _behind(question, cue.end)
+    used = {*subject.used, *cue.tokens, *(others[0].used if others else ())}
+    between = [m for m in others if m.start >= cue.end][:2]
+    if text.is_word(cue.end - 1, "between") and len(between) == 2 and not between[0].plural:
+        first, second = (Distance(subject.part, m.part, "centers") for m in between)
+        yield Parse(Check(first, Relation.EQUAL, second), _SAYS, used | between[1].used)
+        return
+    measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
+    axis = next((_AXES[one.value] for one in measures if one is not None and one.value in _AXES), None)
+    owner = others[0].part if others and others[0].query is not None else PartQuery(noun="object", words=("object",))
+    yield Parse(Check(Distance(subject.part, owner, "centers", axis), Relation.AT_MOST, 0.0), _SAYS, used)
+
+
+def _in_line(question: Question, start: int) -> Iterator[Parse]:
+    """'Are the two bores in line?', 'Is the pin on the same axis as the bore?'"""
+    text = question.text
+    cue = _first(text, start + 1, "in_line")
+    subject = _subject(question, start, cue.start) if cue is not None else None
+    if cue is None or subject is None:
+        return
+    other = next(iter(_behind(question, cue.end)), None)
+    used = {*subject.used, *cue.tokens, *(other.used if other is not None else ())}
+    strict = any(text.is_word(i, "axis", "coaxial", "concentric") for i in range(cue.start, len(text)))
+    second = other.query if other is not None else None
+    yield Parse(Parallel(subject.part, second, in_line="axis" if strict else "row"), _SAYS, used)
+
+
+def _first(text: Text, start: int, category: str) -> Span | None:
+    return next((span for span in text.all(category) if span.start >= start), None)
+
+
+def _subject(question: Question, start: int, end: int) -> Mention | None:
+    """The parts that are named from a clause's verb to another token, whatever is said of them behind it."""
+    at = next((m.start for m in question.parts if start <= m.start and m.head < end), None)
+    clipped = Text(" ".join(token.raw for token in question.text.tokens[:end]))
+    if at is None or clipped.words != question.text.words[:end]:
+        return None
+    mention = Phrases(clipped).at(at)
+    return mention if mention is not None and mention.query is not None else None
+
+
+def _behind(question: Question, at: int) -> list[Mention]:
+    """The parts that are named behind a token."""
+    inner = (question.phrases.at(i, 1) for i in range(at, min(at + 4, len(question.text))))
+    first = next((m for m in inner if m is not None and m.query is not None), None)
+    return [first, *(m for m in question.parts if m.start >= first.end)] if first is not None else []
+
+
+def _clause_end(text: Text, at: int) -> int:
+    return next((i for i in range(at, len(text)) if text.is_break(i) or text.is_word(i, ",")), len(text))
