@@ -389,7 +389,7 @@ def test_any_one_is_enough_where_any_is_said() -> None:
         ("How many slots go all the way through?", ("through",), ()),
         ("How many slots pass right through the part?", ("through",), ()),
         ("How many slots do not go through?", (), ("through",)),
-        ("How many slots are open at both ends?", ("through",), ()),
+        ("How many slots are open at both ends?", ("open at both ends",), ()),
         ("How many slots are through?", ("through",), ()),
         ("How many slots have a counterbore?", ("counterbored",), ()),
     ],

@@ -94,10 +94,20 @@ class Distance:
     first: Anchor
     second: Anchor | Literal["each other"]
     mode: Literal[
-        "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "within", "across", "on diameter", "on radius"
+        "centers",
+        "surfaces",
+        "outsides",
+        "usual",
+        "overlap",
+        "beyond",
+        "beyond both",
+        "within",
+        "across",
+        "on diameter",
+        "on radius",
     ] = "usual"
-    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within, the
-    least at the two ends if reduced so;
+    """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within,
+    'beyond both': the lesser at the two ends;
     'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;
     'on diameter': what a bore has more than what runs in it."""
     axis: int | None = None

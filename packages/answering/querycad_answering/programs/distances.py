@@ -33,7 +33,7 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
     if isinstance(first, Plane):
-        if form.mode == "beyond" and form.reduce is Reduce.SMALLEST and isinstance(second, Plane):
+        if form.mode == "beyond both" and isinstance(second, Plane):
             return _beyond_both(build, first.of, second.of), AnswerType.LENGTH
         return _from_plane(build, first, second, form.mode), AnswerType.LENGTH
     if isinstance(second, Plane):

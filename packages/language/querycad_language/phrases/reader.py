@@ -6,7 +6,8 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
 
-from querycad_contracts import PartQuery
+from querycad_contracts import Measure, PartQuery
+from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -29,7 +30,7 @@ class Phrases:
 
     def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
         """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
-        if self.text.find(self.text.skip(start, "article"), "aside"):
+        if self._aside(self.text.skip(start, "article")):
             return None
         key = (start, depth, joined)
         if key not in self._known:
@@ -47,11 +48,19 @@ class Phrases:
         found: list[Mention] = []
         at = 0
         while at < len(self.text):
-            mention = self.at(at) if self.text.find(at, "aside") is None else None
-            passed = mention or self.text.find(at, "aside") or self.text.find(at, "measure")
+            mention = self.at(at) if self._aside(at) is None else None
+            passed = mention or self._aside(at) or self.text.find(at, "measure")
             at = passed.end if passed is not None else at + 1  # 'width across flats' names no flats
             found += [self._resolved(mention, found)] if mention is not None else []
         return self._without([self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)])
+
+    def _aside(self, at: int) -> Span | None:
+        """'without the drill point' says how a depth is taken; an angle is asked for of the point itself."""
+        return None if self._asks_angle else self.text.find(at, "aside")
+
+    @cached_property
+    def _asks_angle(self) -> bool:
+        return any(span.value in (Measure.ANGLE, Measure.INCLUDED_ANGLE) for span in self.text.all("measure"))
 
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""

@@ -21,7 +21,7 @@ _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _CLOSING = ("roof", "floor", "top", "bottom", "end wall")
 _FLANKS = ("flank", "side", "wall", "side wall")
 _BOUNDS = {
-    **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE), _FLANKS),
+    **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE, Measure.DRAFT), _FLANKS),
     Measure.WIDTH: ("opening", "mouth", "entry", "entrance"),
     Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
@@ -138,8 +138,12 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
             form = replace(get, measures=(Measure.AXIAL_EXTENT,))
             yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
-            for cut in (cut for _, cut in places_of(target, "of", "") if is_cut(cut)):
-                yield Parse(replace(get, target=cut), {**parse.features, "its_end": 1.0}, parse.used)
+            for _, holder in places_of(target, "of", ""):
+                if is_cut(holder):
+                    yield Parse(replace(get, target=holder), {**parse.features, "its_end": 1.0}, parse.used)
+                elif measure in (Measure.ANGLE, Measure.DRAFT):  # of the flanks of a tongue
+                    form = replace(get, measures=(Measure.DRAFT,), target=holder)
+                    yield Parse(form, {**parse.features, "its_end": 1.0}, parse.used)
 
 
 def _there(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:

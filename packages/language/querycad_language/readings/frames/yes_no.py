@@ -125,7 +125,7 @@ def _apart(question: Question, start: int) -> Iterator[Parse]:
     for parse in beyond:
         if isinstance(parse.form, Distance):
             both = [at for at in text.at_words("both") if text.is_word(at + 1, "side", "end")]
-            over = replace(parse.form, mode="beyond", reduce=Reduce.SMALLEST if both else Reduce.ONE)
+            over = replace(parse.form, mode="beyond both" if both else "beyond")
             said = {at + i for at in both for i in (0, 1)}
             yield Parse(Check(over, size.relation, size.low, size.high), parse.features, parse.used | used | said)
     for parse in distances(question) if found or asks_gap else ():

@@ -23,6 +23,8 @@ MOSTLY = 0.5
 more than this share of its surface in leaning walls narrows."""
 LEANING = (SurfaceKind.CONE, SurfaceKind.FREEFORM)
 """Walls of what narrows without one draft: lofts, and square holes that get round."""
+UNDERCUT = (math.sin(math.radians(10.0)), math.sin(math.radians(46.0)))
+"""So far the flanks of a dovetail lean over the face it stands on: cutters have 45 to 60 degrees (DIN 1833)."""
 ROUND_ENDS = frozenset(("obround", "curved"))
 OPENINGS = frozenset((PartKind.POCKET, PartKind.CUTOUT))
 MOUTHS = OPENINGS | {PartKind.HOLE}
@@ -193,6 +195,18 @@ def _drafted(part: Part, brep: Brep) -> Measured:
     return {} if found is None else {"draft": found}
 
 
+def _dovetail(part: Part, brep: Brep) -> Measured:
+    """Of what stands on a face with two opposite flanks that lean over it: the angle between flank and face."""
+    if part.normal is None:
+        return {}
+    planes = [brep.faces[face].axis for face in part.faces if brep.faces[face].kind is SurfaceKind.PLANE]
+    flanks = [axis for axis in planes if UNDERCUT[0] < -dot(axis, part.normal) < UNDERCUT[1]]
+    opposed = any(dot(a, b) < 0 for i, a in enumerate(flanks) for b in flanks[i + 1 :])
+    if not opposed:
+        return {}
+    return {"angle": math.acos(-max(dot(axis, part.normal) for axis in flanks)), "tags": (*part.tags, "dovetail")}
+
+
 def _tapered(part: Part, brep: Brep, breaks: Set[int]) -> Measured:
     """Of pockets and cutouts with leaning walls; `breaks`: faces of chamfers and rounds, which do not count."""
     own = set(part.faces) - breaks
@@ -287,6 +301,8 @@ _OF_FACES: Final[dict[PartKind, tuple[Callable[[Part, Brep], Measured], ...]]] =
     PartKind.PRISM: (_regular, _square_bar),
     PartKind.POCKET: (_regular,),
     PartKind.CUTOUT: (_regular,),
-    PartKind.PROTRUSION: (_regular, _drafted),
+    PartKind.PROTRUSION: (_regular, _drafted, _dovetail),
+    PartKind.ELEVATION: (_drafted, _dovetail),
+    PartKind.RIB: (_drafted,),
     PartKind.BOSS: (_flats,),
 }

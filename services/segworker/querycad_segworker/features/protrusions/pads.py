@@ -19,8 +19,8 @@ from .protrusions import Protrusion, tags_of
 
 SQUARE = 1e-2
 """Sine of the angle by which the foot edges of one piece may run apart, and its sides deviate from upright."""
-LEAN = 0.5
-"""Cosine: the sides of a piece lean by up to 30 degrees, as those of cast tongues and dovetails do."""
+LEAN = math.cos(math.radians(44.0))
+"""The sides of a piece lean by less than 46 degrees: dovetails have flanks at 45 to 60 (ISO 2568 cutters)."""
 BEHIND = 0.9
 """The share of its foot behind which a piece lies: what goes around the face is the body, and the face a floor."""
 MINOR = 0.5
