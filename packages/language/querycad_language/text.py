@@ -118,6 +118,11 @@ class Text:
             at = span.end
         return at
 
+    def stuff(self, at: int) -> Span | None:
+        """What is there so much of: 'how much metal', 'how much solid material'? `at`: where 'how' stands."""
+        adjective = self.find(at + 2, "adjective")
+        return self.find(at + 2, "stuff") or (self.find(adjective.end, "stuff") if adjective is not None else None)
+
     def is_break(self, at: int) -> bool:
         """Does a clause end here?"""
         return self.tokens[at].kind is Kind.SYMBOL and self.words[at] in BREAKS

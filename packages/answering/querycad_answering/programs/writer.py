@@ -26,6 +26,7 @@ _DENSE = {Measure.MASS: "{0}.volume", Measure.INERTIA: "[{0}.inertia[i][i] for i
 """Measures that take a density, and what it is multiplied with of the whole."""
 _SURFACES = {"cylindrical face": "cylinder", "conical face": "cone", "spherical face": "sphere"}
 """Faces that are counted as a viewer does, parts of features or not."""
+_ENDS = {Reduce.LARGEST: "max", Reduce.SMALLEST: "min"}
 _STEPPED = (Measure.RADIUS, Measure.DIAMETER)
 _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
@@ -151,6 +152,8 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
         expression = _dense(form, expression)
+    if expression == "{0}.extents" and form.reduce in _ENDS:  # 'the largest dimension'
+        return f"{_ENDS[form.reduce]}(x for p in {name} for x in p.extents)", AnswerType.LENGTH
     if expression.startswith("[*"):
         if len(parts) > 1:
             raise Unwritable
@@ -221,6 +224,8 @@ def _of_whole(build: Builder, form: Get) -> tuple[str, AnswerType]:
     known = [_of_model(build, value) for value in values]
     if others:
         return f"[{', '.join(known)}]", answer_type(measure, True)
+    if known[0] == "shape.extents" and form.reduce in _ENDS:  # 'the largest dimension'
+        return f"{_ENDS[form.reduce]}(shape.extents)", AnswerType.LENGTH
     return known[0], _type(measure, known[0])
 
 

@@ -98,7 +98,7 @@ def _how_many(text: Text, at: int, end: int, power: int) -> Requested | None:
 
 def _how(text: Text, at: int) -> Requested | None:
     """'How deep is …?', 'How far does … stick out?'"""
-    stuff = text.find(at + 2, "stuff") if text.is_word(at + 1, "much") else None
+    stuff = text.stuff(at) if text.is_word(at + 1, "much") else None
     if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
         near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
         measure = Measure.THICKNESS if near else Measure.VOLUME

@@ -8,7 +8,7 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
@@ -57,6 +57,7 @@ class _Pair(NamedTuple):
 
 def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
+    yield from _behind_end(question)
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
@@ -85,6 +86,21 @@ def distances(question: Question) -> Iterator[Parse]:
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
+
+
+def _behind_end(question: Question) -> Iterator[Parse]:
+    """'How much is left between the end of the blind bore and the opposite face?': what is left below its bottom."""
+    text = question.text
+    opposite = {i for i in text.at_words("opposite", "other", "far") if text.is_word(i + 1, *_BORDERS, "outside")}
+    for spot in anchors_of(question) if opposite else ():
+        cut = spot.anchor.of if isinstance(spot.anchor, Plane) else None
+        if cut is None and isinstance(spot.anchor, PartQuery) and spot.anchor.noun == "end":
+            cut = next((what for _, what in places_of(spot.anchor, "of")), None)
+        if cut is not None and is_cut(cut) and spot.at < min(opposite):
+            used = {*spot.used, *opposite, *(i + 1 for i in opposite), *range(question.asking[0], spot.at)}
+            used = used.union(*(other.used for other in anchors_of(question) if opposite & other.used))
+            left = Get((Measure.BOTTOM_THICKNESS,), cut)
+            yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:
@@ -137,8 +153,9 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
     """'How far …?', 'How much gap …?', 'How high above …?'"""
     text = question.text
     gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
-    if text.is_word(at + 1, "much") and (stuff := text.find(at + 2, "stuff")) and text.has("between"):
-        yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining")})
+    apart = text.at_words("between", "separate")
+    if text.is_word(at + 1, "much") and (stuff := text.stuff(at)) and apart:
+        yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining"), *apart})
     if text.is_word(at + 1, "far", "close") or (text.is_word(at + 1, "much") and gap):
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
@@ -209,6 +226,7 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
     yield from _two(before, after)
+    yield from _both_before(question, before)
     yield from _levels(question, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
@@ -258,6 +276,14 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
         for one, two in product(ones, others):
             if isinstance(one.anchor, PartQuery | Plane) or isinstance(two.anchor, PartQuery | Plane):
                 yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
+
+
+def _both_before(question: Question, before: Sequence[list[Spot]]) -> Iterator[_Pair]:
+    """'The 14 mm and the 16 mm bores run side by side. What is the distance between them?'"""
+    pronoun = any(m.pronoun and m.start > before[-1][0].at for m in question.mentions) if len(before) > 1 else False
+    if pronoun and question.text.at_words("and") & set(range(before[-2][0].at, before[-1][0].at)):
+        one, two = before[-2][0], before[-1][0]
+        yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
