@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Literal, NamedTuple, TypeAlias
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import Mention, places_of, replace_fields, without
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+_ROUND_WALLS = {Measure.OUTER_DIAMETER: "outer cylinder", Measure.INNER_DIAMETER: "inner cylinder"}
 NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
@@ -62,7 +63,8 @@ def anchors_of(question: Question) -> list[Spot]:
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
-    return sorted([*found, *planes_of(question), *_nearer_ends(question)], key=lambda one: one.at)
+    found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
+    return sorted(found, key=lambda one: one.at)
 
 
 def floored(query: PartQuery) -> PartQuery | None:
@@ -114,6 +116,21 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
+
+
+def _outsides(question: Question) -> Iterator[Spot]:
+    """'to the flange's outside diameter', 'from the outer diameter of the hub': the outer wall of what is round."""
+    text = question.text
+    for span in (one for one in text.all("measure") if one.value in _ROUND_WALLS):
+        behind = question.phrases.at(span.end + 1, 1) if text.is_word(span.end, "of") else None
+        owner = behind or next((m for m in question.parts if m.head < span.start <= m.end + 1), None)
+        if owner is not None and owner.query is not None:
+            names = tuple(name for name in owner.part.adjectives if name not in ("outer", "inner"))
+            holder = replace_fields(owner.part, adjectives=names)
+            noun = _ROUND_WALLS[span.value]
+            place = Place(relation="of", what=holder)
+            wall = PartQuery(noun=noun, words=tuple(noun.split()), definite=True, places=(place,))
+            yield Spot(span.start, wall, set(range(min(owner.start, span.start), max(owner.end, span.end))))
 
 
 def _nearer_ends(question: Question) -> Iterator[Spot]:

@@ -8,7 +8,7 @@ from itertools import pairwise, takewhile
 from querycad_contracts import Measure, Relation, Side
 from querycad_language.forms import Check, Combine, Distance, Get, Plane, Reduce, Target, Which
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, replace_fields
+from querycad_language.phrases import Mention, places_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -17,6 +17,7 @@ from querycad_language.tokens import Kind
 
 from .anchors import pairs_named
 
+_RISES = ("step", "shoulder")
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 
 
@@ -27,6 +28,7 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _which(question)
     yield from _combined(question)
     yield from _clearances(question)
+    yield from _radial_steps(question)
 
 
 def _compared(question: Question) -> Iterator[Parse]:
@@ -135,3 +137,19 @@ def _of_two(question: Question) -> Iterator[Parse]:
     target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
     yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
+
+
+def _radial_steps(question: Question) -> Iterator[Parse]:
+    """'How high, radially, is the step from the seat up to the collar?': by how much the radius of one is larger."""
+    text = question.text
+    radial = text.at_words("radial", "radially", "radius")
+    rises = text.at_words("step", "shoulder", "high", "height", "grow", "rise", "jump", "drop")
+    if not radial or not rises or not text.has("from") or not text.has("to", "onto"):
+        return
+    nested = [[replace_fields(m.part, places=()), *(what for _, what in places_of(m.part))] for m in question.parts]
+    round_ones = [one for ones in nested for one in ones if one.known and one.noun not in _RISES]
+    if len(round_ones) > 1:
+        used = radial.union(rises, *(m.used for m in question.parts))
+        used |= text.at_words("how", "much", "up", "down", "from", "to", "onto")
+        radii = (Get((Measure.RADIUS,), one) for one in round_ones[-2:])
+        yield Parse(Combine("apart", *radii), {"combined": 1.0}, used)
