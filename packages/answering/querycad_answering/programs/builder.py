@@ -15,6 +15,7 @@ from querycad_language.measures import CUT, WHOLE, Grade, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 
+_ROUND = frozenset((Measure.DIAMETER, Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER))
 _SLIM = frozenset((PartKind.SLOT, PartKind.CHANNEL, PartKind.GROOVE))
 """Kinds whose width is across their length."""
 
@@ -109,6 +110,8 @@ class Builder:
         box = (Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT)  # along x, y, z, where all three are asked
         if set(box) == set(others) and not any(part.kind in CUT for part in parts):
             return f"{{0}}.extents[{box.index(measure)}]"
+        if measure is Measure.LENGTH and _ROUND.intersection(others) and all(p.kind in WHOLE and p.axis for p in parts):
+            return self.read(Measure.AXIAL_EXTENT, parts)  # of what is turned, beside its diameter
         sides = {Measure.LENGTH: "max({0}.extents[:2])", Measure.WIDTH: "min({0}.extents[:2])"}
         if {*sides, Measure.HEIGHT} == set(others) and all(part.kind in WHOLE for part in parts):
             upright = self.read(measure, parts) if measure is Measure.HEIGHT else ""

@@ -8,7 +8,7 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
@@ -31,6 +31,9 @@ _BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", 
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
+_OFF = 4
+"""Words from 'off' to the middle that something is off."""
+_SIDES = {Measure.WIDTH: SHORTER, Measure.LENGTH: LONGEST, Measure.HEIGHT: 2}
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -58,6 +61,7 @@ class _Pair(NamedTuple):
 def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
     yield from _behind_end(question)
+    yield from _off_middle(question)
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
@@ -101,6 +105,34 @@ def _behind_end(question: Question) -> Iterator[Parse]:
             used = used.union(*(other.used for other in anchors_of(question) if opposite & other.used))
             left = Get((Measure.BOTTOM_THICKNESS,), cut)
             yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
+
+
+def _off_middle(question: Question) -> Iterator[Parse]:
+    """'How far is the hole off the middle of the plate's width?', 'By how much is it offset from the centre?'"""
+    text = question.text
+    off = next((at for at in sorted(text.at_words("off", "offset")) if question.in_question(at)), None)
+    middles = text.at_words("middle", "center", "centerline", "midline", "midplane")
+    at = next((i for i in sorted(middles) if off is not None and off < i <= off + _OFF), None)
+    if off is None or at is None:
+        return
+    moved = next((m for m in reversed(question.parts) if m.head < off), None)
+    moved = moved or next((m for m in question.parts if m.start > at), None)
+    owner = next((m for m in (question.phrases.at(i, 1) for i in (at + 2, at + 3)) if m is not None), None)
+    owner = owner if text.is_word(at + 1, "of") else None
+    measure = next((one for i in range(at + 1, min(at + 7, len(text))) if (one := text.find(i, "measure"))), None)
+    axis, along = axis_named(question, set())
+    if measure is not None and measure.value in _SIDES:
+        axis, along = _SIDES[measure.value], set(measure.tokens)
+    if moved is None:
+        return
+    middle = owner.query if owner is not None else None
+    noun = lexicon().nouns.get(middle.noun) if middle is not None else None
+    used = {*range(off, at + 1), *moved.used, *along, *(owner.used if owner is not None else ())}
+    used |= text.at_words("how", "far", "much", "by", "sideways")
+    if middle is None or (noun is not None and noun.product):
+        yield Parse(Distance(moved.part, None, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
+    if middle is not None:
+        yield Parse(Distance(moved.part, middle, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:

@@ -43,11 +43,13 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     """Of a related part: 'What is the top diameter of the spigot?', 'What inner diameter has the lever?'"""
     yield from _circle(question, asked, get, parse)
     yield from _surface(get, parse)
+    yield from _root_fillet(question, get, parse)
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
     yield from _of_its_section(get, parse)
     if get.target is not None:
+        yield from _between_centres(question.text, get.target, get, parse)
         yield from _across(get.target, get, parse)
         yield from _there(question.text, get.target, get, parse)
     match get.measures:
@@ -90,6 +92,23 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
 def _leads_to(text: Text, start: int, mention: Mention) -> bool:
     """Does '… on which the studs stand', 'through the holes' follow, with these parts?"""
     return any(text.is_word(i, "on", "through", "which", "do", "are") for i in range(start, mention.start))
+
+
+def _root_fillet(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The radius between hub and flange', 'the radius where the arm meets the boss': of the fillet there."""
+    text = question.text
+    between = text.at_words("between") | (text.at_words("where") - {0})
+    if get.measures != (Measure.RADIUS,) or not between or text.has("blend"):
+        return
+    ends = [m for m in question.parts if m.start > min(between)][:2]
+    if len(ends) == 2 or (ends and places_of(ends[0].part)):
+        first = ends[0].part
+        second = ends[1].part if len(ends) == 2 else places_of(first)[0][1]
+        fillet = PartQuery(noun="fillet", words=("fillet",), definite=True)
+        for one in (replace_fields(first, places=()), second):
+            fillet = placed_in(fillet, "on", one)
+        used = parse.used.union(between, *(m.used for m in ends), text.at_words("meet", "join", "and", "to"))
+        yield Parse(replace(get, target=fillet), {**parse.features, "its_end": 1.0}, used)
 
 
 def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
@@ -144,6 +163,15 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
                 elif measure in (Measure.ANGLE, Measure.DRAFT):  # of the flanks of a tongue
                     form = replace(get, measures=(Measure.DRAFT,), target=holder)
                     yield Parse(form, {**parse.features, "its_end": 1.0}, parse.used)
+
+
+def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'Slot length between the arc centres', 'the length of the straight part of the slot'."""
+    said = text.covered("center_to_center") | text.at_words("straight")
+    if get.measures == (Measure.LENGTH,) and said:
+        names = tuple(name for name in target.adjectives if name != "straight")
+        form = replace(get, measures=(Measure.CENTRE_LENGTH,), target=replace_fields(target, adjectives=names))
+        yield Parse(form, {**parse.features, "there": 1.0}, parse.used | said)
 
 
 def _there(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:

@@ -103,7 +103,9 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
         how = [at + 1 for at in text.at_words("how")]
         lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
         end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
-        features["vector_for_length"] = float(end or any(lengths))
+        way = (text.has("from") and text.has("to")) or text.is_word(asked.end, "to")  # 'from pin centre to tip'
+        way = way and not text.has("what", "which", "where", "position", "coordinate", "point")
+        features["vector_for_length"] = float(end or way or any(lengths))
     if asked.measures == (Measure.HEIGHT,) and places_of(target, "above", "below"):
         features["height_above"] = 1.0  # 'how high is the window above the floor': not how tall
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
