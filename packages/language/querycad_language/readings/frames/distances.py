@@ -326,7 +326,7 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
         for other in [spots for spots in ends if spots is not behind][:3]:
             for spot, base in product(other, behind or ()):
                 used = spot.used | base.used | set(span.tokens)
-                if isinstance(spot.anchor, PartQuery) and isinstance(base.anchor, PartQuery):
+                if isinstance(spot.anchor, PartQuery | Plane) and isinstance(base.anchor, PartQuery):
                     yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
                     yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
     for spot in chain.from_iterable(ends):
@@ -374,9 +374,13 @@ def overhangs(question: Question) -> Iterator[Parse]:
         rim = next((what for _, what in places_of(other.part, "of")), None)
         level = Plane(Side.TOP, rim) if rim is not None else Boundary(Side.TOP)
         yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
+    own = next((one for one in planes_of(question) if one.used & first.used), None)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
-        beyond = Distance(Plane(None, without(first.part, place)), Plane(None, holder))
-        yield Parse(beyond, {"overhang": 1.0}, used)
+        standing = without(first.part, place)
+        yield Parse(Distance(Plane(None, standing), Plane(None, holder)), {"overhang": 1.0}, used)
+        if own is not None and isinstance(own.anchor, Plane):  # 'how far are the tops of the bosses below the rim'
+            levels = Distance(Plane(own.anchor.side, standing), Plane(own.anchor.side, holder))
+            yield Parse(levels, {"overhang": 1.0, "level_top": 1.0}, used | own.used)
 
 
 def insertions(question: Question) -> Iterator[Parse]:
