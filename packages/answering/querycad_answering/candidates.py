@@ -223,7 +223,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
         if "sense_kin" in features:
             features["count_kin"] = 1.0
     features.update(_of_two(form, grounds))
-    features.update(_of_steps(form, written.code))
+    features.update(_of_steps(form, written, grounds))
     return features
 
 
@@ -235,8 +235,12 @@ def _of_two(form: Form, grounds: dict[PartQuery, Grounded]) -> Features:
     return {"same_parts": float(len(named) > len(set(named.values())))}
 
 
-def _of_steps(form: Form, code: str) -> Features:
-    """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?"""
+def _of_steps(form: Form, written: Written, grounds: dict[PartQuery, Grounded]) -> Features:
+    """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?
+
+    The largest of several is largest by its widest step: then the narrowest, which is its usual size, is not meant.
+    """
+    code = written.code
     words = {
         word
         for query in queries(form)
@@ -262,6 +266,10 @@ def _of_steps(form: Form, code: str) -> Features:
             "step_narrowest_said": float(bool(words & lexicon().steps["narrowest"])),
             "step_narrowest_denied": float(bool(words & lexicon().steps["widest"])),
         }
+    usual = any(read.expression in ("{0}.radius", "{0}.diameter") for read in written.reads)
+    largest = {query for query in queries(form) for rank in query.ranks if rank.most and rank in ranks}
+    if usual and any(len(part.radii) > 1 for query in largest for part in grounds[query].parts if query in grounds):
+        return {"step_narrowest_denied": 1.0}
     return {}
 
 

@@ -120,7 +120,7 @@ def single(request: Request, way: Candidate) -> Sequence[Candidate]:
             return [every]  # 'the holes' are all of them, 'the grip studs' may be those of one size
         return [every, *_of_groups(query, way, [group for group in groups if len(group) > 1])]
     if len(groups) == 1:
-        alone = len(way.parts) == 1
+        alone = len(way.parts) == 1 or any(rank.measure for rank in query.ranks)  # of several largest ones any is it
         way = way.to(way.parts, "one_for_one" if alone else "alike_for_one")
         return [way if alone or query.definite else way.to(way.parts, "alike_bare")]  # 'stud height?', 'of a stud'
     if query.sample:
