@@ -34,7 +34,8 @@ def parts(question: Question) -> Iterator[Parse]:
         used = {*mention.used, *(range(side - 1, side + 2) if side is not None else ())}
         features = {"which_side": 1.0, "count_far": float(index)}
         measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
-        if (offered or side is not None) and not measured:  # 'which is thicker, the upper or the lower one'
+        is_side = side is not None and mention.start <= side + 1 < mention.end  # 'in which wall is the window'
+        if (offered or side is not None) and not (measured or is_side):  # 'which is thicker, the upper or the lower'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
             yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
         lead = range(start, mention.start + 1)
@@ -70,7 +71,7 @@ def _named_by(query: PartQuery) -> Measure:
 
 def _asks_for_side(text: Text, at: int) -> bool:
     """'which side', 'on what face', 'the side on which', 'side with the lug'."""
-    face = text.is_word(at + 1, "face") and text.is_word(at - 1, "on", "in")
+    face = text.is_word(at + 1, "face", "wall", "end", "edge", "flank") and text.is_word(at - 1, "on", "in", "at")
     if text.is_word(at, "which", "what"):
         return text.is_word(at + 1, "side") or face
     said = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")

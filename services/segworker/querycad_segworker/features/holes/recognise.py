@@ -34,7 +34,7 @@ from .ends import (
 )
 from .hole import RIM, Hole, SectionKind
 from .inline_bores import united_through_walls
-from .sections import THREAD_WIDTH, different_radii, over_grooves, sections_of, tags_of, without_ring_thread
+from .sections import THREAD_WIDTH, different_radii, is_fine, over_grooves, sections_of, tags_of, without_ring_thread
 
 RECESS_RATIO = 0.25
 """Shallower than this share of its diameter, a blind round recess by itself is a pocket; drilled and bored holes are
@@ -131,7 +131,7 @@ def _hole(brep: Brep, stack: Stack, bores: Bores, tolerances: Tolerances) -> Hol
     cylinders = [w for w in stretches if w.kind is SurfaceKind.CYLINDER]
     steps = different_radii([w.radius for w in cylinders if spotface.isdisjoint(w.faces)], tolerances)
     pitch = next((w.pitch for w in stack.walls if w.pitch is not None), None)
-    bare = without_ring_thread(steps, tolerances)
+    bare = without_ring_thread(steps, tolerances) if is_fine(cylinders, axis) else None
     threaded = bare is not None or pitch is not None
     if bare is not None:
         steps = bare

@@ -37,6 +37,8 @@ for O-rings in small bores (ISO 3601-2)."""
 THREAD_TURNS = 3
 """So many times must a bore alternate between two radii to be a modelled thread; fewer are grooves for snap rings."""
 
+THREAD_PITCH = 0.4
+"""A turn of a thread is shorter than this share of its core: 0.35 for the smallest (ISO 724, M1)."""
 THREAD_WIDTH = 1.5
 """The outer diameter of a thread is less than this many times its core: 1.4 for the smallest (ISO 724, M1)."""
 
@@ -121,6 +123,15 @@ def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
     """The shallow wide first step that only faces the surface around the bore."""
     first = all(w.kind is not SurfaceKind.CYLINDER for w in outside)
     return first and inside.radius < wall.radius and wall.height < SPOTFACE_RATIO * 2 * wall.radius
+
+
+def is_fine(cylinders: Sequence[Wall], axis: Axis) -> bool:
+    """Do the cylinders of a bore follow each other as closely as the turns of a thread do?"""
+    if not cylinders:
+        return False
+    ranges = [wall_range(axis, wall) for wall in cylinders]
+    length = max(high for _, high in ranges) - min(low for low, _ in ranges)
+    return length < THREAD_PITCH * 2 * min(wall.radius for wall in cylinders) * len(cylinders) / 2
 
 
 def without_ring_thread(steps: Sequence[float], tolerances: Tolerances) -> tuple[float, ...] | None:

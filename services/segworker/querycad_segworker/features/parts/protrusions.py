@@ -29,6 +29,7 @@ from .volumes import Volumes
 
 HEADS = ("hexagonal", "octagonal")
 """Outlines of heads and nuts, whose height is along their own axis."""
+_MADE_OF_PIECES = (PartKind.WALL, PartKind.GEAR, PartKind.TOOTH, PartKind.PIPE)
 TAKEN = 0.5
 """A ledge with more than this share of its surface, or with its largest face, in a part is that part."""
 BAR_RATIO = 3.0
@@ -68,7 +69,7 @@ def ledge_parts(brep: Brep, ledges: Sequence[Protrusion], parts: Sequence[Part],
 
     A ledge is as thick as the lesser side of its foot.
     """
-    standing = [part for part in parts if part.kind.stands_out or part.kind is PartKind.WALL]
+    standing = [part for part in parts if part.kind.stands_out or part.kind in _MADE_OF_PIECES]
     number = sum(part.kind is PartKind.ELEVATION for part in parts)
     found: list[Part] = []
     for ledge in ledges:
