@@ -12,7 +12,7 @@ from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import SCALARS, answer_type, is_length, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
-from .distances import SLACK, distance, overlapping
+from .distances import SLACK, distance, overlapping, side_axis
 from .sides import angle_between, directions, in_line, towards
 
 _OF_SHAPE = {
@@ -152,6 +152,10 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
         expression = _dense(form, expression)
+    if expression == "{0}.opening" and len(sides := (*target.sides, *target.ends)) == 1:  # its mouth on that side
+        axis, sign = side_axis(sides[0])
+        facing = f"o.center for o in {{0}}.openings if {sign}o.normal[{axis}] > 0.5"
+        expression = f"next(({facing}), {{0}}.opening)"
     if expression == "{0}.extents" and form.reduce in _ENDS:  # 'the largest dimension'
         return f"{_ENDS[form.reduce]}(x for p in {name} for x in p.extents)", AnswerType.LENGTH
     if expression.startswith("[*"):

@@ -51,7 +51,7 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     if get.target is not None:
         yield from _between_centres(question.text, get.target, get, parse)
         yield from _across(get.target, get, parse)
-        yield from _there(question.text, get.target, get, parse)
+        yield from _there(question, get.target, get, parse)
     match get.measures:
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
             of = next((place for _, place in places_of(get.target, "of", "around")), None)
@@ -107,7 +107,7 @@ def _root_fillet(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
         fillet = PartQuery(noun="fillet", words=("fillet",), definite=True)
         for one in (replace_fields(first, places=()), second):
             fillet = placed_in(fillet, "on", one)
-        used = parse.used.union(between, *(m.used for m in ends), text.at_words("meet", "join", "and", "to"))
+        used = {*parse.used, *between, *text.at_words("meet", "join", "and", "to")}.union(*(m.used for m in ends))
         yield Parse(replace(get, target=fillet), {**parse.features, "its_end": 1.0}, used)
 
 
@@ -174,14 +174,19 @@ def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> I
         yield Parse(form, {**parse.features, "there": 1.0}, parse.used | said)
 
 
-def _there(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
+def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
+    text = question.text
+    if get.measures == (Measure.POSITION,) and (target.sides or target.ends) and is_cut(target):
+        seen = replace(get, measures=(Measure.OPENING,))  # 'the centre of the hole seen from the left'
+        yield Parse(seen, {**parse.features, "position_seen": 1.0}, parse.used)
     for words, measure in _THERE.get(get.measures[0], {}).items():
         led = ((i, at) for i in text.at_words(*_AT) for at in text.at_words(*words) if i < at <= i + _NEAR)
         for start, end in sorted(led)[:1]:
             form = replace(get, measures=(measure,), target=replace_fields(target, sides=()))
             said = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
-            yield Parse(form, said | {"link_of": 1.0, "there": 1.0}, parse.used | {*range(start, end + 1)})
+            named = set().union(*(m.used for m in question.parts if m.start <= end < m.end))
+            yield Parse(form, said | {"link_of": 1.0, "there": 1.0}, parse.used | {*range(start, end + 1)} | named)
 
 
 def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
