@@ -20,6 +20,8 @@ CALLS = 2000
 """Of a run; a program that is sure to make more is not written where each takes the kernel."""
 MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
+BREAK = 0.2
+"""What breaks the edge of an end is less than this share of the radius there."""
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
@@ -281,17 +283,29 @@ def _of_each(build: Builder, query: PartQuery, modes: dict[str, str], reduce: Re
 def _each_of(build: Builder, query: PartQuery, at: str, sign: str, axis: int, level: str, signed: bool = False) -> str:
     """How far the plane, or that of each of several parts, lies from a level; `signed`: beyond it."""
     far = f"{sign}1 * " if signed else "abs"
-    if not query.plural:
+    if not query.plural or at.startswith("shape."):
         return f"{far}({at} - {level})"
     return f"[{far}(p.center[{axis}] {sign} p.half_extents[{axis}] - {level}) for p in {build.parts(query)}]"
 
 
 def _outermost(build: Builder, query: PartQuery, axis: int, sign: str) -> str:
     """How far parts reach along an axis, to '+' or to '-'."""
-    if not build.of(query):
+    parts = build.of(query)
+    if not parts:
         raise Unwritable
     pick = "max" if sign == "+" else "min"
+    side = next(side for side in Side if side_axis(side) == (axis, sign))
+    if all(_is_broken(build.whole, part, side) for part in parts):  # a shaft ends where the chamfer of its end does
+        return f"shape.{pick}_corner[{axis}]"
     return f"{pick}(q.center[{axis}] {sign} q.half_extents[{axis}] for q in {build.parts(query)})"
+
+
+def _is_broken(whole: Part, part: Part, side: Side) -> bool:
+    """Does a section of a shaft end a little before the shaft does, with a broken edge?"""
+    left = _reach(whole, side) - _reach(part, side)
+    along = side_axis(side)[0]
+    section = part.kind not in CUT and along_axis(part) == along == along_axis(whole)
+    return section and SLACK < left < BREAK * (part.radius or 0.0)
 
 
 def _sides(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:
