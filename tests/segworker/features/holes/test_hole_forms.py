@@ -163,3 +163,12 @@ def test_a_bore_of_half_a_block_is_no_gallery() -> None:
     block = cut(box((30, 30, 60), (-15, -15, 0)), cylinder(12, 60), cylinder(2, 20, (0, 0, 30), (1, 0, 0)))
     wall_hole = min(find(block).of("hole"), key=lambda part: part.radius or 0)
     assert "through" in wall_hole.tags
+
+
+def test_grooves_that_are_far_apart_in_a_bore_are_no_thread() -> None:
+    rings = [cylinder(13, 3, (0, 0, z)) for z in (14, 26, 38)]
+    found = find(cut(cylinder(16, 56), cylinder(12, 56), *rings))
+    (bore,) = found.of("hole")
+    assert "threaded" not in bore.tags
+    assert bore.diameter == pytest.approx(24 * MM)
+    assert [groove.diameter for groove in found.of("groove")] == pytest.approx([26 * MM] * 3)

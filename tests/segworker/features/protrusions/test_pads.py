@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from OCP.TopoDS import TopoDS_Shape
 from tests.segworker.shapes import (
@@ -106,3 +108,39 @@ def test_a_semicircle_is_as_deep_as_it_is_cut_in() -> None:
     (arc,) = find(cut(plate(60, 40, 10), cylinder(8, 10, (0, 20, -10)))).of("arc")
     assert arc.depth == pytest.approx(8 * MM)
     assert arc.length == pytest.approx(10 * MM)
+
+
+def ledges(shape: TopoDS_Shape) -> list[tuple[float, ...]]:
+    """Length, width and height of each ledge, millimetres."""
+    sizes = [part.local_size for part in find(shape).of("elevation") if "ledge" in part.tags]
+    return [tuple(round(size / MM, 3) for size in each) for each in sizes if each is not None]
+
+
+def profile(*points: tuple[float, float], length: float = 60) -> TopoDS_Shape:
+    """A profile in x and z, drawn along y."""
+    return prism([(x, 0, z) for x, z in points], (0, length, 0))
+
+
+def test_the_lip_of_an_angle_is_a_ledge_and_what_it_hangs_on_is_none() -> None:
+    angle = profile((0, 0), (20, 0), (20, 12), (28, 12), (28, 26), (0, 26), length=100)
+    assert ledges(angle) == [(100, 14, 8)]
+
+
+def test_a_drafted_tongue_is_a_pad_with_its_draft() -> None:
+    lean = 15 * math.tan(math.radians(5))
+    outline = (0, 0), (40, 0), (40, 20), (28, 20), (28 - lean, 35), (12 + lean, 35), (12, 20), (0, 20)
+    (tongue,) = find(profile(*outline)).of("protrusion")
+    assert tongue.height == pytest.approx(15 * MM)
+    assert tongue.draft == pytest.approx(math.radians(5))
+
+
+def test_a_rail_whose_flanks_lean_over_the_face_is_a_dovetail() -> None:
+    out = 10 / math.tan(math.radians(60))
+    outline = (0, 0), (80, 0), (80, 20), (55, 20), (55 + out, 30), (25 - out, 30), (25, 20), (0, 20)
+    (rail,) = find(profile(*outline)).of("protrusion")
+    assert "dovetail" in rail.tags
+    assert rail.angle == pytest.approx(math.radians(60))
+
+
+def test_the_teeth_of_a_gear_are_no_ledges() -> None:
+    assert ledges(fuse(gear(18, 20, 16, 8), cylinder(25, 4, (0, 0, -4)))) == []

@@ -84,10 +84,11 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         return
     others = _behind(question, cue.end)
     used = {*subject.used, *cue.tokens, *(others[0].used if others else ())}
-    between = [m for m in others if m.start >= cue.end][:2]
-    if text.is_word(cue.end - 1, "between") and len(between) == 2 and not between[0].plural:
-        first, second = (Distance(subject.part, m.part, "centers") for m in between)
-        yield Parse(Check(first, Relation.EQUAL, second), _SAYS, used | between[1].used)
+    first = others[0] if others and text.is_word(cue.end - 1, "between") and not others[0].plural else None
+    second = question.phrases.at(first.end + 1, 1) if first and text.is_word(first.end, "and") else None
+    if first is not None and second is not None and second.query is not None:
+        far, near = (Distance(subject.part, m.part, "centers") for m in (first, second))
+        yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
         return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
     axis = next((_AXES[one.value] for one in measures if one is not None and one.value in _AXES), None)
@@ -125,7 +126,7 @@ def _subject(question: Question, start: int, end: int) -> Mention | None:
 
 def _behind(question: Question, at: int) -> list[Mention]:
     """The parts that are named behind a token."""
-    inner = (question.phrases.at(i, 1) for i in range(at, min(at + 4, len(question.text))))
+    inner = (question.phrases.at(i, 1, joined=False) for i in range(at, min(at + 4, len(question.text))))
     first = next((m for m in inner if m is not None and m.query is not None), None)
     return [first, *(m for m in question.parts if m.start >= first.end)] if first is not None else []
 

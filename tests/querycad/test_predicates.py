@@ -1,0 +1,115 @@
+"""Questions about what a verb says of parts, and about pieces, ends and middles: asked of whole models."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from build123d import (
+    Align,
+    Axis,
+    Box,
+    BuildLine,
+    BuildPart,
+    BuildSketch,
+    Cylinder,
+    Hole,
+    Locations,
+    Mode,
+    Plane,
+    Polyline,
+    Solid,
+    export_step,
+    extrude,
+    fillet,
+    make_face,
+)
+
+from querycad import EmbeddedRuntime, Model
+
+MM = 1e-3
+FROM_BELOW = (Align.CENTER, Align.CENTER, Align.MIN)
+
+
+def block() -> Solid:
+    """A block of 80 x 40 x 30 with a gallery of 10 (60 long), a drilling into it, a slot open at both ends."""
+    with BuildPart() as made:
+        Box(80, 40, 30, align=FROM_BELOW)
+        with Locations(Plane(origin=(-40, 0, 10), z_dir=(1, 0, 0))):
+            Cylinder(5, 60, align=FROM_BELOW, mode=Mode.SUBTRACT)
+        with Locations((-10, 0, 10)):
+            Cylinder(2, 20, align=FROM_BELOW, mode=Mode.SUBTRACT)
+        with Locations((0, 14, 26)):
+            Box(80, 6, 4, align=FROM_BELOW, mode=Mode.SUBTRACT)
+        with Locations((30, -12, 30)):
+            Hole(3)
+    return made.part.solid()
+
+
+def pulley() -> Solid:
+    """A rim of 80 x 20 with a hub of 30 that stands out by 10 on one side only, with a bore of 12."""
+    with BuildPart() as made:
+        Cylinder(40, 20, align=FROM_BELOW)
+        Cylinder(15, 30, align=FROM_BELOW)
+        fillet(made.edges().filter_by(lambda e: abs(e.length - 2 * 3.14159265 * 15) < 1e-3).sort_by(Axis.Z)[0], 2)
+        Hole(6)
+    return made.part.solid()
+
+
+def gib() -> Solid:
+    """An angle of 20 x 26 whose lip of 14 hangs out by 8, 100 long."""
+    with BuildPart() as made:
+        with BuildSketch(Plane.YZ):
+            with BuildLine():
+                Polyline((0, 0), (20, 0), (20, 12), (28, 12), (28, 26), (0, 26), (0, 0))
+            make_face()
+        extrude(amount=100)
+    return made.part.solid()
+
+
+@pytest.fixture(scope="module")
+def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Model]:
+    folder = tmp_path_factory.mktemp("predicates")
+    for name, shape in {"block": block(), "pulley": pulley(), "gib": gib()}.items():
+        export_step(shape, folder / f"{name}.step")
+    return {path.stem: runtime.open(path) for path in Path(folder).glob("*.step")}
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "holds"),
+    [
+        ("block", "Does the 10 mm bore come out at the other end?", False),
+        ("block", "Does the 6 mm hole go right through to the bottom?", True),
+        ("block", "Does the 4 mm hole break into the 10 mm bore?", True),
+        ("block", "Does the 6 mm hole break into the 10 mm bore?", False),
+        ("block", "Is the slot open at both ends?", True),
+        ("block", "Does the slot run the full length of the block?", True),
+        ("pulley", "Does the hub stick out past the rim?", True),
+        ("pulley", "Does the hub stick out past the rim on both sides?", False),
+    ],
+)
+def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, question: str, holds: bool) -> None:
+    assert models[model].ask(question).value is holds
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "millimetres"),
+    [
+        ("block", "How much material is left between the end of the 10 mm bore and the opposite face?", 20.0),
+        ("block", "What is the longest dimension of the block?", 80.0),
+        ("block", "How far is the 6 mm hole off the middle of the block in x?", 30.0),
+        ("pulley", "What is the radius where the hub meets the rim?", 2.0),
+        ("gib", "How thick is the lip?", 14.0),
+    ],
+)
+def test_pieces_ends_and_middles_have_their_measures(
+    models: dict[str, Model], model: str, question: str, millimetres: float
+) -> None:
+    assert models[model].ask(question).value == pytest.approx(millimetres * MM)
+
+
+def test_a_centre_seen_from_a_side_may_be_that_of_the_mouth_there(models: dict[str, Model]) -> None:
+    answer = models["block"].ask("Where is the centre of the 6 mm hole seen from the bottom?")
+    values = [answer.value, *(other.answer.value for other in answer.alternatives)]
+    assert any(value == pytest.approx((30 * MM, -12 * MM, 0.0)) for value in values)
+    assert any(value == pytest.approx((30 * MM, -12 * MM, 15 * MM)) for value in values)
