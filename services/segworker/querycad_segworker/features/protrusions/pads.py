@@ -29,7 +29,7 @@ RIVAL = 2.0
 """Of the two pieces that meet at one edge, one that is so many times larger is what the other stands on."""
 
 
-MANY = 200
+MANY = 100
 """A piece of more faces is a part with parts of its own."""
 _Foot: TypeAlias = tuple[EdgeRecord, FaceRecord, int | None]
 """An edge at which something rises from a level, the plane wall there, and the fillet between."""
@@ -92,17 +92,17 @@ def _is_apart(piece: _Piece, known: Collection[int]) -> bool:
 def _levels(brep: Brep, tolerances: Tolerances) -> Iterator[list[FaceRecord]]:
     """Plane faces of one body in one plane that look one way."""
     near = 10 * tolerances.length
-    levels: dict[int, list[list[FaceRecord]]] = defaultdict(list)
-    for face in brep.faces:
-        if face.kind is not SurfaceKind.PLANE:
-            continue
-        for level in levels[face.body]:
+    levels: dict[tuple[object, ...], list[list[FaceRecord]]] = defaultdict(list)
+    for face in brep.of_kind(SurfaceKind.PLANE, range(len(brep.faces))):
+        height = dot(face.point, face.axis)
+        alike = levels[(face.body, *(round(c, 3) for c in face.axis), round(height / (100 * near)))]
+        for level in alike:
             first = level[0]
-            if dot(first.axis, face.axis) > 1 - 1e-6 and abs(dot(sub(face.point, first.point), first.axis)) <= near:
+            if dot(first.axis, face.axis) > 1 - 1e-6 and abs(dot(first.point, first.axis) - height) <= near:
                 level.append(face)
                 break
         else:
-            levels[face.body].append([face])
+            alike.append([face])
     for own in levels.values():
         yield from own
 
@@ -115,7 +115,7 @@ def _pieces(brep: Brep, level: Sequence[FaceRecord], tolerances: Tolerances) -> 
         faces, edges = side.connected(feet[0])
         own = [foot for foot in feet if foot is feet[0] or foot[1].id in faces]
         feet = [foot for foot in feet if foot not in own]
-        piece = _piece(side, own, faces, edges) if faces else None
+        piece = _piece(side, own, faces, edges) if len(faces) <= MANY else None
         if piece is not None:
             yield piece
 
@@ -128,47 +128,57 @@ class _Beyond:
         self.hosts = frozenset(face.id for face in level)
         self.normal = level[0].axis
         self.level = dot(level[0].point, self.normal)
+        self._spans: dict[int, tuple[float, float]] = {}
+        self._flush: dict[int, bool] = {}
 
     def height(self, point: Vector) -> float:
         """How far out of the level does a point lie, in metres?"""
         return dot(point, self.normal) - self.level
 
-    def rises(self, edge: int) -> bool:
-        """Does some of the edge lie beyond the level?"""
-        return max(map(self.height, edge_points(self.brep, edge))) > self.near
+    def span(self, edge: int) -> tuple[float, float]:
+        """From where to where does an edge reach, in metres out of the level?"""
+        if edge not in self._spans:
+            heights = list(map(self.height, edge_points(self.brep, edge)))
+            self._spans[edge] = min(heights), max(heights)
+        return self._spans[edge]
 
     def is_flush(self, face: int) -> bool:
         """Does the face run on below the level?"""
-        points = (p for e in self.brep.face_edges[face] for p in edge_points(self.brep, e))
-        return any(self.height(p) < -self.near for p in points)
+        if face not in self._flush:
+            self._flush[face] = any(self.span(e)[0] < -self.near for e in self.brep.face_edges[face])
+        return self._flush[face]
 
     def connected(self, foot: _Foot) -> tuple[frozenset[int], frozenset[int]]:
-        """The faces and edges that one comes to from a foot, beyond the level; none where they are too many.
+        """The faces and edges that one comes to from a foot, beyond the level; some, where they are too many.
 
         Within a face that runs on below the level one comes no farther than along the edges beyond it.
         """
         edge, wall, fillet = foot
-        start = {wall.id} if fillet is None else {wall.id, fillet}
-        todo = [e for face in start for e in self._onwards(face, edge)]
-        edges, faces = set(todo), set(start)
-        while todo:
+        faces = {wall.id} if fillet is None else {wall.id, fillet}
+        edges = {e for face in faces for e in self._onwards(face, edge)}
+        todo = list(edges)
+        whole = {face for face in faces if not self.is_flush(face)}
+        while todo and len(faces) <= MANY:
             at = self.brep.edges[todo.pop()]
-            for face in set(at.faces) - self.hosts:
+            for face in set(at.faces) - self.hosts - whole:
                 faces.add(face)
+                if not self.is_flush(face):
+                    whole.add(face)
                 new = set(self._onwards(face, at)) - edges
                 edges |= new
                 todo.extend(new)
-            if len(faces) > MANY:
-                return frozenset(), frozenset()
         return frozenset(faces), frozenset(edges)
 
     def _onwards(self, face: int, edge: EdgeRecord) -> Iterator[int]:
-        flush = self.is_flush(face)
+        """The edges of a face beyond the level that one comes to from one of its edges."""
+        beyond = (e for e in self.brep.face_edges[face] if e != edge.id and self.span(e)[1] > self.near)
+        if not self.is_flush(face):
+            yield from beyond
+            return
         ends = [p for p in (edge.start, edge.end) if self.height(p) > -self.near]
-        for e in self.brep.face_edges[face]:
+        for e in beyond:
             other = self.brep.edges[e]
-            meets = not flush or any(dist(a, b) <= self.near for a in (other.start, other.end) for b in ends)
-            if meets and e != edge.id and self.rises(e):
+            if any(dist(a, b) <= self.near for a in (other.start, other.end) for b in ends):
                 yield e
 
 
