@@ -20,8 +20,8 @@ CALLS = 2000
 """Of a run; a program that is sure to make more is not written where each takes the kernel."""
 MEASURED = 100
 """So many pairs have their surfaces measured, hundredths of a second each; of more those whose boxes are nearest."""
-BREAK = 0.2
-"""What breaks the edge of an end is less than this share of the radius there."""
+BREAK = 0.1
+"""What breaks the edge of an end is less than this share of the radius there, and of the length of the section."""
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
@@ -305,7 +305,7 @@ def _is_broken(whole: Part, part: Part, side: Side) -> bool:
     left = _reach(whole, side) - _reach(part, side)
     along = side_axis(side)[0]
     section = part.kind not in CUT and along_axis(part) == along == along_axis(whole)
-    return section and SLACK < left < BREAK * (part.radius or 0.0)
+    return section and SLACK < left < BREAK * min(part.radius or 0.0, part.extents[along])
 
 
 def _sides(build: Builder, plane: Plane, other: Anchor | str, mode: str) -> tuple[Side, Side | None]:

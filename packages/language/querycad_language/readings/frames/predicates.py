@@ -79,7 +79,8 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
     """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
     cue = _first(text, start + 1, "halfway")
-    subject = _subject(question, start, cue.start) if cue is not None else None
+    said = cue is not None and any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start))
+    subject = _subject(question, start, cue.start) if cue is not None and said else None
     if cue is None or subject is None:
         return
     others = _behind(question, cue.end)
