@@ -69,13 +69,13 @@ def recognise_pads(
     """Which pieces reach as far as the border of the face they stand on: pads, and ledges? By lowest face id.
 
     A piece is all that lies beyond the plane of a face, connected there, behind the straight edges at which it rises.
-    A pad rises at two or more sides, and its top is smaller than what is left of the face beside it. A ledge rises at
-    one, or is larger: the leg of an angle, a lip, the nose of a hook, what steps on both sides leave between them.
+    A pad rises at two or more sides to a level top, which is smaller than what is left of the face beside it. A ledge
+    rises at one, leans, or is larger: the leg of an angle, a lip, the nose of a hook, what steps on both sides leave.
     `known`: faces of protrusions that stand within a face, and the tops of ribs.
     """
     pieces = [piece for level in _levels(brep, tolerances) for piece in _pieces(brep, level, tolerances)]
     pieces = [piece for piece in pieces if piece.flush and _is_apart(piece, known)]
-    pads = [piece for piece in pieces if piece.sides > 1 and _is_smaller(brep, piece)]
+    pads = [piece for piece in pieces if piece.sides > 1 and _tops(brep, piece) and _is_smaller(brep, piece)]
     ledges = [
         piece for piece in pieces if piece not in pads and not _is_the_body(brep, piece) and not _outdone(piece, pieces)
     ]
@@ -207,7 +207,7 @@ def _piece(side: _Beyond, feet: Sequence[_Foot], faces: frozenset[int], edges: f
         return None
     own = edges - side.brep.edges_of(fillets) | side.brep.edges_of(faces - flush - fillets)
     frame = _frame(side, own, max((edge for edge, _, _ in feet), key=lambda edge: edge.length))
-    if frame.size[2] <= side.near:
+    if min(frame.size) <= side.near:
         return None
     middle = frame.point(0.5, 0.5, 0.5)
     whole = sum(edge.length for edge, _, _ in feet)
@@ -245,8 +245,7 @@ def _above(side: _Beyond, edges: Collection[int]) -> Iterator[Vector]:
 
 def _is_smaller(brep: Brep, piece: _Piece) -> bool:
     """Is its top smaller than what is left beside it?"""
-    length, width, _ = piece.frame.size
-    top = max((face.area for face in _tops(brep, piece)), default=length * width)
+    top = max(face.area for face in _tops(brep, piece))
     return top < sum(brep.faces[f].area for f in piece.hosts)
 
 
