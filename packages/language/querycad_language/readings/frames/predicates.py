@@ -17,12 +17,39 @@ _SAYS = {"predicate": 1.0}
 _ENDS = ("end", "end face", "shaft end")
 
 
-def predicates(question: Question, start: int) -> Iterator[Parse]:
-    """What the clause that begins here says by its verb."""
-    yield from _openings(question, start)
-    yield from _full_extents(question, start)
-    yield from _middles(question, start)
-    yield from _in_line(question, start)
+def predicates(question: Question) -> Iterator[Parse]:
+    """'Does the keyway come out at the bottom?', 'Does the keyway run the full length of the shoulder?'"""
+    start = verb_start(question)
+    if start is None:
+        return
+    for says in (_openings, _full_extents, _middles, _in_line):
+        yield from (parse.with_more({"check": 1.0}, {start}) for parse in says(question, start))
+
+
+def verb_start(question: Question) -> int | None:
+    """Where a clause begins that is answered by yes or no."""
+    text, (start, end) = question.text, question.asking
+    if question.claims or question.offers_yes_no:
+        return start
+    if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
+        return None
+    if question.closed and question.whether is not None:
+        return question.whether
+    behind = [i + 1 for i in range(start, end - 1) if text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal")]
+    if behind and not text.is_word(behind[0] + 1, "there"):
+        return behind[0]  # 'Going by the model, is it …?'
+    leading = next((i for i in range(start, end) if not _leads(text, i)), end)
+    verbs = (i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal"))
+    verb = next(verbs, start if text.is_word(end, "?") and text.is_word(start, "go") else None)
+    return None if verb is None or text.is_word(verb - 1, "there") else verb
+
+
+def _leads(text: Text, at: int) -> bool:
+    """May the word stand before a yes-or-no question: 'please tell me whether'?"""
+    if text.find(at, "ask", "where", "count", "noun", "measure") and not text.is_word(at, "that", "this"):
+        return False
+    polite = text.find(at, "chatter", "courtesy", "imperative", "function")
+    return polite is not None or text.is_word(at, ",", "if", "whether")
 
 
 def all_such(query: PartQuery) -> PartQuery:

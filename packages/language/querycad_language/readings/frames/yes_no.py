@@ -16,13 +16,13 @@ from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
 from .distances import distances, overhangs
-from .predicates import all_such, predicates
+from .predicates import all_such, verb_start
 from .values import density_of
 
 
 def yes_no(question: Question) -> Iterator[Parse]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
-    start = _verb_start(question)
+    start = verb_start(question)
     yield from _overlapping(question, start)
     yield from (either := list(_either(question)))
     if start is not None and not either:
@@ -41,7 +41,6 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
     yield from _of_kind(text, parts[:2])
     yield from _fits(question, start)
     yield from _enough(question)
-    yield from predicates(question, start)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
@@ -250,32 +249,6 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
         form = Every(target, all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
         yield Parse(form, {"predicate": 1.0}, set(span.tokens))
         return
-
-
-def _verb_start(question: Question) -> int | None:
-    """Where a clause begins that is answered by yes or no."""
-    text, (start, end) = question.text, question.asking
-    if question.claims or question.offers_yes_no:
-        return start
-    if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
-        return None
-    if question.closed and question.whether is not None:
-        return question.whether
-    behind = [i + 1 for i in range(start, end - 1) if text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal")]
-    if behind and not text.is_word(behind[0] + 1, "there"):
-        return behind[0]  # 'Going by the model, is it …?'
-    leading = next((i for i in range(start, end) if not _leads(text, i)), end)
-    verbs = (i for i in range(start, min(leading + 1, end)) if text.find(i, "be", "do", "have", "modal"))
-    verb = next(verbs, start if text.is_word(end, "?") and text.is_word(start, "go") else None)
-    return None if verb is None or text.is_word(verb - 1, "there") else verb
-
-
-def _leads(text: Text, at: int) -> bool:
-    """May the word stand before a yes-or-no question: 'please tell me whether'?"""
-    if text.find(at, "ask", "where", "count", "noun", "measure") and not text.is_word(at, "that", "this"):
-        return False
-    polite = text.find(at, "chatter", "courtesy", "imperative", "function")
-    return polite is not None or text.is_word(at, ",", "if", "whether")
 
 
 def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilter, set[int]] | None:
