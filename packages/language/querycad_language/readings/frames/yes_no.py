@@ -105,13 +105,15 @@ def _fits(question: Question, start: int) -> Iterator[Parse]:
     text = question.text
     verb = next((span for span in text.all("fits") if span.start >= start), None)
     hole = next((m for m in reversed(question.parts) if verb and m.start >= verb.end), None)
+    within = next((what for _, what in places_of(hole.query, "through", "in")), None) if hole is not None else None
     threads = text.lexicon.threads
     sizes = [(i, token.value) for i, token in enumerate(text.tokens) if token.power == 1]
     sizes += [(i, threads[word]["nominal"]) for i, word in enumerate(text.words) if "nominal" in threads.get(word, ())]
     if verb is not None and hole is not None and sizes:
         pin = {i for m in question.parts if m.end <= verb.start for i in m.used}
-        said = tuple(name for name in hole.part.adjectives if name != "through")  # 'would it go through the lug?'
-        wide = Get((Measure.DIAMETER,), replace_fields(hole.part, sizes=(), adjectives=said))
+        part = within or hole.part  # 'put a 10 mm shaft through this bore'
+        said = tuple(name for name in part.adjectives if name != "through")  # 'would it go through the lug?'
+        wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
         check = Check(wide, Relation.AT_LEAST, sizes[0][1])
         yield Parse(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
 

@@ -31,6 +31,8 @@ FLARE = math.cos(math.radians(44.0))
 """What a groove is cut into looks its way; beside a step cut square into a block lie faces at 45 degrees to that."""
 SQUARE = 0.05
 """Cosine: faces that lean less than 3 degrees off square to each other are square."""
+BEYOND = 2.0
+"""So many times as large as a chamfer is what lies beyond it; a land beside a V groove may end at one itself."""
 MUCH = 0.25
 """A face that ends a flank over less than this share of its length is what another cut left there."""
 
@@ -203,12 +205,12 @@ def _is_step(brep: Brep, flank: Sequence[FaceRecord], other: Sequence[FaceRecord
 def over_edge_break(brep: Brep, wall: FaceRecord) -> list[FaceRecord]:
     """The planes beyond the chamfers and rounds along the edges of a plane wall.
 
-    A chamfer is less wide than the wall is high and than what lies beyond, so its area is less.
+    A chamfer is less wide than the wall is high and than what lies beyond, so its area is much less.
     """
     around = [(edge, brep.faces[i]) for edge, i in brep.neighbours(wall.id)]
     bevels = [other for edge, other in around if breaks_edge(brep, wall, edge, other)]
     beyond = [(bevel, brep.faces[i]) for bevel in bevels for _, i in brep.neighbours(bevel.id) if i != wall.id]
-    return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > bevel.area]
+    return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > BEYOND * bevel.area]
 
 
 def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depression]:

@@ -126,12 +126,11 @@ def _is_spotface(wall: Wall, inside: Wall, outside: Sequence[Wall]) -> bool:
 
 
 def is_fine(cylinders: Sequence[Wall], axis: Axis) -> bool:
-    """Do the cylinders of a bore follow each other as closely as the turns of a thread do?"""
-    if not cylinders:
-        return False
-    ranges = [wall_range(axis, wall) for wall in cylinders]
-    length = max(high for _, high in ranges) - min(low for low, _ in ranges)
-    return length < THREAD_PITCH * 2 * min(wall.radius for wall in cylinders) * len(cylinders) / 2
+    """Do the rings in a bore follow each other as closely as the turns of a thread do?"""
+    core = min((wall.radius for wall in cylinders), default=0.0)
+    rings = [sum(wall_range(axis, w)) / 2 for w in cylinders if core < w.radius < THREAD_WIDTH * core]
+    turns = len(rings) - 1
+    return turns > 0 and max(rings) - min(rings) < THREAD_PITCH * 2 * core * turns
 
 
 def without_ring_thread(steps: Sequence[float], tolerances: Tolerances) -> tuple[float, ...] | None:
