@@ -71,6 +71,12 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Angle(HOLES, OTHERS), AnswerType.ANGLE),
     (Combine("ratio", DEPTH, Get((Measure.DIAMETER,), HOLES)), AnswerType.NUMBER),
     (Combine("apart", DEPTH, Get((Measure.DEPTH,), OTHERS)), AnswerType.LENGTH),
+    (Parallel(HOLES, OTHERS, in_line="axis"), AnswerType.BOOLEAN),
+    (Parallel(HOLES, OTHERS, in_line="row"), AnswerType.BOOLEAN),
+    (Check(Distance(Plane(None, PINS), Plane(None, LEVERS), "beyond both"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
+    (Check(Distance(HOLES, OTHERS), Relation.EQUAL, Distance(HOLES, LEVERS)), AnswerType.BOOLEAN),
+    (Get((Measure.OPENING,), OTHERS), AnswerType.POINT),
+    (Get((Measure.SIZE,), None, Reduce.LARGEST), AnswerType.LENGTH),
     (Check(DEPTH, Relation.AT_LEAST, 0.004), AnswerType.BOOLEAN),
     (Check(DEPTH, Relation.BETWEEN, 0.004, 0.005), AnswerType.BOOLEAN),
     (Every(HOLES, OTHERS), AnswerType.BOOLEAN),
@@ -304,3 +310,24 @@ def test_the_bottom_of_a_bore_is_its_floor_wherever_it_opens(bottom: str, reache
     code = write(left, {HOLES: ((bore,), 0), LEVERS: ((body(2, "lever"),), 0)}, whole()).code
     sign = "+" if reaches == "max" else "-"
     assert f"p.center[2] {sign} p.half_extents[2] - (max(" in code
+
+
+def test_the_mouth_of_a_hole_is_that_on_the_side_it_is_seen_from() -> None:
+    seen = HOLES.model_copy(update={"sides": (Side.LEFT,)})
+    code = write(Get((Measure.OPENING,), seen), {seen: ((hole(1, opening=(0.0, 0.0, 0.0)),), 0)}, whole()).code
+    assert "-o.normal[0] > 0.5" in code
+
+
+def test_parts_in_line_lie_on_the_axis_of_the_first_or_in_a_row() -> None:
+    bores = tuple(hole(number, axis=(0.0, 0.0, 1.0)) for number in (1, 2, 3))
+    strict, row = (
+        write(Parallel(HOLES, None, in_line=line), {HOLES: (bores, 0)}, whole()).code for line in ("axis", "row")
+    )
+    assert "[: 1]" in strict
+    assert "[: 2]" in row
+    with pytest.raises(Unwritable):
+        write(Parallel(HOLES, None, in_line="axis"), {HOLES: (bores[:1], 0)}, whole())
+
+
+def test_the_largest_dimension_is_one_value() -> None:
+    assert "max(shape.extents)" in write(Get((Measure.SIZE,), None, Reduce.LARGEST), {}, whole()).code

@@ -104,3 +104,9 @@ def test_the_angle_of_a_drill_point_is_its_own() -> None:
     assert any(form.target is not None and form.target.noun == "drill point" for form in asked)
     depth = [form for form in forms("How deep is the hole without the drill point?") if isinstance(form, Get)]
     assert all(form.target is None or form.target.noun != "drill point" for form in depth)
+
+
+def test_a_centre_seen_from_a_side_may_be_that_of_the_mouth_there() -> None:
+    asked = [form for form in forms("Where is the centre of the hole seen from the left?") if isinstance(form, Get)]
+    measures = {form.measures for form in asked if form.target is not None and [*form.target.sides] == ["left"]}
+    assert {(Measure.POSITION,), (Measure.OPENING,)} <= measures

@@ -106,10 +106,3 @@ def test_pieces_ends_and_middles_have_their_measures(
     models: dict[str, Model], model: str, question: str, millimetres: float
 ) -> None:
     assert models[model].ask(question).value == pytest.approx(millimetres * MM)
-
-
-def test_a_centre_seen_from_a_side_may_be_that_of_the_mouth_there(models: dict[str, Model]) -> None:
-    answer = models["block"].ask("Where is the centre of the 6 mm hole seen from the bottom?")
-    values = [answer.value, *(other.answer.value for other in answer.alternatives)]
-    assert any(value == pytest.approx((30 * MM, -12 * MM, 0.0)) for value in values)
-    assert any(value == pytest.approx((30 * MM, -12 * MM, 15 * MM)) for value in values)
