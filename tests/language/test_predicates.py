@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import SHORTER, Check, Combine, Distance, Every, Form, Get, Parallel, Plane
+from querycad_language.forms import SHORTER, Check, Combine, Count, Distance, Every, Form, Get, Parallel, Plane
 from querycad_language.readings import read
 
 
@@ -110,3 +110,10 @@ def test_a_centre_seen_from_a_side_may_be_that_of_the_mouth_there() -> None:
     asked = [form for form in forms("Where is the centre of the hole seen from the left?") if isinstance(form, Get)]
     measures = {form.measures for form in asked if form.target is not None and [*form.target.sides] == ["left"]}
     assert {(Measure.POSITION,), (Measure.OPENING,)} <= measures
+
+
+def test_how_many_more_is_one_number_less_another() -> None:
+    (form,) = [one for one in forms("How many more slots than lugs are there?") if isinstance(one, Combine)]
+    assert isinstance(form.left, Count)
+    assert isinstance(form.right, Count)
+    assert [form.left.target.noun, form.right.target.noun] == ["slot", "lug"]

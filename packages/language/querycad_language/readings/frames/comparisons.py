@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, Relation, Side
-from querycad_language.forms import Check, Combine, Distance, Get, Plane, Reduce, Target, Which
+from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, places_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
@@ -29,6 +29,7 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _combined(question)
     yield from _clearances(question)
     yield from _radial_steps(question)
+    yield from _more_of(question)
 
 
 def _compared(question: Question) -> Iterator[Parse]:
@@ -153,3 +154,17 @@ def _radial_steps(question: Question) -> Iterator[Parse]:
         used |= text.at_words("how", "much", "up", "down", "from", "to", "onto")
         radii = (Get((Measure.RADIUS,), one) for one in round_ones[-2:])
         yield Parse(Combine("apart", *radii), {"combined": 1.0}, used)
+
+
+def _more_of(question: Question) -> Iterator[Parse]:
+    """'How many more slots than lugs are there?': the number of one less that of the other."""
+    text = question.text
+    than = min(text.at_words("than"), default=None)
+    more = next((i for i in text.at_words("more", "fewer", "less") if text.is_word(i - 1, "many")), None)
+    if than is None or more is None or not text.is_word(more - 2, "how"):
+        return
+    left = next((m for m in question.parts if more < m.start < than), None)
+    right = next((m for m in question.parts if m.start > than), None)
+    if left is not None and right is not None:
+        form = Combine("apart", Count(left.part), Count(right.part))
+        yield Parse(form, {"combined": 1.0}, {more - 2, more - 1, more, than, *left.used, *right.used})

@@ -21,8 +21,8 @@ def counts(question: Question) -> Iterator[Parse]:
     """'How many blind slots are there?', 'What is the number of different depths of the keyways?'"""
     text = question.text
     for span in text.all("count"):
-        if not _counts(question, span):
-            continue
+        if not _counts(question, span) or (text.is_word(span.end, "more", "fewer") and text.has("than")):
+            continue  # 'how many more slots than lugs'
         used = set(span.tokens)
         elsewhere: Features = {} if question.in_question(span.start) else {"count_elsewhere": 1.0}
         at = text.skip(span.end + text.is_word(span.end, "of"), "article")
