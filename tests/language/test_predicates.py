@@ -20,7 +20,7 @@ def every(question: str) -> list[tuple[PartQuery, PartQuery]]:
 @pytest.mark.parametrize(
     ("question", "adjective"),
     [
-        ("Does the slot come out on the other side?", "through"),
+        ("Does the drilling emerge on the far side?", "through"),
         ("Does the cross hole go right through?", "through"),
         ("Does the keyway run from one end to the other?", "open at both ends"),
         ("Does the groove go right across the lever?", "open at both ends"),
@@ -31,7 +31,7 @@ def test_what_comes_out_elsewhere_goes_through(question: str, adjective: str) ->
 
 
 def test_what_comes_out_at_a_side_is_seen_there_and_nothing_is_said_of_it_before() -> None:
-    found = every("Does the hole in the lug go through to the underside?")
+    found = every("Does the slot in the cap come out at the bottom?")
     assert any(not target.sides and [*among.sides] == ["bottom"] for target, among in found)
 
 
@@ -70,7 +70,7 @@ def test_half_way_between_two_is_as_far_from_both() -> None:
 
 
 def test_both_sides_are_asked_of_both() -> None:
-    checks = [form for form in forms("Does the hub stand out of the rim on both sides?") if isinstance(form, Check)]
+    checks = [form for form in forms("Does the pin stand proud of the lever on both sides?") if isinstance(form, Check)]
     assert any(isinstance(check.left, Distance) and check.left.mode == "beyond both" for check in checks)
 
 
@@ -85,7 +85,7 @@ def test_off_the_middle_is_along_the_side_that_is_named() -> None:
 
 
 def test_a_radial_step_is_the_difference_of_two_radii() -> None:
-    found = forms("How high, radially, is the step from the shank up to the collar?")
+    found = forms("What radial rise is there from the shank to the disc?")
     assert any(
         isinstance(form, Combine) and isinstance(form.left, Get) and form.left.measures == (Measure.RADIUS,)
         for form in found
@@ -93,7 +93,7 @@ def test_a_radial_step_is_the_difference_of_two_radii() -> None:
 
 
 def test_tops_are_compared_with_the_top_of_what_they_lie_below() -> None:
-    found = forms("How far do the tops of the pins lie below the rim of the cup?")
+    found = forms("By how much do the tops of the studs lie below the edge of the tray?")
     assert any(
         isinstance(form, Distance) and isinstance(form.first, Plane) and form.first.side == "top" for form in found
     )

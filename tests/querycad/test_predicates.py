@@ -82,10 +82,10 @@ def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -
         ("block", "Does the 6 mm hole go right through to the bottom?", True),
         ("block", "Does the 4 mm hole break into the 10 mm bore?", True),
         ("block", "Does the 6 mm hole break into the 10 mm bore?", False),
-        ("block", "Is the slot open at both ends?", True),
+        ("block", "Is this slot open on both ends?", True),
         ("block", "Does the slot run the full length of the block?", True),
-        ("pulley", "Does the hub stick out past the rim?", True),
-        ("pulley", "Does the hub stick out past the rim on both sides?", False),
+        ("pulley", "Does the hub reach beyond the rim?", True),
+        ("pulley", "Does the hub reach beyond the rim at both ends?", False),
     ],
 )
 def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, question: str, holds: bool) -> None:
@@ -99,7 +99,7 @@ def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, quest
         ("block", "What is the longest dimension of the block?", 80.0),
         ("block", "How far is the 6 mm hole off the middle of the block in x?", 30.0),
         ("pulley", "What is the radius where the hub meets the rim?", 2.0),
-        ("gib", "How thick is the lip?", 14.0),
+        ("gib", "What thickness has the lip of this gib?", 14.0),
     ],
 )
 def test_pieces_ends_and_middles_have_their_measures(

@@ -141,7 +141,7 @@ def _of_two(question: Question) -> Iterator[Parse]:
 
 
 def _radial_steps(question: Question) -> Iterator[Parse]:
-    """'How high, radially, is the step from the seat up to the collar?': by how much the radius of one is larger."""
+    """'What radial rise is there from the neck to the disc?': by how much the radius of one is larger."""
     text = question.text
     radial = text.at_words("radial", "radially", "radius")
     rises = text.at_words("step", "shoulder", "high", "height", "grow", "rise", "jump", "drop")
@@ -160,7 +160,7 @@ def _more_of(question: Question) -> Iterator[Parse]:
     """'How many more slots than lugs are there?': the number of one less that of the other."""
     text = question.text
     than = min(text.at_words("than"), default=None)
-    more = next((i for i in text.at_words("more", "fewer", "less") if text.is_word(i - 1, "many")), None)
+    more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many")), None)
     if than is None or more is None or not text.is_word(more - 2, "how"):
         return
     left = next((m for m in question.parts if more < m.start < than), None)

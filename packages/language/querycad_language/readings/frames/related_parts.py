@@ -166,7 +166,7 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
 
 
 def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'Slot length between the arc centres', 'the length of the straight part of the slot'."""
+    """'How long is the keyway between its arc centres?', 'the length of the straight part'."""
     said = text.covered("center_to_center") | text.at_words("straight")
     if get.measures == (Measure.LENGTH,) and said:
         names = tuple(name for name in target.adjectives if name != "straight")
