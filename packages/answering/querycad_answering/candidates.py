@@ -268,7 +268,7 @@ def _of_steps(form: Form, written: Written, grounds: dict[PartQuery, Grounded]) 
         }
     usual = any(read.expression in ("{0}.radius", "{0}.diameter") for read in written.reads)
     largest = {query for query in queries(form) for rank in query.ranks if rank.most and rank in ranks}
-    if usual and any(len(part.radii) > 1 for query in largest for part in grounds[query].parts if query in grounds):
+    if usual and any(len(part.radii) > 1 for query in largest for part in grounds[query].parts):
         return {"step_narrowest_denied": 1.0}
     return {}
 

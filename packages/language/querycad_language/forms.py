@@ -94,18 +94,9 @@ class Distance:
     first: Anchor
     second: Anchor | Literal["each other"]
     mode: Literal[
-        "centers",
-        "surfaces",
-        "outsides",
-        "usual",
-        "overlap",
-        "beyond",
-        "beyond both",
-        "within",
-        "across",
-        "on diameter",
-        "on radius",
-    ] = "usual"
+        "centers", "surfaces", "outsides", "usual", "overlap", "beyond", "beyond both", "within", "across",
+        "on diameter", "on radius"
+    ] = "usual"  # fmt: skip
     """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within,
     'beyond both': the lesser at the two ends;
     'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Set as AbstractSet
 
-from querycad_contracts import PartQuery
+from querycad_contracts import Measure, PartQuery
 from querycad_language.forms import LONGEST, SHORTER
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+ALONG = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
+"""The axes that the measures of a whole run along."""
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
 _MEASURES = {"width": 0, "depth": 1, "height": 2}
 

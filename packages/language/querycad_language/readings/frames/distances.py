@@ -8,7 +8,7 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
@@ -17,7 +17,7 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.tokens import Kind
 
 from .anchors import NEAREST, Spot, anchors_of, ends_between, floored, pairs_named, plane_of, planes_of, rimmed
-from .axes import axes_listed, axis_named
+from .axes import ALONG, axes_listed, axis_named
 from .related_parts import is_cut
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
@@ -33,7 +33,6 @@ _APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.L
 """Measures that between two parts are distances: 'the height of A above B'."""
 _OFF = 4
 """Words from 'off' to the middle that something is off."""
-_SIDES = {Measure.WIDTH: SHORTER, Measure.LENGTH: LONGEST, Measure.HEIGHT: 2}
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -96,13 +95,14 @@ def _behind_end(question: Question) -> Iterator[Parse]:
     """'How much is left between the end of the blind bore and the opposite face?': what is left below its bottom."""
     text = question.text
     opposite = {i for i in text.at_words("opposite", "other", "far") if text.is_word(i + 1, *_BORDERS, "outside")}
-    for spot in anchors_of(question) if opposite else ():
+    spots = anchors_of(question) if opposite else []
+    for spot in spots:
         cut = spot.anchor.of if isinstance(spot.anchor, Plane) else None
         if cut is None and isinstance(spot.anchor, PartQuery) and spot.anchor.noun == "end":
             cut = next((what for _, what in places_of(spot.anchor, "of")), None)
         if cut is not None and is_cut(cut) and spot.at < min(opposite):
             used = {*spot.used, *opposite, *(i + 1 for i in opposite), *range(question.asking[0], spot.at)}
-            used = used.union(*(other.used for other in anchors_of(question) if opposite & other.used))
+            used = used.union(*(other.used for other in spots if opposite & other.used))
             left = Get((Measure.BOTTOM_THICKNESS,), cut)
             yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
 
@@ -121,8 +121,8 @@ def _off_middle(question: Question) -> Iterator[Parse]:
     owner = owner if text.is_word(at + 1, "of") else None
     measure = next((one for i in range(at + 1, min(at + 7, len(text))) if (one := text.find(i, "measure"))), None)
     axis, along = axis_named(question, set())
-    if measure is not None and measure.value in _SIDES:
-        axis, along = _SIDES[measure.value], set(measure.tokens)
+    if measure is not None and measure.value in ALONG:
+        axis, along = ALONG[measure.value], set(measure.tokens)
     if moved is None:
         return
     middle = owner.query if owner is not None else None
@@ -378,7 +378,7 @@ def overhangs(question: Question) -> Iterator[Parse]:
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         standing = without(first.part, place)
         yield Parse(Distance(Plane(None, standing), Plane(None, holder)), {"overhang": 1.0}, used)
-        if own is not None and isinstance(own.anchor, Plane):  # 'how far are the tops of the bosses below the rim'
+        if own is not None and isinstance(own.anchor, Plane):  # 'the tops of the pins below the edge of the tray'
             levels = Distance(Plane(own.anchor.side, standing), Plane(own.anchor.side, holder))
             yield Parse(levels, {"overhang": 1.0, "level_top": 1.0}, used | own.used)
 

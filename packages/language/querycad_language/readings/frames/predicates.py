@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import LONGEST, SHORTER, Check, Distance, Every, Get, Parallel
+from querycad_language.forms import Check, Distance, Every, Get, Parallel
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, Phrases, replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-_AXES = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
+from .axes import ALONG
+
 _SAYS = {"predicate": 1.0}
 _ENDS = ("end", "end face", "shaft end")
 
@@ -60,7 +61,7 @@ def all_such(query: PartQuery) -> PartQuery:
 def _openings(question: Question, start: int) -> Iterator[Parse]:
     """'Does the hole come out at the top?', '… go right through?', '… break into the bore?'"""
     text = question.text
-    verb = _first(text, start, "opening")
+    verb = _first(text, start, "opening", "emerging")
     subject = _subject(question, start, verb.start) if verb is not None else None
     if verb is None or subject is None:
         return
@@ -88,11 +89,11 @@ def _openings(question: Question, start: int) -> Iterator[Parse]:
 
 
 def _full_extents(question: Question, start: int) -> Iterator[Parse]:
-    """'Does the keyway run the full length of the bore?', 'Do the ribs cover the whole width?'"""
+    """'Do the ribs cover the entire width?', 'Does the slit run along the full height of the sleeve?'"""
     text = question.text
     for at in range(start + 1, len(text)):
         measure = text.find(at + 1, "measure") if text.is_word(at, "full", "entire", "whole", "complete") else None
-        subject = _subject(question, start, at) if measure is not None and measure.value in _AXES else None
+        subject = _subject(question, start, at) if measure is not None and measure.value in ALONG else None
         if measure is None or subject is None:
             continue
         owner = question.phrases.at(measure.end + 1, 1) if text.is_word(measure.end, "of") else None
@@ -119,7 +120,7 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
         return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
-    axis = next((_AXES[one.value] for one in measures if one is not None and one.value in _AXES), None)
+    axis = next((ALONG[one.value] for one in measures if one is not None and one.value in ALONG), None)
     owner = others[0].part if others and others[0].query is not None else PartQuery(noun="object", words=("object",))
     yield Parse(Check(Distance(subject.part, owner, "centers", axis), Relation.AT_MOST, 0.0), _SAYS, used)
 
@@ -138,17 +139,17 @@ def _in_line(question: Question, start: int) -> Iterator[Parse]:
     yield Parse(Parallel(subject.part, second, in_line="axis" if strict else "row"), _SAYS, used)
 
 
-def _first(text: Text, start: int, category: str) -> Span | None:
-    return next((span for span in text.all(category) if span.start >= start), None)
+def _first(text: Text, start: int, *categories: str) -> Span | None:
+    return next((span for span in text.all(*categories) if span.start >= start), None)
 
 
 def _subject(question: Question, start: int, end: int) -> Mention | None:
     """The parts that are named from a clause's verb to another token, whatever is said of them behind it."""
     at = next((m.start for m in question.parts if start <= m.start and m.head < end), None)
-    clipped = Text(" ".join(token.raw for token in question.text.tokens[:end]))
-    if at is None or clipped.words != question.text.words[:end]:
+    if at is None:
         return None
-    mention = Phrases(clipped).at(at)
+    clipped = Text(" ".join(token.raw for token in question.text.tokens[:end]))
+    mention = Phrases(clipped).at(at) if clipped.words == question.text.words[:end] else None
     return mention if mention is not None and mention.query is not None else None
 
 

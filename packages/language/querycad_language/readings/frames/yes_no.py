@@ -169,8 +169,8 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Are the holes all the same size?', 'Is there only one size of hole?'"""
     same = {i for i in text.at_phrases("same") if i >= start}
-    scale = text.find(max(same, default=-1) + 1, "scale")  # 'equally thick'
-    if scale is not None:
+    scale = text.find(max(same) + 1, "scale") if same else None
+    if scale is not None:  # 'equally thick'
         asked = [Requested(scale.start, scale.end, (scale.value.measure,), "how", used=frozenset(scale.tokens))]
     for mention in parts[:1] if same else ():
         for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:

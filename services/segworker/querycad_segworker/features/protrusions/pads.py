@@ -10,17 +10,18 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.frames import LocalFrame, edge_points, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, edge_points, frame_of_points, outline_of
+from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
-from querycad_segworker.vectors import add, box_extents, box_of, cross, dist, dot, scale, span, sub, unit
+from querycad_segworker.vectors import add, box_extents, box_of, dist, dot, scale, sub, unit
 
 from .protrusions import Protrusion, tags_of
 
 SQUARE = 1e-2
 """Sine of the angle by which the foot edges of one piece may run apart, and its sides deviate from upright."""
 LEAN = math.cos(math.radians(44.0))
-"""The sides of a piece lean by less than 46 degrees: dovetails have flanks at 45 to 60 (ISO 2568 cutters)."""
+"""The sides of a piece lean by less than 46 degrees: dovetails have flanks at 45 to 60 (DIN 1833 cutters)."""
 BEHIND = 0.9
 """The share of its foot behind which a piece lies: what goes around the face is the body, and the face a floor."""
 MINOR = 0.5
@@ -75,10 +76,16 @@ def recognise_pads(
     """
     pieces = [piece for level in _levels(brep, tolerances) for piece in _pieces(brep, level, tolerances)]
     pieces = [piece for piece in pieces if piece.flush and _is_apart(piece, known)]
-    pads = [piece for piece in pieces if piece.sides > 1 and _tops(brep, piece) and _is_smaller(brep, piece)]
-    ledges = [
-        piece for piece in pieces if piece not in pads and not _is_the_body(brep, piece) and not _outdone(piece, pieces)
-    ]
+    pads: list[_Piece] = []
+    ledges: list[_Piece] = []
+    for piece in pieces:
+        if piece.sides > 1 and _tops(brep, piece) and _is_smaller(brep, piece):
+            pads.append(piece)
+        elif not _is_the_body(brep, piece) and not _outdone(piece, pieces):
+            ledges.append(piece)
+        elif piece.sides > 1:
+            reason = "larger than what is left beside it: the body, with steps cut beside it"
+            refuse("protrusion", piece.faces - piece.flush, reason)
     made = ([_protrusion(brep, piece, tolerances) for piece in own] for own in (pads, ledges))
     pad_records, ledge_records = (sorted(records, key=lambda record: record.faces) for records in made)
     return pad_records, ledge_records
@@ -222,13 +229,9 @@ def _frame(side: _Beyond, edges: Collection[int], foot: EdgeRecord) -> LocalFram
     """The box of what lies beyond the level, as wide as it is above the fillets at its foot."""
     normal = side.normal
     along = unit(sub(foot.direction, scale(normal, dot(foot.direction, normal))))
-    u, v = along, cross(normal, along)
-    points = list(_above(side, edges))
-    (u_low, u_high), (v_low, v_high), (_, top) = span(points, u), span(points, v), span(points, normal)
-    if v_high - v_low > (u_high - u_low) * (1 + 1e-9):
-        u, v, u_low, u_high, v_low, v_high = v, scale(u, -1.0), v_low, v_high, -u_high, -u_low
-    size = (u_high - u_low, v_high - v_low, top - side.level)
-    return LocalFrame(u, v, normal, (u_low, v_low, side.level), size)
+    box = frame_of_points(list(_above(side, edges)), normal, along)
+    low, size = (*box.low[:2], side.level), (*box.size[:2], box.low[2] + box.size[2] - side.level)
+    return LocalFrame(box.u, box.v, normal, low, size)
 
 
 def _above(side: _Beyond, edges: Collection[int]) -> Iterator[Vector]:

@@ -73,10 +73,14 @@ def frame_of_edges(
     longest = max(straight, key=lambda d: straight[d], default=None)
     u = along or (exact[longest] if longest is not None else perpendicular(normal))
     u = unit(sub(u, scale(normal, dot(u, normal))))
+    return frame_of_points([p for e in edges for p in edge_points(brep, e)], normal, u, turn=along is None)
+
+
+def frame_of_points(points: Sequence[Vector], normal: Vector, u: Vector, *, turn: bool = True) -> LocalFrame:
+    """The box of some points along `normal` and the unit vector `u` across it; with `turn` the longer side is u's."""
     v = cross(normal, u)
-    points = [p for e in edges for p in edge_points(brep, e)]
     ranges = [span(points, d) for d in (u, v, normal)]
-    if along is None and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
+    if turn and ranges[1][1] - ranges[1][0] > (ranges[0][1] - ranges[0][0]) * (1 + 1e-9):
         u, v = v, scale(u, -1.0)
         ranges[:2] = [ranges[1], (-ranges[0][1], -ranges[0][0])]
     low = (ranges[0][0], ranges[1][0], ranges[2][0])
