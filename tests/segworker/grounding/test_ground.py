@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 from tests.made import body, hole, inventory, part, whole
 
-from querycad_contracts import Grounded, Measure, Part, PartQuery, Place, Rank, Relation, Side, SizeFilter
+from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Place, Rank, Relation, Side, SizeFilter
 from querycad_segworker.grounding import ground as grounding
+from querycad_segworker.grounding.candidates import taken_for
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.ground import KEPT, ground
 from querycad_segworker.grounding.inventory import Inventory
@@ -38,6 +39,7 @@ def test_a_kind_that_people_take_for_the_noun_is_a_way_too_and_said() -> None:
     taken = next(way for way in ground(pocketed, notch) if ids(way) == {"pocket-1"})
     assert "kin_instead" in taken.features
     assert taken.unchecked == ("'notch', taken for a pocket",)
+    assert taken_for("lip", PartKind.ELEVATION) == "'lip', taken for an elevation"
     ribs = ground(pocketed, PartQuery(noun="rib", words=("rib",), definite=True))
     assert not any("sense_kin" in way.features for way in ribs)  # what is cut in is never taken for what stands out
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
-from querycad_contracts import Grounded, Part, PartQuery
+from querycad_contracts import Grounded, Part, PartKind, PartQuery
 from querycad_language.weights import weights
 
 from .inventory import Inventory
@@ -81,3 +81,8 @@ def kept(way: Candidate, kept: Sequence[Part], name: str, said: str) -> Sequence
     if not way.parts:
         return [way]
     return [way.to((), f"{name}_empties"), way.to(way.parts, f"{name}_dropped", unchecked=said)]
+
+
+def taken_for(said: str, kind: PartKind) -> str:
+    """What is not checked where parts of this kind stand for what is said: "'lip', taken for an elevation"."""
+    return f"'{said}', taken for a{'n' if kind[0] in 'aeiou' else ''} {kind}"

@@ -9,6 +9,7 @@ from querycad_contracts import Grounded, Grounding, Part, PartQuery, Side
 from querycad_language.describe import none_such
 from querycad_language.phrases import noun_phrase
 
+from .candidates import taken_for
 from .ground import ground, score
 from .inventory import Inventory, values_of
 from .printed import key
@@ -46,7 +47,7 @@ def find(inventory: Inventory, asked: str | PartQuery, sides: Sequence[Side] | N
     if not way.parts and (none := _none_such(inventory, query)):
         message = none
     far = way.features.get("sense_stretch", 0.0) >= FAR and query.noun
-    taken = (f"'{query.noun}', taken for a {way.parts[0].kind}",) if far and way.parts else ()
+    taken = (taken_for(query.noun, way.parts[0].kind),) if far and way.parts else ()
     unchecked = tuple(dict.fromkeys((*way.unchecked, *taken)))
     warnings = tuple(f"not checked: {what}" for what in unchecked) if way.parts else ()
     return Grounding(

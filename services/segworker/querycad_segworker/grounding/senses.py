@@ -9,7 +9,7 @@ from querycad_language.lexicon import Noun, Sense, lexicon
 from querycad_language.measures import WHOLE
 from querycad_language.tokens import is_english
 
-from .candidates import Candidate, Request
+from .candidates import Candidate, Request, taken_for
 from .inventory import Inventory
 
 SOLID = frozenset((PartKind.BODY, PartKind.PIPE, PartKind.RING_SECTOR, PartKind.TORUS, PartKind.GEAR))
@@ -106,7 +106,7 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
     groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
     for rank, group in enumerate(groups[:GUESSES]):
         features = {"guessed": 1.0, "guessed_most": float(rank == 0 and len(group) > 1)}
-        yield Candidate(tuple(group), features, (f"'{query.noun}', taken for a {group[0].kind}",))
+        yield Candidate(tuple(group), features, (taken_for(query.noun, group[0].kind),))
 
 
 def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Candidate]:
@@ -150,5 +150,4 @@ def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator
         if kind in PIECES and PartKind.HOLE in own:
             continue
         hole = {"kin_hole": 1.0} if kind is PartKind.HOLE else {}
-        note = f"'{said}', taken for a {kind}"
-        yield Candidate(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (note,))
+        yield Candidate(tuple(inventory.kinds.get(kind)), {"sense_kin": 1.0, **hole}, (taken_for(said, kind),))
