@@ -64,6 +64,11 @@ class Origin:
 
 
 @dataclass(frozen=True, slots=True)
+class MassCentre:
+    """The centre of mass of the model."""
+
+
+@dataclass(frozen=True, slots=True)
 class Get:
     """Which values do the measures of a target have?"""
 
@@ -84,7 +89,7 @@ class Count:
     measure: Measure | None = None
 
 
-Anchor: TypeAlias = PartQuery | Boundary | Plane | Behind | Origin | None
+Anchor: TypeAlias = PartQuery | Boundary | Plane | Behind | Origin | MassCentre | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,8 +130,8 @@ class Angle:
     second: PartQuery | None
 
 
-Operation: TypeAlias = Literal["minus", "ratio", "plus", "apart", "per"]
-"""'per': of each of the others as many."""
+Operation: TypeAlias = Literal["minus", "ratio", "plus", "apart", "per", "share"]
+"""'per': of each of the others as many; 'share': in percent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,6 +166,13 @@ class Which:
 @dataclass(frozen=True, slots=True)
 class Exists:
     """Is there such a part?"""
+
+    target: PartQuery
+
+
+@dataclass(frozen=True, slots=True)
+class AtBothEnds:
+    """Do some of the parts open, or lie, towards one end of the model and some towards the opposite one?"""
 
     target: PartQuery
 
@@ -211,16 +223,16 @@ class Parts:
 
 @dataclass(frozen=True, slots=True)
 class Towards:
-    """Towards which of these sides do parts lie or open? Seen from most, or numbers on each."""
+    """Towards which of these sides do parts lie or open? Seen from most, or from none, or numbers on each."""
 
     target: PartQuery
     sides: tuple[Side, ...]
-    seen: Literal["", "most", "each"] = ""
+    seen: Literal["", "most", "none", "each"] = ""
 
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Which | Either
+    | Which | Either | AtBothEnds
 )  # fmt: skip
 
 

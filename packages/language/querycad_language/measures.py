@@ -136,7 +136,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.ACROSS_FLATS: "across_flats; ~width; ?min(extents)",
     Measure.ACROSS_CORNERS: "across_corners; ~diameter; ?max(extents)",
     Measure.CENTRE_LENGTH: "center_length; ~length - width",
-    Measure.DIAGONAL: "~distance((0.0, 0.0, 0.0), extents)",
+    Measure.DIAGONAL: "distance((0.0, 0.0, 0.0), extents)",
     Measure.HALF_SIZE: "half_extents",
     Measure.AXIAL_EXTENT: {
         "WHOLE": "extents[along]; height",

@@ -65,8 +65,9 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
+    (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
     (_ECHO, "?"),
-    (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose)\b)", re.I), ""),
+    (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
     *((re.compile(rf"(?<![\w+-])[{s}]{x}(?=[ -](side|face|half|end)\b)", re.I), to) for to, (s, x) in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"\|\|"), " parallel to "),
@@ -277,6 +278,10 @@ def _english() -> SpellChecker:
     return SpellChecker(language="en", distance=1)
 
 
+_UP_TO = ("at", "most", "less", "no", "more", "than", "under", "below", "to", "and", "including")
+"""Words before the upper end of a range."""
+
+
 def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
     """Symbols and the numbers that they explain become one; ranges and tolerances share their unit."""
     joined: list[Token] = []
@@ -292,7 +297,9 @@ def _joined(tokens: Sequence[Token]) -> tuple[Token, ...]:
             joined.append(token)
     for i in reversed(range(len(joined) - 2)):
         first, between, second = joined[i : i + 3]
-        ranged = between.word in ("to", "and", "-", "or", "±", "x", "by")
+        ranged = between.word in ("to", "and", "-", "or", "±", "x", "by", "but", "up", "through")
+        if between.word in ("and", "but", "up"):  # 'at least 4 and at most 8 mm'
+            second = next((one for one in joined[i + 2 : i + 6] if one.word not in _UP_TO), second)
         if ranged and first.kind is Kind.NUMBER and second.kind is Kind.QUANTITY:
             number = re.match(_NUMBER, second.raw)
             scale = second.value / (_value(number[0]) or 1.0) if number else 1e-3

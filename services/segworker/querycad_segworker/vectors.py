@@ -143,3 +143,12 @@ def box_center(box: Box) -> Vector:
 def box_extents(box: Box) -> Vector:
     """How large is the box, full lengths along x, y, z?"""
     return sub(box[1], box[0])
+
+
+_ALONG = math.cos(math.radians(0.1))
+"""The angle of `Tolerances`, within which directions are one."""
+
+
+def coordinate_axis(direction: Vector) -> int | None:
+    """Which of x, y, z (0, 1, 2) a unit vector runs along, either way; None where it runs aslant."""
+    return next((i for i in range(3) if abs(direction[i]) > _ALONG), None)

@@ -13,7 +13,7 @@ _REDUCES = {
     Reduce.RANGE: "smallest and largest ",
 }  # fmt: skip
 _OPERATIONS = {
-    "minus": "less", "ratio": "over", "plus": "plus", "apart": "compared with",
+    "minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with",
     "per": "for each of the",
 }  # fmt: skip
 _MODES = {
@@ -22,7 +22,7 @@ _MODES = {
 }  # fmt: skip
 _AXES = {None: "", 0: " along x", 1: " along y", 2: " along z"}
 _TOWARDS = {
-    "most": "side that most of {0} are seen from",
+    "none": "sides that none of {0} are seen from", "most": "side that most of {0} are seen from",
     "each": "number of {0} seen from each side", "": "side of {0}: {2}",
 }  # fmt: skip
 
@@ -75,6 +75,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether {noun_phrase(target)} {'are' if target.plural else 'is'} {words[0]} or {words[1]}"
         case forms.Exists(target):
             return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')}"
+        case forms.AtBothEnds(target):
+            return f"whether there are {noun_phrase(target, several=True).removeprefix('the ')} at both ends"
         case forms.Every(target, among):
             return f"whether {noun_phrase(target)} {_is(target)} among {noun_phrase(among, several=True)}"
         case forms.Uniform(get):
@@ -108,5 +110,7 @@ def _anchor(anchor: object) -> str:
             return "the outside behind it"
         case forms.Origin():
             return "the origin"
+        case forms.MassCentre():
+            return "the center of mass"
         case _:
             return "the middle of the model"

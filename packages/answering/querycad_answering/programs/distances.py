@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from querycad_contracts import AnswerType, Bottom, Part, PartKind, PartQuery, Side
 from querycad_language import forms
-from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, Origin, Plane, Reduce
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, MassCentre, Origin, Plane, Reduce
 from querycad_language.measures import CUT, WHOLE, along_axis
 
 from .builder import Builder, Read, Unwritable
@@ -34,12 +34,14 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
     first, second = form.first, form.second
     if form.mode == "overlap":
         return f"sum(a.overlap_with(b) for a, b in {overlapping(build, form)})", AnswerType.VOLUME
+    if isinstance(first, MassCentre) or isinstance(second, MassCentre):
+        return _from_mass(build, second if isinstance(first, MassCentre) else first, form.axis), AnswerType.LENGTH
+    if isinstance(second, Plane) and not isinstance(first, Plane):
+        first, second = second, first
     if isinstance(first, Plane):
-        if form.mode == "beyond both" and isinstance(second, Plane):
-            return _beyond_both(build, first.of, second.of), AnswerType.LENGTH
-        return _from_plane(build, first, second, form.mode), AnswerType.LENGTH
-    if isinstance(second, Plane):
-        return _from_plane(build, second, first, form.mode), AnswerType.LENGTH
+        both = form.mode == "beyond both" and isinstance(second, Plane)
+        from_it = _beyond_both(build, first, second) if both else _from_plane(build, first, second, form.mode)
+        return from_it, AnswerType.LENGTH
     if isinstance(second, PartQuery) and not isinstance(first, PartQuery):
         first, second = second, first
     if not isinstance(first, PartQuery):
@@ -247,12 +249,13 @@ def _from_plane(build: Builder, plane: Plane, other: Anchor | str, mode: str) ->
     raise Unwritable
 
 
-def _beyond_both(build: Builder, first: PartQuery, second: PartQuery) -> str:
+def _beyond_both(build: Builder, first: Plane, second: Anchor | str) -> str:
     """How far a part reaches beyond another on that one of its two ends where it is less."""
+    assert isinstance(second, Plane)
     out = []
-    for side in _ends(build.of(first), build.of(second)):
+    for side in _ends(build.of(first.of), build.of(second.of)):
         axis, sign = side_axis(side)
-        ends = (_outermost(build, query, axis, sign) for query in (first, second))
+        ends = (_outermost(build, plane.of, axis, sign) for plane in (first, second))
         out.append(f"{sign}1 * ({next(ends)} - {next(ends)})")
     return f"min({', '.join(out)})"
 
@@ -368,6 +371,28 @@ def _behind(parts: Sequence[Part]) -> Side:
 
 
 # To places
+
+
+def _from_mass(build: Builder, other: Anchor | str, axis: int | None) -> str:
+    """From the centre of mass: to the axis of what is round, to a plane, to the middle of a part or of the model."""
+    mass, across = "shape.center_of_mass", list(range(3)) if axis is None else [axis]
+    match other:
+        case Boundary(Side() as side) if not (other.of or other.axis):
+            i, sign = side_axis(side)
+            return f"abs(shape.{'max' if sign == '+' else 'min'}_corner[{i}] - {mass}[{i}])"
+        case Plane(Side() as side, of):
+            i, sign = side_axis(side)
+            return f"abs({_outermost(build, of, i, sign)} - {mass}[{i}])"
+        case PartQuery() if build.of(other):
+            along = along_axis(build.of(other)[0]) if axis is None else None
+            across, point = [i for i in across if i != along], f"{build.parts(other)}[0].center"
+        case Origin():
+            point = "(0.0, 0.0, 0.0)"
+        case None:
+            point = "shape.center"
+        case _:
+            raise Unwritable
+    return f"sum(({mass}[i] - {point}[i]) ** 2 for i in {across}) ** 0.5"
 
 
 def _both_ends(build: Builder, of: PartQuery | None, along: int) -> tuple[int, str, str]:

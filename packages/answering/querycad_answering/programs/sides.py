@@ -12,6 +12,8 @@ from .distances import kinds, pairwise, side_axis, turned
 
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""
+_TOWARDS = 0.5
+"""Of a direction, or of the way from the middle to the end, that counts as towards that end."""
 SLANT, ASIDE = 0.01, 1e-4
 """Radians and metres by which parts on one line may be off it."""
 
@@ -57,6 +59,17 @@ def in_line(build: Builder, first: PartQuery, second: Target, row: bool) -> str:
     return f"min(aside) < {ASIDE} and all(p.angle_to(line) < {SLANT} for p in found[1:])"
 
 
+def at_both_ends(build: Builder, target: PartQuery) -> str:
+    """Do parts open, or where they have no mouth lie, towards opposite ends of the model?"""
+    name = build.parts(target)
+    build.lines += [
+        f"ways = [o.normal for p in {name} for o in getattr(p, 'openings', None) or ()]",
+        f"shares = [[(p.center[i] - shape.center[i]) / shape.half_extents[i] for i in range(3)] for p in {name}]",
+        "ways = ways or shares",
+    ]
+    return f"any(a[i] > {_TOWARDS} and b[i] < -{_TOWARDS} for a in ways for b in ways for i in range(3))"
+
+
 def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     """Between directions, or about an axis: the pitch of a bolt circle, a keyway and the cross hole opposite."""
     parts = build.all_of(first, second)
@@ -66,7 +79,7 @@ def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     cosines = (sum(a * b for a, b in zip(axes[0], axis, strict=True)) for axis in axes)
     parallel = len(axes) == len(parts) and all(abs(cosine) > _PARALLEL for cosine in cosines)
     if parallel and second is None and len(parts) > 2:
-        return _about(build, first, None, None)
+        return _about(build, first, None, None, flat=_main_axis(axes[0]))
     meanings = _between(parts, Reduce.ONE)
     if (along := turned(build.whole)) is not None:  # the angle of parallel axes is none
         meanings = {"about": ""} | meanings if parallel else meanings | {"about": ""}
@@ -74,25 +87,38 @@ def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     return pairwise(build, first, second, chosen, Reduce.ONE) if chosen else _about(build, first, second, along)
 
 
-def _about(build: Builder, first: PartQuery, second: Target, along: int | None) -> str:
-    """The least angle between the arms to two parts, from their common middle or from the axis of a round model."""
+def _main_axis(direction: Sequence[float]) -> int | None:
+    """Which of x, y, z a direction runs along."""
+    return next((i for i, share in enumerate(direction) if abs(share) > _PARALLEL), None)
+
+
+def _about(build: Builder, first: PartQuery, second: Target, along: int | None, flat: int | None = None) -> str:
+    """The least angle between the arms to two parts, from their common middle or from the axis of a round model.
+
+    `flat`: the axis that all of them run along, and arms do not: circles of holes in two flanges lie behind each other.
+    """
     names = [build.parts(query) for query in (first, second) if query is not None]
     middle = f"[sum(p.center[i] for p in {names[0]}) / len({names[0]}) for i in range(3)]"
     point = "p.center" if along is None else "(p.opening or p.center)"
     build.lines += ["import math", f"middle = {middle if along is None else 'shape.center'}"]
     for index, name in enumerate(names):
-        arm = f"[{point}[i] - middle[i] for i in {[i for i in range(3) if i != along]}]"
+        arm = f"[{point}[i] - middle[i] for i in {[i for i in range(3) if i not in (along, flat)]}]"
         build.lines.append(f"arms{index} = [{arm} for p in {name}]")
     pairs = "for a in arms0 for b in arms1" if second else "for i, a in enumerate(arms0) for b in arms0[i + 1 :]"
-    build.lines.append(f"pairs = [(a, b) {pairs} if math.hypot(*a) * math.hypot(*b) > 0]")
+    if flat is not None:  # each circle for itself
+        build.lines.append(f"levels = [p.center[{flat}] for p in {names[0]}]")
+        pairs = "for i, a in enumerate(arms0) for j, b in enumerate(arms0[:i])"
+    level = "" if flat is None else f" and abs(levels[i] - levels[j]) < {ASIDE}"
+    build.lines.append(f"pairs = [(a, b) {pairs} if math.hypot(*a) * math.hypot(*b) > 0{level}]")
     cosine = "sum(u * v for u, v in zip(a, b)) / (math.hypot(*a) * math.hypot(*b))"
-    return f"min([math.acos(max(-1.0, min(1.0, {cosine}))) for a, b in pairs])"
+    build.lines.append(f"angles = [math.acos(max(-1.0, min(1.0, {cosine}))) for a, b in pairs]")
+    return f"min([angle for angle in angles if angle > {SLANT}] or angles)"
 
 
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
-    Or the side that 'most' of them are seen from, or how many are from 'each'.
+    Or the side that 'most' of them are seen from, those that 'none' is, or how many are from 'each'.
     """
     parts, sides = build.of(form.target), [side.value for side in form.sides]
     if not parts:
@@ -102,6 +128,8 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
         build.lines.append(f"seen = {{side: sum(side in p.sides for p in {name}) for side in {sides}}}")
     if form.seen == "each":
         return "[f'{side}: {seen[side]}' for side in seen if seen[side]]", AnswerType.TEXTS
+    if form.seen == "none":
+        return "[side for side in seen if not seen[side]]", AnswerType.TEXTS
     if form.seen == "most":  # all of as many
         most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
         return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT

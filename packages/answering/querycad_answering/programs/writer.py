@@ -13,7 +13,7 @@ from querycad_language.measures import SCALARS, answer_type, is_length, of_sever
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping, side_axis
-from .sides import angle_between, directions, in_line, towards
+from .sides import angle_between, at_both_ends, directions, in_line, towards
 
 _OF_SHAPE = {
     "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "half_extents", "volume", "area",
@@ -32,6 +32,7 @@ _OF_STEPS = (Reduce.DIFFERENT, Reduce.LARGEST, Reduce.SMALLEST, Reduce.RANGE)
 """Of stepped parts all steps have these measures, where several values are wanted."""
 _COMBINED = {
     "minus": "{0} - ({1})", "plus": "{0} + {1}", "apart": "abs({0} - ({1}))", "ratio": "({0}) / ({1})",
+    "share": "100 * ({0}) / ({1})",
 }  # fmt: skip
 _COMPARED = {
     Relation.LESS: f"v < {{low}} - {SLACK:g}", Relation.AT_MOST: f"v <= {{low}} + {SLACK:g}",
@@ -89,6 +90,8 @@ def _decided(build: Builder, form: Form) -> str:
         case forms.Every(target, among):
             found, kept = build.parts(target), build.parts(among)
             return f"0 < len({found}) and all(p.id in [q.id for q in {kept}] for p in {found})"
+        case forms.AtBothEnds(target):
+            return at_both_ends(build, target)
         case forms.Uniform(get) if get.target is not None:
             different = f"different({_values(build, get.measures[0], get.target)}, 5e-05)"
             build.compared.append(Compared(get, different, answer_type(get.measures[0])))
@@ -282,7 +285,7 @@ def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
         value = build.read(left.measures[0], build.of(left.target)).format("p")
         return f"[{value} - {_scalar(build, form.right)} for p in {build.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(build, left), _scalar(build, form.right))
-    return result, AnswerType.NUMBER if form.operation == "ratio" else kind
+    return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
 
 
 def _which(build: Builder, form: forms.Which) -> str:

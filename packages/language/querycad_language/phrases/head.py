@@ -93,6 +93,10 @@ def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mentio
         unknown=unknown if known else (),
         **gathered,
     )
+    among = places[0].what if noun is None and not unknown and places and places[0].relation == "of" else None
+    if among is not None and among.plural and (build.ranks or build.adjectives):  # 'the largest of the slots'
+        chosen = {name: (*getattr(among, name), *getattr(query, name)) for name in ("ranks", "adjectives")}
+        query = among.model_copy(update={**chosen, "plural": query.plural, "definite": True, "count": build.count})
     used = frozenset(build.used.union(noun.tokens if noun is not None else build.unknown))
     return Mention(start, end, query, used, head, plural=query.plural)
 

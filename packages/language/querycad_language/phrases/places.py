@@ -28,6 +28,9 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     sides, end = ([view.value], view.end) if view is not None else _sides(text, start)
     if view is None and seeing is None and (leads_away(text, start) or text.find(start, "perpendicular")):
         return at  # 'how far is the hole from the left side': a plane
+    begun = text.is_word(start, "from") and text.is_word(end - 1, "face", "surface", "edge", "end", "rim")
+    if begun and seeing is None and text.has("deep", "depth"):
+        return end  # 'how deep is it from the front face': where a depth begins
     if sides and not negated and text.is_word(end - 1, "half"):
         build.seen_on(sides, half=True)
         return end
@@ -79,11 +82,12 @@ def sideways(text: Text, at: int, build: PhraseBuilder) -> int:
     end = text.skip(at + text.is_word(at, "come", "comes", "coming", "entering"), "passing")
     if not text.is_word(end, "from", "through", "in", "into") or build.sides:
         return at
-    end = text.skip(end + 1, "side_preposition", "place", "each", "article", "number", "function")
+    start, end = end, text.skip(end + 1, "side_preposition", "place", "each", "article", "number", "function")
     wall = text.skip(end + 1, "side_noun") + text.is_word(end + 1, "wall")
     if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half") or is_noun(text, wall):
         return at
-    build.adjectives.append("horizontal")
+    across = text.is_word(start, "through") and text.is_word(start + 1, "both")  # 'through both sides'
+    build.adjectives.append("through" if across else "horizontal")
     return wall
 
 
@@ -132,6 +136,8 @@ def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if span is not None:
         end = span.end - text.is_word(span.end - 1, "of")
     elif text.find(at, "place") and text.is_word(corner, "corner") and not text.find(at, "measure"):
+        if is_noun(text, corner + 1):
+            return at  # 'of the four corner lugs'
         end = corner + 1
     else:
         return at

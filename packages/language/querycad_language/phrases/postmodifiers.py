@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Place, Rank
+from querycad_contracts import PartQuery, Place, Rank, Relation
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -51,8 +51,9 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
             after += text.is_word(after, ")") and "(" in text.words[start:after]
             build.used.update(range(start, after))
             return after
-        relative = relative or text.is_word(at, "that", "which", "who")
-        if not _leads(text, at) and not (relative and _is_verb(text, at)):
+        relative = relative or text.is_word(at, "that", "which", "who", "where")
+        again = at == start and text.is_word(at, "and", "but") and text.find(at + 1, "relation", "scale")
+        if not _leads(text, at) and not (relative and _is_verb(text, at)) and not (again and build.adjectives):
             return start
     return start
 
@@ -67,15 +68,25 @@ def _opens(text: Text, at: int) -> bool:
     """Does a modifier follow a comma or a bracket?"""
     if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
         return True
+    counted = any(text.find(i, "count") for i in range(at))
+    if counted and text.is_word(at + 1, "neither", "no", "without"):
+        return text.find(text.skip(at + 2, "article"), "trait", "adjective") is not None  # 'slots, no chamfer'
+    if text.find(at + 1, "measure") and text.find(at + 2, "parallel"):
+        return True  # 'slots, axis parallel to z'
+    size = stated_size(text, at + 1)
+    if size is not None and (size[0].relation is not Relation.EQUAL or "=" in text.words[at : size[1]]):
+        return True  # 'slots, width > 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
 
 def _leads(text: Text, at: int) -> bool:
     """May the word stand between a noun and a modifier of it?"""
+    if text.find(at, "passing") and text.find(at + 1, "relation", "scale"):
+        return True  # 'that go deeper than 5 mm'
     if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
         return False
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
-    return not verb or text.is_word(at - 1, "that", "which")
+    return not verb or text.is_word(at - 1, "that", "which", "where")
 
 
 def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
@@ -177,8 +188,16 @@ def _stated_size(text: Text, at: int, build: PhraseBuilder) -> int:
     noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
     if is_noun(text, found[1]) and (place is None or (noun and noun.end > place.end)):
         return at  # '… around the 13 mm holes', '… 5 mm through holes': the size is another noun's
-    build.sizes.append(found[0])
-    return found[1]
+    sizes, end = [found[0]], found[1]
+    again = stated_size(text, end + 1) if text.is_word(end, "and", "but", ",") else None
+    if again is not None and Relation.EQUAL not in (found[0].relation, again[0].relation):  # 'over 4 but under 8 mm'
+        measure = found[0].measure or again[0].measure
+        sizes, end = (
+            [one.model_copy(update={"measure": one.measure or measure}) for one in (found[0], again[0])],
+            again[1],
+        )
+    build.sizes += sizes
+    return end
 
 
 def _fitted(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -228,7 +247,7 @@ def _trait(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
         return at
     lacking = none or (place is not None and place.value == "without")
     start = text.skip(start + text.is_word(start, "no", "any", "neither"), "article")
-    span = text.find(start, "trait")
+    span = text.find(start, "trait", *["adjective"] * bool(none))
     longer = text.find(start, "noun")
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (build.lacking if lacking else build.adjectives).append(span.value.name)
@@ -245,7 +264,7 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
     end = at
     while text.is_word(end, "nor", "or", "and", ",", "no", "without", "any", "neither"):
         end += 1
-    span = text.find(text.skip(end, "article"), "trait")
+    span = text.find(text.skip(end, "article"), "trait", "adjective")
     if end == at or span is None or text.find(span.end, "relation"):
         return at
     build.lacking.append(span.value.name)
@@ -253,9 +272,16 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
 
 
 def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
-    """', the dowel holes left out'."""
+    """', the dowel holes left out', ', largest diameter excluded'."""
+    text = phrases.text
+    start = text.skip(at, "article")
+    most, size = superlative(text, start) or text.find(start, "most", "least"), None
+    if most is not None and (size := text.find(most.end, "measure")) and text.find(size.end, "left_out"):
+        degree = "most" in (most.category, getattr(most.value, "degree", ""))
+        build.excluded.append(PartQuery(ranks=(Rank(measure=size.value, most=degree),), definite=True))
+        return size.end + 1
     other = phrases.inner(at, depth) if depth == 0 else None
-    span = phrases.text.find(other.end, "left_out") if other is not None else None
+    span = text.find(other.end, "left_out") if other is not None else None
     if other is None or span is None:
         return at
     build.excluded.append(other.part)
@@ -267,12 +293,17 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     text = phrases.text
     if depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
-    span = text.find(at, "except", "minus")
-    if span is None:
+    scale, span = text.find(at, "scale"), text.find(at, "except", "minus")
+    below = scale is not None and text.is_word(scale.end, "than") and text.skip(scale.end + 1, "article")
+    if below and superlative(text, below):  # 'smaller than the largest'
+        start, excludes = below - 1, bool(below)
+    elif span is not None:
+        start, inner = span.end, text.skip(span.end, "article")
+        ranked = inner > span.end and superlative(text, inner) is not None  # 'minus the largest'
+        excludes = span.category == "except" or ranked
+    else:
         return at
-    inner = text.skip(span.end, "article")
-    excludes = span.category == "except" or (inner > span.end and superlative(text, inner))  # 'minus the largest'
-    other = phrases.at(span.end, depth + 1) if excludes else None
+    other = phrases.at(start, depth + 1) if excludes else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)

@@ -89,7 +89,10 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
         return noun.end
     if adjective and (text.is_word(at - 1, "how") or text.find(adjective.end, "article")):
         return at  # 'how deep the holes are', 'they go through the lever'
-    if adjective and (build.nouns or noun_follows(text, adjective.end) or _shares_noun(text, adjective, build)):
+    scale = text.find(at, "scale") if build.article and adjective and text.is_word(adjective.end, "of") else None
+    one_of = scale is not None and scale.value.degree in ("more", "less")  # 'the larger of the two'
+    follows = adjective and (noun_follows(text, adjective.end) or _shares_noun(text, adjective, build))
+    if adjective and (build.nouns or follows or one_of):
         if build.nouns and not is_noun(text, adjective.end):
             return at
         phrase = " ".join(text.words[at : adjective.end])

@@ -67,21 +67,37 @@ class Phrases:
         left = [m for m in found if m.query is not None and self._leaving(m)]
         found = [m for m in found if m.head not in self.included]
         kept = [m for m in found if m not in left]
-        named = next((m for m in kept if m.query is not None and m.query.plural and m.query.noun), None)
+        named = next((m for m in kept if self._counted(m) and not self.text.is_word(m.start - 1, "or")), None)
+        if left and named is None and left[0].part.noun and (others := self.text.at_words("other", "rest")):
+            named = replace(left[0], query=replace_fields(left[0].part, ranks=(), plural=True))
+            kept = [replace(named, used=named.used | others)]  # 'leave the largest lug out and count the others'
+            left, named = left[:1], kept[0]
         if not left or named is None:
             return found
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))
         query = replace_fields(named.part, excluded=(*named.part.excluded, *(m.part for m in left)))
         return [replace(m, query=query, used=used) if m is named else m for m in kept]
 
+    @staticmethod
+    def _counted(mention: Mention) -> bool:
+        return mention.query is not None and mention.query.plural and bool(mention.query.noun)
+
     def _leaving(self, mention: Mention) -> range:
         """The words that leave a mention out, before or behind it."""
         for at in range(max(0, mention.start - 4), mention.start):
-            span = self.text.find(at, "leaving")
+            first = self.sentence_start(at)
+            span = self.text.find(at, "leaving", *(("except", "minus") if first and mention.part.ranks else ()))
             if span is not None and self.text.skip(span.end, "article") >= mention.start:
                 return range(at, span.end)
+            but = self.text.is_word(at, "not") and self.text.is_word(at - 1, ",", "(", "but")
+            if but and at + 1 == mention.start and mention.part.definite:
+                return range(at, at + 1)  # 'lugs (the long ones, not the ribs)'
         out = self.text.find(mention.end, "left_out") if mention.query and mention.query.ranks else None
         return range(mention.end, out.end) if out is not None else range(0)
+
+    def sentence_start(self, at: int) -> bool:
+        """Does a sentence begin here?"""
+        return any(start == at for start, _ in self.text.sentences)
 
     @cached_property
     def included(self) -> frozenset[int]:

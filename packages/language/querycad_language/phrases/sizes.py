@@ -47,6 +47,9 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         token = text.tokens[at]
         if token.kind is Kind.QUANTITY and token.power in _POWERS:
             return _sized(text, at, measure or token.measure or _POWERS[token.power], relation)
+        behind = text.find(at + 1, "scale") if relation is not Relation.EQUAL else None
+        if token.kind is Kind.NUMBER and behind is not None and behind.value.degree == "positive":  # 'at least 5 deep'
+            return SizeFilter(measure=behind.value.measure, relation=relation, low=token.value * 1e-3), behind.end
         if token.kind is Kind.NUMBER and measure is not None and not noun_follows(text, at + 1):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         if scale := text.find(at, "scale"):
@@ -67,10 +70,14 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
 
 def _sized(text: Text, at: int, measure: Measure | None, relation: Relation) -> tuple[SizeFilter, int]:
     low, high, end = text.tokens[at].value, None, at + 1
-    joined = text.is_word(end, "to", "-") or (text.is_word(end, "and") and "between" in text.words[max(0, at - 3) : at])
-    other = text.tokens[end + 1] if joined and relation is Relation.EQUAL and end + 1 < len(text) else None
+    joined = text.is_word(end, "to", "-", "through") or (
+        text.is_word(end, "and") and "between" in text.words[max(0, at - 3) : at]
+    )
+    up_to = text.is_word(end, "up") and text.is_word(end + 1, "to")
+    upper = end + 1 + up_to + 2 * text.is_word(end + 3, "including")  # 'up to and including'
+    other = text.tokens[upper] if (joined or up_to) and relation is Relation.EQUAL and upper < len(text) else None
     if other is not None and other.kind is Kind.QUANTITY:
-        high, end, relation = other.value, end + 2, Relation.BETWEEN
+        high, end, relation = other.value, upper + 1, Relation.BETWEEN
     if behind := text.find(end, "behind"):
         relation, end = behind.value, behind.end
     scale, noun = text.find(end, "scale"), text.find(end + text.is_word(end, "in", "of"), "measure")

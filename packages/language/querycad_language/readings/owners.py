@@ -21,6 +21,9 @@ _CUTS = frozenset(kind.value for kind in PartKind if kind.cuts_in)
 _SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
 """What closes a hollow model there."""
+_CUT_BY = {
+    "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
+}  # fmt: skip
 MAX_OWNERS = 12
 """Parts further away are hardly meant; no question that was collected names more."""
 
@@ -52,6 +55,9 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
             features = {"link_pronoun": 1.0, "pronoun_steps": float(nearest)}
         if owned and link not in STRONG:
             features["owner_passed"] = 1.0
+        before = mention.query is not None and question.sentence_of(mention.start) < question.sentence_of(asked.start)
+        if before and not mention.part.definite:
+            features["introduced"] = 1.0
         nearest += 1
         used = set(mention.used)
         if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
@@ -60,6 +66,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         for holder in _part_of(mention.query):
             yield Owner(holder, used, features)
     yield from _compound_of(text, linked, asked)
+    yield from _cut_at(question, asked, linked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
             noun = "face"  # 'the area of the underside'
@@ -95,6 +102,23 @@ def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Reque
         joined = replace_fields(placed_in(before.part, "of", of.part), plural=of.part.plural)
         used = {*before.used, *of.used, *range(asked.end, of.start)}
         yield Owner(joined, used, {"link_compound": 1.0, "link_compound_of": 1.0})
+
+
+def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention, str]]) -> Iterator[Owner]:
+    """'The holes are countersunk to what diameter?', 'How deep are they counterbored?': what was cut at them."""
+    text = question.text
+    sentence = next(((a, b) for a, b in text.sentences if a <= asked.start < b), question.asking)
+    for at in sorted(text.at_words(*_CUT_BY)):
+        said = sentence[0] <= at < sentence[1] or text.is_word(sentence[0], "to")  # '… are chamfered: to what width?'
+        said = said or _CUT_BY[text.words[at]] in text.words[slice(*sentence)]
+        adjective = text.find(at, "adjective") if said else None
+        cut = _CUT_BY[text.words[at]] if adjective is not None and not noun_follows(text, adjective.end) else None
+        holder = next((m for m, _ in reversed(linked) if m.query is not None and m.start < at), None)
+        if cut is not None and not text.find(at, "trait") and holder is not None:
+            kept = tuple(name for name in holder.part.adjectives if adjective and name != adjective.value.name)
+            query = PartQuery(noun=cut, words=(cut,), plural=holder.part.plural)
+            held = placed_in(query, "of", replace_fields(holder.part, adjectives=kept))
+            yield Owner(held, {*holder.used, at, at + 1}, {"link_compound": 1.0, "link_compound_of": 1.0})
 
 
 def _link(question: Question, asked: Requested, mention: Mention) -> str:

@@ -107,6 +107,8 @@ class Question:
         text, (start, end) = self.text, self.asking
         for at in range(start, end):
             said = text.is_word(at, "whether") or (text.is_word(at, "if") and text.is_word(at - 1, *_ASKS_IF))
+            confirms = text.is_word(at - 1, *_CONFIRMS) and not text.is_word(at - 2, "to")  # 'in order to verify that'
+            said = said or (text.is_word(at, "that") and confirms)
             apart = any(text.is_word(i, ",") and text.find(i + 1, "be", "do", "modal") for i in range(at, end))
             if said and not apart and not any(text.find(i, "measure") for i in range(start, at)):
                 return at
@@ -190,6 +192,8 @@ _ASKS_IF = (
     "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
 )  # fmt: skip
 """Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
+_CONFIRMS = ("confirm", "verify", "check", "ensure", "true", "correct")
+"""Words before a 'that' that asks: 'confirm that …', 'is it true that …'."""
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
 _SAYING = ("is", "are", "go", "goe", "pass", "run", "has", "have", "come", "reach", "open")

@@ -17,6 +17,7 @@ from .frames.distances import angles, distances, insertions, opposites, overhang
 from .frames.parts import bare, holders, mating, parts
 from .frames.predicates import predicates
 from .frames.values import values
+from .frames.wholes import wholes
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
 from .question import Question, seen_from
@@ -29,8 +30,8 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
-    counts, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates, values, mating, parts,
-    holders, exists,
+    counts, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates, values, wholes,
+    mating, parts, holders, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from querycad_language.forms import Check, Either, Every, Exists, Parallel, Uniform, Which
+from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Parallel, Uniform, Which
 from querycad_language.tokens import Kind
 
 from .parses import Parse, Reading
@@ -23,7 +23,7 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-CLOSED = Check | Either | Every | Exists | Parallel | Uniform | Which
+CLOSED = AtBothEnds | Check | Either | Every | Exists | Parallel | Uniform | Which
 """Forms whose answer is yes or no, or the one of two."""
 
 

@@ -154,3 +154,17 @@ def test_a_bore_that_ends_level_with_the_floor_leaves_the_floor_and_the_sides_th
         assert [round(1e3 * (one.thickness or 0.0), 3) for one in found.of("body")] == [3.0]
     uneven = cut(box((100, 60, 40)), box((92, 54, 40), (5, 3, 4)))
     assert find(uneven).of("body")[0].thickness is None
+
+
+def test_a_leg_with_rounded_corners_is_no_thicker_than_between_its_faces() -> None:
+    leg, foot = box((8, 60, 70), (0, 0, 0)), box((80, 60, 8), (0, 0, 0))
+    shape = fuse(leg, foot)
+    curves = [(edge, BRepAdaptor_Curve(edge)) for edge in edges(shape)]
+    middles = [(edge, curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2)) for edge, curve in curves]
+    outer = [edge for edge, at in middles if (at.X(), at.Z()) == pytest.approx((0, 0), abs=1e-9)]
+    plates = [part for part in find(filleted(shape, 6, *outer)).of("prism") if "plate" in part.tags]
+    assert len(plates) == 2
+    for part in plates:
+        assert part.normal is not None
+        along = [abs(x) for x in part.normal].index(1.0)
+        assert part.extents[along] == pytest.approx(0.008)

@@ -121,3 +121,28 @@ def test_a_boss_is_visible_from_its_top_and_around_but_not_through_the_plate() -
     found = find(fuse(plate(), cylinder(6, 9)))
     (boss,) = [part for part in found.seen_parts if part.kind == "boss"]
     assert set(boss.sides) == {Side.TOP, Side.LEFT, Side.RIGHT, Side.FRONT, Side.BACK}
+
+
+def test_a_boss_reaches_from_the_plate_to_its_end_over_fillet_and_chamfer() -> None:
+    shape = fuse(plate(), cylinder(8, 12))
+    shape = filleted(shape, 2, *rims(shape, 8, 0))
+    boss = only_boss(chamfered(shape, 1, *rims(shape, 8, 12)))
+    assert [boss.height, boss.extents[2]] == near(12, 12)
+    assert boss.center[2] == pytest.approx(6 * MM)
+
+
+def test_a_disc_is_as_thick_as_between_its_faces_where_notches_part_its_chamfers() -> None:
+    disc = cylinder(20, 8)
+    disc = chamfered(disc, 1, *rims(disc, 20, 0), *rims(disc, 20, 8))
+    for x, y in ((20, 0), (-20, 0), (0, 20)):
+        disc = cut(disc, box((6, 6, 8), (x - 3, y - 3, 0)))
+    boss = next(boss for boss in find(disc).of("boss") if boss.radius == pytest.approx(20 * MM))
+    assert [boss.height, boss.extents[2]] == near(8, 8)
+
+
+def test_lands_are_wider_than_what_stands_beside_them() -> None:
+    spool = fuse(cylinder(8, 10), cylinder(5, 10, (0, 0, 10)), cylinder(8, 12, (0, 0, 20)), cylinder(6, 10, (0, 0, 32)))
+    lands = [boss for boss in find(spool).of("boss") if "land" in boss.tags]
+    assert sorted(boss.height or 0.0 for boss in lands) == near(10, 12)
+    pin = fuse(cylinder(8, 10), cylinder(5, 20, (0, 0, 10)))
+    assert not any("land" in boss.tags for boss in find(pin).of("boss"))

@@ -7,7 +7,7 @@ from itertools import pairwise
 from typing import Literal, NamedTuple, TypeAlias
 
 from querycad_contracts import Measure, PartQuery, Place, Side
-from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Origin, Plane, Target
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, MassCentre, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import Mention, places_of, replace_fields, without
 from querycad_language.readings.question import Question
@@ -108,6 +108,10 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if edge := text.find(at, "edge"):
         joining = text.is_word(at, "edge") and text.is_word(edge.end, "to")  # 'edge to edge'
         return None if joining else Spot(at, Boundary(None), set(edge.tokens))
+    if (measure := text.find(at, "measure")) and measure.value is Measure.CENTER_OF_MASS:
+        return Spot(at, MassCentre(), set(measure.tokens))
+    if (middle := _box_middle(text, at)) is not None:
+        return Spot(at, None, middle)
     if origin := text.find(at, "origin"):
         return Spot(at, Origin(), set(origin.tokens))
     if ground := text.find(at, "ground"):
@@ -116,6 +120,16 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1)):  # 'the part's left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
+
+
+def _box_middle(text: Text, at: int) -> set[int] | None:
+    """'the middle of the bounding box', 'the bounding box centre': that of the whole model."""
+    if not text.is_word(at, "center", "middle", "midpoint", "centre"):
+        return None
+    around = next((span for span in text.all("boxes") if span.end == at), None)
+    behind = text.skip(at + 2, "article") if text.is_word(at + 1, "of") else at
+    around = around or (text.find(behind, "boxes") if behind > at else None)
+    return {at, *range(at, behind), *around.tokens} if around is not None else None
 
 
 def _outsides(question: Question) -> Iterator[Spot]:

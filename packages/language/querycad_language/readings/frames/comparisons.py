@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
-from querycad_contracts import Measure, Relation, Side
+from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
+from querycad_language.lexicon import Span
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, places_of, replace_fields
+from querycad_language.phrases import Mention, bare_of, places_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -102,10 +103,23 @@ def _said(question: Question, mention: Mention) -> str:
 
 def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
-    span = next(iter(question.text.all("operation")), None)
-    if span is None:
+    text = question.text
+    times = next((i for i in text.at_words("time") if text.is_word(i - 1, "many")), None)
+    scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
+    size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
+    if scale is not None and size is not None:  # 'how many times its width is the slot long'
+        owner = next((m for m in question.mentions if not m.pronoun), None)
+        target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
+        form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
+        yield Parse(form, {"combined": 1.0}, {*range(times or 0, size.end), *scale.tokens, *named})
+    span = next(iter(text.all("operation")), None)
+    if span is None or span.value == "share":
+        yield from _shares(question, span)
         return
     asked = [one for one in asked_in(question) if one.start > span.start][:2]
+    if span.value == "ratio" and len(asked) < 2:  # 'the length to width ratio', 'depth divided by width'
+        before = [one for one in asked_in(question) if one.start < span.start]
+        asked = [*before[-2 + len(asked) :], *asked]
     measures = [measure for one in asked for measure in one.measures]
     owners = [m for m in question.mentions if not m.pronoun][:2]
     targets: list[Target] = [m.query for m in owners] or [None]
@@ -114,6 +128,24 @@ def _combined(question: Question) -> Iterator[Parse]:
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
         yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
+
+
+def _shares(question: Question, span: Span | None) -> Iterator[Parse]:
+    """'What percentage of the lugs are drilled?': of the ones that only their noun names."""
+    targets = [m.part for m in question.parts if m.part.plural][:2]
+    if span is None or not targets:
+        return
+    whole = next((one for one in targets if bare_of(one, one.noun.split()[-1])), None)
+    part = next((one for one in targets if one is not whole), None)
+    if part is None and whole is not None:  # '… of the lugs goes through'
+        said = {i: one for i in range(len(question.text)) if (one := question.text.find(i, "adjective"))}
+        if said:
+            part = replace_fields(whole, adjectives=tuple(one.value.name for one in said.values())[:1])
+    if part is not None:
+        noun = part.noun.split()[-1]
+        whole = whole or PartQuery(noun=noun, words=(noun,), plural=True)
+        used = set(span.tokens).union(*(m.used for m in question.parts), question.text.at_phrases("adjective"))
+        yield Parse(Combine("share", Count(part), Count(whole)), {"combined": 1.0}, used)
 
 
 def _clearances(question: Question) -> Iterator[Parse]:
@@ -159,6 +191,14 @@ def _radial_steps(question: Question) -> Iterator[Parse]:
 def _more_of(question: Question) -> Iterator[Parse]:
     """'How many more slots than lugs are there?': the number of one less that of the other."""
     text = question.text
+    apart = {i for span in text.all("operation") if span.value == "apart" for i in span.tokens}
+    apart |= {i for i in text.at_words("minus", "subtract") if text.find(i, "minus") or text.is_word(i, "subtract")}
+    counted = {i for at in text.at_phrases("count") for i in (at, at + 1)}
+    several = [replace_fields(m.part, also=()) for m in question.parts if m.part.plural]
+    several += [also for m in question.parts for also in m.part.also]
+    if apart and len(several) == 2 and (counted or not asked_in(question)):  # 'the number of slots minus that of lugs'
+        form = Combine("apart", Count(several[0]), Count(several[1]))
+        yield Parse(form, {"combined": 1.0}, {*apart, *counted}.union(*(m.used for m in question.parts)))
     than = min(text.at_words("than"), default=None)
     more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many")), None)
     if than is None or more is None or not text.is_word(more - 2, "how"):

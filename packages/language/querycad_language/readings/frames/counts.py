@@ -160,6 +160,8 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
     compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
         query, span = mention.query, compared.get(mention.start)
+        if any(mention.start < at < mention.end for at in text.at_words("both")):
+            continue  # 'in both flanges': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
         if query is not None and query.count and span is not None:
             several = Count(replace_fields(query, count=None, plural=True))

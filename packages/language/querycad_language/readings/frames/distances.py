@@ -8,12 +8,13 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, MassCentre, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
+from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .anchors import NEAREST, Spot, anchors_of, ends_between, floored, pairs_named, plane_of, planes_of, rimmed
@@ -170,7 +171,7 @@ def _unnamed(question: Question) -> Iterator[_Words]:
         return
     joining = text.at_words("to", "above", "from")
     points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 else ()))
-    centred = bool(text.at_phrases("center_to_center"))
+    centred = bool(_centred(text))
     if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
@@ -201,10 +202,16 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
 
 
+def _centred(text: Text) -> set[int]:
+    """The words for 'centre to centre'; none in 'edge to edge, not centre to centre'."""
+    denied = (span for span in text.all("center_to_center") if not text.find(span.start - 1, "negation"))
+    return {at for span in denied for at in span.tokens}
+
+
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
     text = question.text
-    if centred := text.covered("center_to_center"):
+    if centred := _centred(text):
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
     near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *_BORDERS)}
@@ -306,7 +313,8 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
     pairs += [(after[0], after[2])] if len(after) > 2 else []
     for ones, others in pairs:
         for one, two in product(ones, others):
-            if isinstance(one.anchor, PartQuery | Plane) or isinstance(two.anchor, PartQuery | Plane):
+            placed = (PartQuery, Plane, MassCentre)
+            if isinstance(one.anchor, placed) or isinstance(two.anchor, placed):
                 yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
 
 
@@ -420,6 +428,7 @@ def angles(question: Question) -> Iterator[Parse]:
             continue
         between = bool(text.at_phrases("between"))
         joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart")
+        joining |= {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
         for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
             used = {*asked.used, *first.used, *joining}

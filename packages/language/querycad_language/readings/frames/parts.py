@@ -62,6 +62,10 @@ def _side_of_most(question: Question, offered: tuple[Side, ...], named: set[int]
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         towards = Towards(target, offered or tuple(Side), "most")
         yield Parse(towards, {"which_side": 1.0}, named | faces | most | part.used)
+    none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
+    if faces and none and part is not None and not text.at_phrases("count"):  # 'Name the sides without lugs.'
+        target = replace_fields(part.part, plural=True, places=(), count=None)
+        yield Parse(Towards(target, tuple(Side), "none"), {"which_side": 1.0}, faces | none | part.used)
 
 
 def _named_by(query: PartQuery) -> Measure:

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import Check, Distance, Every, Get, Parallel
+from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Get, Parallel
 from querycad_language.lexicon import Span
-from querycad_language.phrases import Mention, Phrases, replace_fields
+from querycad_language.phrases import Mention, Phrases, noun_follows, placed_in, replace_fields, without
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-from .axes import ALONG
+from .axes import ALONG, axis_named
 
 _SAYS = {"predicate": 1.0}
+_CENTRED = ("centered", "central", "centrally", "midway")
 _ENDS = ("end", "end face", "shaft end")
 
 
@@ -23,7 +24,7 @@ def predicates(question: Question) -> Iterator[Parse]:
     start = verb_start(question)
     if start is None:
         return
-    for says in (_openings, _full_extents, _middles, _in_line):
+    for says in (_openings, _full_extents, _middles, _in_line, _both):
         yield from (parse.with_more({"check": 1.0}, {start}) for parse in says(question, start))
 
 
@@ -106,7 +107,7 @@ def _full_extents(question: Question, start: int) -> Iterator[Parse]:
 def _middles(question: Question, start: int) -> Iterator[Parse]:
     """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
-    cue = _first(text, start + 1, "halfway")
+    cue = _first(text, start + 1, "halfway") or _centred_along(question, start)
     said = cue is not None and any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start))
     subject = _subject(question, start, cue.start) if cue is not None and said else None
     if cue is None or subject is None:
@@ -120,9 +121,22 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
         return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
-    axis = next((ALONG[one.value] for one in measures if one is not None and one.value in ALONG), None)
+    side = next((one for one in measures if one is not None and one.value in ALONG), None)
+    axis, used = (ALONG[side.value], used | set(side.tokens)) if side is not None else (None, used)
+    if axis is None and text.is_word(cue.start, *_CENTRED):
+        axis, along = axis_named(question, set())
+        used |= along
     owner = others[0].part if others and others[0].query is not None else PartQuery(noun="object", words=("object",))
     yield Parse(Check(Distance(subject.part, owner, "centers", axis), Relation.AT_MOST, 0.0), _SAYS, used)
+
+
+def _centred_along(question: Question, start: int) -> Span | None:
+    """'Is the slot centred along the length?', '… centred left to right?': where an axis is named."""
+    text = question.text
+    at = next((i for i in sorted(text.at_words(*_CENTRED)) if i > start and not noun_follows(text, i + 1)), None)
+    if at is None or axis_named(question, set())[0] is None:
+        return None
+    return Span(at, at + 1, "halfway", None)
 
 
 def _in_line(question: Question, start: int) -> Iterator[Parse]:
@@ -137,6 +151,45 @@ def _in_line(question: Question, start: int) -> Iterator[Parse]:
     strict = any(text.is_word(i, "axis", "coaxial", "concentric") for i in range(cue.start, len(text)))
     second = other.query if other is not None else None
     yield Parse(Parallel(subject.part, second, in_line="axis" if strict else "row"), _SAYS, used)
+
+
+def _both(question: Question, start: int) -> Iterator[Parse]:
+    """'Is there a slot in both flanges?', 'Does each lug have a hole?', 'Are there chamfers at both ends?'"""
+    text = question.text
+    at = next((i for i in sorted(text.at_words("both", "each")) if i >= start), None)
+    if at is None:
+        return
+    holder = next((m for m in question.parts if m.start == at), None)
+    what = next((m for m in question.parts if m.start > at and holder is not None and m is not holder), None)
+    if holder is not None and what is not None:
+        has = any(text.find(i, "have", "carry") for i in range(holder.head + 1, what.start))
+        held = replace_fields(holder.part, count=None, plural=True)
+        enough = Check(Count(placed_in(several(what.part), "of", held)), Relation.AT_LEAST, Count(held))
+        yield from [Parse(enough, _SAYS, what.used | holder.used)] if has else ()
+        return
+    on_both = next((m for m in question.parts if m.start < at < m.end), None)
+    what = on_both or next((m for m in reversed(question.parts) if m.end <= at), None)
+    if what is None or (text.find(at + 1, "noun", "side_noun") is None and on_both is None):
+        return
+    place = next((one for one in reversed(what.part.places) if on_both is not None and one.what), None)
+    ends, used = text.find(at + 1, "side_noun"), {*what.used, at, at + 1}
+    if ends is not None and not (text.is_word(at - 1, "through") or {"open at both ends"} & {*what.part.adjectives}):
+        named = " ".join(text.words[at + 1 : ends.end])
+        at_end = place is not None and place.what is not None and place.what.noun == named
+        bare = several(without(what.part, place) if place is not None and at_end else what.part)
+        owner = next((m for m in question.parts if m.end <= what.start), None)
+        if owner is not None and any(text.find(i, "have") for i in range(owner.end, what.start)):
+            bare, used = placed_in(bare, "of", owner.part), used | owner.used
+        yield Parse(AtBothEnds(bare), _SAYS, used)
+    elif ends is None and place is not None and place.what is not None:
+        held, bare = replace_fields(place.what, count=None, plural=True), several(without(what.part, place))
+        enough = Check(Count(placed_in(bare, place.relation, held)), Relation.AT_LEAST, Count(held))
+        yield Parse(enough, _SAYS, used)
+
+
+def several(query: PartQuery) -> PartQuery:
+    """However many there are of them."""
+    return replace_fields(query, plural=True, count=None, definite=False)
 
 
 def _first(text: Text, start: int, *categories: str) -> Span | None:

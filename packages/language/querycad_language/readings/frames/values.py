@@ -46,6 +46,7 @@ def values(question: Question) -> Iterator[Parse]:
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
+            yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
             yield from _extremes(question, get, parse)
             if asked not in asked_for:
@@ -130,6 +131,16 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     if not densities:
         return None, set()
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
+
+
+def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'Both diameters of the bush', 'the bore and outside diameter of the ring': inner and outer."""
+    text = question.text
+    both = text.at_words("both", "two") if get.measures == (Measure.DIAMETER,) else set()
+    said = text.at_words("inside", "outside", "inner", "outer", "bore", "outer diameter", "inner diameter")
+    if both and said and get.target is not None and not get.target.plural:
+        measures = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
+        yield Parse(replace(get, measures=measures), parse.features, parse.used | both | said)
 
 
 def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:

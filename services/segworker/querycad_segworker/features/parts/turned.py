@@ -6,14 +6,14 @@ import math
 from collections import defaultdict
 from collections.abc import Sequence
 
-from querycad_contracts import Part, SurfaceKind
+from querycad_contracts import Part, SurfaceKind, Vector
 from querycad_segworker.features.holes.hole import RIM, Section, SectionKind
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.features.turned.bosses import Boss
 from querycad_segworker.features.turned.pipes import Bend, Pipe, bent_measures
 from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import OFF_ROUND, binned, box_center, box_extents, mid
+from querycad_segworker.vectors import OFF_ROUND, binned, box_center, box_extents, coordinate_axis, mid
 
 from .holes import section_part
 
@@ -29,7 +29,6 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
     Its thickness is its height where it is flat, that of its wall where it is hollow. The length of a shaft's step runs
     along the axis; that of a boss is its longer dimension. A rim is as wide as it is high.
     """
-    box = faces_box(brep, boss.faces)
     bore = None if boss.hole is None else holes[boss.hole]
     flat, axial = "flat" in boss.tags, "stepped" in boss.tags or "slender" in boss.tags
     wall = None if boss.bore_radius is None else boss.radius - boss.bore_radius
@@ -40,7 +39,7 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
         label=f"{_boss_name(boss)}, diameter {millimetres(2 * boss.radius)}, height {millimetres(boss.height)}",
         faces=boss.faces,
         center=mid(boss.base, boss.tip),
-        extents=box_extents(box),
+        extents=_to_its_ends(boss, box_extents(faces_box(brep, boss.faces))),
         axis=boss.normal,
         normal=boss.normal,
         radius=boss.radius,
@@ -67,6 +66,13 @@ def boss_part(brep: Brep, boss: Boss, number: int, holes: Sequence[Part]) -> Par
             + ("with both ends free" if "free" in boss.tags else "standing on the material")
         ),
     )
+
+
+def _to_its_ends(boss: Boss, walls: Vector) -> Vector:
+    """The box of its walls, along its axis from base to tip: a fillet at its foot belongs to neither wall."""
+    along = coordinate_axis(boss.normal)
+    x, y, z = (max(size, boss.height) if i == along else size for i, size in enumerate(walls))
+    return x, y, z
 
 
 def _boss_name(boss: Boss) -> str:

@@ -18,7 +18,18 @@ from querycad_segworker.features.shared.part_measures import PLATE_RATIO, faces_
 from querycad_segworker.features.shared.walls import REVOLVED
 from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, FaceRecord
-from querycad_segworker.vectors import add, box_center, box_extents, box_of, dot, parallel, scale, sub, upwards
+from querycad_segworker.vectors import (
+    add,
+    box_center,
+    box_extents,
+    box_of,
+    coordinate_axis,
+    dot,
+    parallel,
+    scale,
+    sub,
+    upwards,
+)
 
 SQUARE = 1e-2
 """Sine of the angle by which walls and faces of a plate may deviate from square and parallel."""
@@ -242,6 +253,19 @@ def _is_within(brep: Brep, wall: int, side: _Side, tolerances: Tolerances) -> bo
     return side.level - near <= min(levels) and max(levels) <= dot(side.face.point, side.face.axis) + near
 
 
+def _level_box(around: tuple[Vector, Vector], own: tuple[Vector, Vector], normal: Vector) -> tuple[Vector, Vector]:
+    """A box as wide as `around`; where the normal runs along an axis of the file, along that one at the level of `own`.
+
+    What breaks the edges of a face lies below it.
+    """
+    along = coordinate_axis(normal)
+    low, high = (
+        (b[0] if along == 0 else a[0], b[1] if along == 1 else a[1], b[2] if along == 2 else a[2])
+        for a, b in zip(around, own, strict=True)
+    )
+    return low, high
+
+
 def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE_RATIO) -> Prism | None:
     face = side.face
     top = dot(face.point, face.axis)
@@ -254,7 +278,7 @@ def _plate(brep: Brep, side: _Side, tolerances: Tolerances, ratio: float = PLATE
     if thickness <= 0 or thickness >= ratio * width or outline == "circular":
         return None
     down = scale(face.axis, -thickness)
-    low, high_corner = faces_box(brep, {face.id, *broken})
+    low, high_corner = _level_box(faces_box(brep, {face.id, *broken}), faces_box(brep, (face.id,)), face.axis)
     box = box_of((low, high_corner, add(low, down), add(high_corner, down)))
     assert box is not None  # of four points
     normal = upwards(face.axis)

@@ -32,6 +32,8 @@ TUBE_RATIO = 0.5
 FLANGE_RATIO = 1.2
 """A flat step this much wider than its neighbours is a flange: it needs room for fasteners beside them."""
 
+BREAK = 0.2
+"""The chamfer of an edge is lower than this share of the radius."""
 LEANS = 0.5
 """The middle of a fillet on a cone lies within this share of its height from where it begins: walls that lean less than
 some 30 degrees."""
@@ -270,6 +272,7 @@ def _tags(
         tags.append("flange")
     if flat and (on_both or is_collar(steps, place, hollow=bore_radius is not None, undercut=undercut)):
         tags.append("collar")
+    tags += ["land"] * (len(steps) > 2 and all(radius > ALIKE * other for other in beside))
     return tuple(tags)
 
 
@@ -313,6 +316,15 @@ def _rounded(
                 low = min(ends)
             elif max(ends) > high + near and abs(min(ends) - high) <= near and abs(middle - high) <= beside:
                 high = max(ends)
+        for other in {beside for _, beside in brep.neighbours(face)}:
+            cone = brep.faces[other]
+            if cone.kind is SurfaceKind.CONE and cone.outward > 0 and axis.same_line(Axis.of(cone), tolerances):
+                mids = [brep.edges[e].mid for e in brep.face_edges[other]]
+                ends, radius = [axis.position(mid) for mid in mids], brep.faces[face].radius
+                narrows = max(map(axis.radius_of, mids)) <= radius + near
+                if narrows and max(ends) - min(ends) < BREAK * radius:  # a chamfer, also one that notches part
+                    low = min(ends) if abs(max(ends) - low) <= near else low
+                    high = max(ends) if abs(min(ends) - high) <= near else high
     return low, high
 
 

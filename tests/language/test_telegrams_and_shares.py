@@ -1,0 +1,213 @@
+"""Restrictions behind a comma, ranges, what is left out, both ends, shares, the model against its box, its mass."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_answering.drawing.meaning import describe
+from querycad_contracts import Measure, PartQuery, Relation, Side
+from querycad_language.forms import (
+    AtBothEnds,
+    Check,
+    Combine,
+    Count,
+    Distance,
+    Every,
+    Form,
+    Get,
+    MassCentre,
+    Origin,
+    Towards,
+)  # fmt: skip
+from querycad_language.phrases import noun_phrase
+from querycad_language.readings.question import Question
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def counted(question: str) -> PartQuery:
+    return next(form.target for form in forms(question) if isinstance(form, Count))
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "relation", "low"),
+    [
+        ("Quantity of slots, depth > 7 mm", Measure.DEPTH, Relation.MORE, 0.007),
+        ("How many lugs are there where the width is under 9 mm?", Measure.WIDTH, Relation.LESS, 0.009),
+        ("How many of the slots go deeper than 7 mm?", Measure.DEPTH, Relation.MORE, 0.007),
+        ("How many of the slots are at least 7 deep?", Measure.DEPTH, Relation.AT_LEAST, 0.007),
+        ("number of slots, width = 0.7 cm", Measure.WIDTH, Relation.EQUAL, 0.007),
+    ],
+)
+def test_a_size_restricts_wherever_it_stands(question: str, measure: Measure, relation: Relation, low: float) -> None:
+    (size,) = counted(question).sizes
+    assert (size.measure, size.relation, size.low) == (measure, relation, low)
+
+
+def test_a_size_behind_a_comma_without_a_relation_is_asked_of_another_part() -> None:
+    assert not counted("How many slots, 5 mm lugs and ribs are there?").sizes
+
+
+@pytest.mark.parametrize(
+    "phrase", ["lugs from 4 mm up to and including 8 mm", "lugs of 4 mm through 8 mm", "lugs between 4 and 8 mm"]
+)
+def test_a_range_has_two_ends(phrase: str) -> None:
+    (size,) = noun_phrase(phrase).sizes
+    assert (size.relation, size.low, size.high) == (Relation.BETWEEN, 0.004, 0.008)
+
+
+def test_both_ends_of_a_range_may_be_said_apart() -> None:
+    sizes = counted("How many lugs are at least 4 but at most 8 mm wide?").sizes
+    assert [(one.measure, one.relation, one.low) for one in sizes] == [
+        (Measure.WIDTH, Relation.AT_LEAST, 0.004),
+        (Measure.WIDTH, Relation.AT_MOST, 0.008),
+    ]
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["Count the plain lugs, no chamfer no thread.", "Number of lugs, neither chamfered nor threaded"],
+)
+def test_what_parts_lack_may_stand_behind_a_comma(question: str) -> None:
+    assert len(counted(question).lacking) == 2
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Number of lugs smaller than the largest one",
+        "Count of lugs, largest width excluded",
+        "Leave the largest lugs out and give me the number of the others.",
+        "Besides the largest lug, how many lugs has it?",
+        "How many lugs are there (the long ones, not the largest lugs)?",
+    ],
+)
+def test_the_largest_may_be_left_out(question: str) -> None:
+    excluded = [query for form in forms(question) if isinstance(form, Count) for query in form.target.excluded]
+    assert any(query.ranks for query in excluded)
+
+
+def test_the_larger_of_two_is_one_of_them() -> None:
+    larger, largest = noun_phrase("the larger of the two lugs"), noun_phrase("the largest of the lugs")
+    assert (larger.noun, larger.plural, largest.noun, largest.plural) == ("lug", False, "lug", False)
+    assert larger.adjectives
+    assert largest.ranks
+
+
+def test_both_of_them_or_both_ends() -> None:
+    (both,) = [form for form in forms("Does each lug have a slot?") if isinstance(form, Check)]
+    assert isinstance(both.left, Count)
+    assert both.relation is Relation.AT_LEAST
+    assert isinstance(both.low, Count)
+    assert both.low.target.noun == "lug"
+    assert any(isinstance(form, AtBothEnds) for form in forms("Are there chamfers at both ends?"))
+    assert not any(isinstance(form, AtBothEnds) for form in forms("Does the bore go through both sides?"))
+    assert not any(isinstance(form, AtBothEnds) for form in forms("Are there chamfers at the end?"))
+
+
+@pytest.mark.parametrize("question", ["Confirm that the lug is 8 mm wide.", "Confirm: the lug is 8 mm wide."])
+def test_to_confirm_is_to_say_yes_or_no(question: str) -> None:
+    assert Question(question).closed
+    assert any(isinstance(form, Check) for form in forms(question))
+    assert not Question("In order to confirm that it fits, tell me the width of the lug.").closed
+
+
+def test_centred_along_a_side_is_no_distance_from_the_middle_there() -> None:
+    (check,) = [form for form in forms("Is the lug centred across the width?") if isinstance(form, Check)]
+    assert isinstance(check.left, Distance)
+    assert check.left.axis is not None
+    assert check.low == 0.0
+    assert any(isinstance(form, Every) for form in forms("Is the lug central?"))
+
+
+@pytest.mark.parametrize(
+    "question", ["What percentage of the bores goes through?", "Share of through bores among all bores, in %"]
+)
+def test_a_share_is_of_all_that_have_the_noun(question: str) -> None:
+    share = next(form for form in forms(question) if isinstance(form, Combine))
+    assert share.operation == "share"
+    assert isinstance(share.left, Count)
+    assert isinstance(share.right, Count)
+    assert (share.right.target.noun, share.right.target.adjectives) == ("bore", ())
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "What is the depth to width ratio of the slot?",
+        "Depth of the slot divided by its width?",
+        "How many times its own width is the slot deep?",
+    ],
+)
+def test_a_ratio_may_be_named_behind_its_measures(question: str) -> None:
+    ratio = next(form for form in forms(question) if isinstance(form, Combine))
+    assert ratio.operation == "ratio"
+    assert isinstance(ratio.left, Get)
+    assert isinstance(ratio.right, Get)
+    assert (*ratio.left.measures, *ratio.right.measures) == (Measure.DEPTH, Measure.WIDTH)
+
+
+def test_numbers_of_parts_are_subtracted() -> None:
+    apart = next(
+        form for form in forms("Difference between the number of slots and the number of lugs") if type(form) is Combine
+    )
+    assert apart.operation == "apart"
+    assert isinstance(apart.left, Count)
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("How much of its bounding box does the part fill, per cent?", Measure.FILL),
+        ("What volume gets milled away from a block of that size?", Measure.REMOVED),
+        ("What is the diagonal of the bounding box?", Measure.DIAGONAL),
+        ("Along which axis is it longest?", Measure.LONG_AXIS),
+    ],
+)
+def test_the_model_is_compared_with_the_box_around_it(question: str, measure: Measure) -> None:
+    assert any(form.measures == (measure,) for form in forms(question) if isinstance(form, Get))
+
+
+def test_sides_without_such_parts() -> None:
+    (towards,) = [form for form in forms("Which sides have no lugs?") if isinstance(form, Towards)]
+    assert (towards.seen, len(towards.sides)) == ("none", len(Side))
+    assert describe(towards).startswith("sides that none of the lugs")
+
+
+def test_the_centre_of_mass_is_an_end_of_distances() -> None:
+    middle, origin = (
+        next(form for form in forms(f"How far is the centre of gravity from the {end}?") if isinstance(form, Distance))
+        for end in ("middle of the bounding box", "origin")
+    )
+    assert (middle.first, middle.second) == (MassCentre(), None)
+    assert (origin.first, origin.second) == (MassCentre(), Origin())
+
+
+def test_what_was_cut_at_a_hole_has_a_measure_of_its_own() -> None:
+    found = [form.target for form in forms("The bores are countersunk to what diameter?") if isinstance(form, Get)]
+    assert any(query is not None and query.noun == "countersink" for query in found)
+    found = [form.target for form in forms("The bores are countersunk. How deep is the lug?") if isinstance(form, Get)]
+    assert not any(query is not None and query.noun == "countersink" for query in found)
+
+
+def test_both_diameters_are_the_inner_and_the_outer_one() -> None:
+    both = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
+    assert any(f.measures == both for f in forms("The two diameters of the ring, inner and outer?") if type(f) is Get)
+    assert not any(f.measures == both for f in forms("The inner diameters of the two rings?") if type(f) is Get)
+
+
+def test_where_a_depth_begins_is_no_side_that_parts_are_seen_from() -> None:
+    found = [form.target for form in forms("How deep is the slot, from the front face?") if isinstance(form, Get)]
+    assert found[0] is not None
+    assert not found[0].sides
+
+
+def test_a_part_that_an_earlier_sentence_brings_up_is_known_by_that() -> None:
+    readings = read("The lever has a slot. What is its width?")
+    slot = next(r for r in readings if isinstance(r.form, Get) and r.form.target and r.form.target.noun == "slot")
+    assert slot.features["introduced"] == 1.0
+    other = next(r for r in readings if isinstance(r.form, Get) and r.form.target and r.form.target.noun == "lever")
+    assert "introduced" not in other.features
