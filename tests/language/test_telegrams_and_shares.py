@@ -211,3 +211,16 @@ def test_a_part_that_an_earlier_sentence_brings_up_is_known_by_that() -> None:
     assert slot.features["introduced"] == 1.0
     other = next(r for r in readings if isinstance(r.form, Get) and r.form.target and r.form.target.noun == "lever")
     assert "introduced" not in other.features
+
+
+def test_face_to_face_is_over_the_outsides_of_flanges_and_between_walls() -> None:
+    over, between = (
+        next(form for form in forms(f"What is the {words} the two flanges?") if isinstance(form, Distance))
+        for words in ("face-to-face length over", "clear distance face to face between")
+    )
+    assert (over.mode, between.mode) == ("outsides", "surfaces")
+
+
+def test_what_stands_in_brackets_asks_for_no_further_measure() -> None:
+    found = forms("How thick is the lug (the flat of it, not counting the root radius)?")
+    assert all(len(form.measures) == 1 for form in found if isinstance(form, Get))

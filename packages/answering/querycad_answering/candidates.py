@@ -9,7 +9,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from querycad_contracts import AnswerType, Grounded, Measure, Part, PartQuery
+from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reading
@@ -293,6 +293,8 @@ def _of_get(form: Get, grounds: dict[PartQuery, Grounded], overall: float) -> Fe
     parts = grounds[form.target].parts
     if form.reduce is Reduce.EACH and len(parts) == 1:
         features["each_of_one"] = 1.0
+    if parts and measure is Measure.DEPTH:
+        features["depth_through"] = float(all(part.bottom is Bottom.THROUGH for part in parts))
     if parts and parts[0].kind.is_whole:
         features["whole_as_part"] = float(parts[0].kind == "model")
         features["overall_is_whole"] = overall

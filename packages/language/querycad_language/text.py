@@ -19,7 +19,7 @@ CLOSED = frozenset([
     "fasten", "comparing", "emerging", "engagement", "entering",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
-EXTENTS = ("over_all", "facewise", "surface_to_surface")
+EXTENTS = ("over_all", "facewise", "outside_to_outside", "surface_to_surface")
 """Categories of the adverbs that say from where to where, such as 'end to end'."""
 ROUNDED = ("radius", "fillet", "filleted", "rounded", "rounding", "round", "blend", "blended")
 """Words that tell that the edges are rounded which a question speaks of."""

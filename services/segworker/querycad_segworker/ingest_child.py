@@ -79,8 +79,8 @@ def main(source: Path, file_name: str, sha256: str, folder: Path, memory_bytes: 
         outcome = {"problem": type(problem).__name__, "message": str(problem)}
     except MemoryError:
         outcome = {"problem": "KernelDied", "message": "the file needs more memory than is allowed for reading"}
-    except (OSError, ImportError):
-        raise  # of the disk's or the installation's: the parent says so
+    except (OSError, ImportError, NameError):
+        raise  # of the disk's, the installation's, or the program's own: the parent says so
     except Exception:
         # What a file's text passes for may be no geometry: a face without an area, a body without an edge. The log says
         # where it was noticed; it is the file's fault, as no sound one does this.

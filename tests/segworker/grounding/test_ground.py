@@ -148,6 +148,28 @@ def test_with_a_ring_is_with_any_of_them() -> None:
     assert ids(best(ringed, inventory(SMALL, LARGE, DEAD, *rings))) == {"hole-1", "hole-2"}
 
 
+def test_the_two_of_a_kind_belong_to_all_that_are_named_before_them() -> None:
+    rings = [
+        part(f"boss-{i}", (x, 0.0, 0.005), tags=("cylindrical",), extents=(0.02 + i / 1e3,) * 3, faces=(50 + i,))
+        for i, x in enumerate((-0.02, 0.0))
+    ]
+    of = inventory(SMALL, LARGE, DEAD, *rings)
+    boss = Place(relation="", what=PartQuery(noun="boss", words=("boss",)))
+    one_each = best(asked(count=2, definite=True, places=(boss,)), of)
+    assert ids(one_each) == {"hole-1", "hole-2"}
+    assert "count_agrees" in one_each.features
+
+
+def test_the_bore_is_the_largest_where_nothing_more_is_said_of_it() -> None:
+    bore = PartQuery(noun="bore", words=("bore",), definite=True)
+    of = inventory(SMALL, hole(2, 20, diameter=0.02), hole(4, 40, diameter=0.008))
+    picked = [way for way in ground(of, bore) if way.features.get("sense_stretch") == 0.1]
+    assert [ids(way) for way in picked] == [{"hole-2"}]
+    for more in ({"adjectives": ("small",)}, {"plural": True}, {"sizes": (SizeFilter(low=0.008),)}):
+        ways = ground(of, bore.model_copy(update=more))
+        assert not any(way.features.get("sense_stretch") == 0.1 for way in ways)
+
+
 def test_the_largest_has_the_largest_diameter_that_is_told() -> None:
     bored = hole(4, 40, diameter=0.008, radii=(0.004, 0.009))
     largest = asked(plural=False, ranks=(Rank(measure=Measure.MAGNITUDE),))

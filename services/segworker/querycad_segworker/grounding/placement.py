@@ -20,8 +20,9 @@ def placed(request: Request, way: Candidate) -> Sequence[Candidate]:
     ways: Sequence[Candidate] = [way]
     for place in request.query.places:
         if place.what is not None and request.depth <= MOST_DEEP:
-            any_of = {"plural": True} if place.relation == "with" and not place.what.definite else {}
-            holders = request.ground(place.what.model_copy(update=any_of), 3)  # 'with a ring': with any of them
+            several = place.relation == "with" or (not place.relation and request.query.count)
+            any_of = {"plural": True} if several and not place.what.definite else {}
+            holders = request.ground(place.what.model_copy(update=any_of), 3)  # 'with a ring', 'the two eye bores'
             ways = pruned(through(ways, [(place, holders)], partial(_at_place, request)))
     return ways
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from querycad_contracts import PartKind, PartQuery
 from querycad_language.lexicon import Noun, Sense, lexicon
@@ -46,10 +47,10 @@ def _meant(request: Request) -> Iterator[Candidate]:
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
         yield Candidate((inventory.model,), _GENERIC)  # 'the complete dish'
     if noun is not None:
-        found = list(_senses(inventory, noun, query.noun))
+        found = list(_senses(inventory, noun, query))
         yield from found
         if all(not way.parts or "kin_instead" in way.features for way in found):
-            yield from _others(inventory, words)  # 'counterbore cutter'
+            yield from _others(inventory, query, words)  # 'counterbore cutter'
         if noun.product and not named:
             yield from _guessed(inventory, query)  # 'the latch' of a lid
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
@@ -78,11 +79,11 @@ def _by_name(inventory: Inventory, words: Sequence[str], noun: Sequence[str]) ->
         yield Candidate((inventory.model,), features)
 
 
-def _others(inventory: Inventory, words: Sequence[str]) -> Iterator[Candidate]:
+def _others(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> Iterator[Candidate]:
     """What other words of a phrase mean whose noun the model lacks."""
     for word in words[:-1]:
         if (noun := lexicon().nouns.get(word)) is not None and not noun.product:
-            for way in _senses(inventory, noun, word):
+            for way in _senses(inventory, noun, query.model_copy(update={"noun": word})):
                 if way.parts:
                     yield way.to(way.parts, "modifier_means")
 
@@ -91,7 +92,7 @@ def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> It
     """Nothing is known of the noun: its last word may be one, or it is what the whole model is."""
     last = lexicon().nouns.get(words[-1]) if words else None
     if last is not None and len(words) > 1:
-        for way in _senses(inventory, last, words[-1]):
+        for way in _senses(inventory, last, query.model_copy(update={"noun": words[-1]})):
             yield way.to(way.parts, "unknown_words", float(len(words) - 1), f"'{' '.join(words[:-1])}'")
     if inventory.model is not None and not query.plural:
         yield Candidate((inventory.model,), {"unknown_whole": 1.0, "whole_sense": 1.0})
@@ -109,11 +110,19 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
         yield Candidate(tuple(group), features, (taken_for(query.noun, group[0].kind),))
 
 
-def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Candidate]:
-    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole. `said`: the noun."""
+def _senses(inventory: Inventory, noun: Noun, query: PartQuery) -> Iterator[Candidate]:
+    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole.
+
+    A sense that picks the largest of what a nearer one means is meant where nothing is said that picks: 'the bore'.
+    """
+    said = query.noun
+    picked = query.plural or query.adjectives or query.sizes or query.ranks or query.threads or query.places
+    plain = {_unpicked(sense): sense.stretch for sense in noun.senses if sense.pick is None and picked}
     seen: set[tuple[str, ...]] = set()
     rank = 0
     for sense in noun.senses:
+        if sense.pick is not None and plain.get(_unpicked(sense), 1.0) < sense.stretch:
+            continue
         parts = inventory.of_sense(sense)
         key = tuple(part.id for part in parts)
         if not parts or key in seen or (rank and NAMELESS.issuperset(sense.kind)):
@@ -137,6 +146,10 @@ def _senses(inventory: Inventory, noun: Noun, said: str) -> Iterator[Candidate]:
         yield Candidate((inventory.model,), {"whole_sense": 1.0, "sense_stretch": 0.5})
     if rank == 0:
         yield Candidate((), {"nothing": 1.0})
+
+
+def _unpicked(sense: Sense) -> Sense:
+    return replace(sense, pick=None, stretch=0.0)
 
 
 def _wider(inventory: Inventory, senses: Sequence[Sense], said: str) -> Iterator[Candidate]:

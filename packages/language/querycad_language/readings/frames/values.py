@@ -63,12 +63,18 @@ def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Re
     """'How deep is the slot, and how long is it?': measures of one owner that are asked one after the other."""
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
-    lengths = [one for one in lengths if not _is_place(text, one.start)]
+    lengths = [one for one in lengths if not _is_place(text, one.start) and not _in_brackets(text, one.start)]
     ones = list({one.measures: one for one in reversed(lengths)}.values())[::-1]
     measures = tuple(dict.fromkeys(measure for one in ones for measure in one.measures))
     joined = all(any(text.is_word(i, "and", ",", "&", "x") for i in range(a.end, b.start)) for a, b in pairwise(ones))
     if len(ones) > 1 and len(measures) <= MOST_TOGETHER and joined:
         yield replace(ones[0], measures=measures, used=frozenset().union(*(one.used for one in ones)))
+
+
+def _in_brackets(text: Text, at: int) -> bool:
+    """Is it an aside: 'the plate thickness (not counting the radii)'?"""
+    before = text.words[:at]
+    return before.count("(") > before.count(")")
 
 
 def _is_place(text: Text, start: int) -> bool:
