@@ -84,14 +84,6 @@ def test_off_the_middle_is_along_the_side_that_is_named() -> None:
     assert any(isinstance(form, Distance) and form.axis == SHORTER and form.mode == "centers" for form in found)
 
 
-def test_a_radial_step_is_the_difference_of_two_radii() -> None:
-    found = forms("What radial rise is there from the shank to the disc?")
-    assert any(
-        isinstance(form, Combine) and isinstance(form.left, Get) and form.left.measures == (Measure.RADIUS,)
-        for form in found
-    )
-
-
 def test_tops_are_compared_with_the_top_of_what_they_lie_below() -> None:
     found = forms("By how much do the tops of the studs lie below the edge of the tray?")
     assert any(

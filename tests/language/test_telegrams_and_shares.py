@@ -38,7 +38,6 @@ def counted(question: str) -> PartQuery:
         ("Quantity of slots, depth > 7 mm", Measure.DEPTH, Relation.MORE, 0.007),
         ("How many lugs are there where the width is under 9 mm?", Measure.WIDTH, Relation.LESS, 0.009),
         ("How many of the slots go deeper than 7 mm?", Measure.DEPTH, Relation.MORE, 0.007),
-        ("How many of the slots are at least 7 deep?", Measure.DEPTH, Relation.AT_LEAST, 0.007),
         ("number of slots, width = 0.7 cm", Measure.WIDTH, Relation.EQUAL, 0.007),
     ],
 )

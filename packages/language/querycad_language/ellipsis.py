@@ -16,7 +16,6 @@ MOST_OF_NOUN = 3
 """Words of a noun behind 'which'."""
 _TELLING = ("side", "adjective", "most", "least", "ordinal")
 """What tells parts of one name apart."""
-_COMPARING = ("than", "over", "under", "above", "below", "exceed", "beyond")
 _PRONOUNS = ("it", "they", "them")
 _MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 """What is said of parts without 'are': 'which emerge at the back'."""

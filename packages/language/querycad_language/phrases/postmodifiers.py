@@ -71,8 +71,6 @@ def _opens(text: Text, at: int) -> bool:
     counted = any(text.find(i, "count") for i in range(at))
     if counted and text.is_word(at + 1, "neither", "no", "without"):
         return text.find(text.skip(at + 2, "article"), "trait", "adjective") is not None  # 'slots, no chamfer'
-    if text.find(at + 1, "measure") and text.find(at + 2, "parallel"):
-        return True  # 'slots, axis parallel to z'
     size = stated_size(text, at + 1)
     if size is not None and (size[0].relation is not Relation.EQUAL or "=" in text.words[at : size[1]]):
         return True  # 'slots, width > 5 mm'

@@ -47,9 +47,6 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         token = text.tokens[at]
         if token.kind is Kind.QUANTITY and token.power in _POWERS:
             return _sized(text, at, measure or token.measure or _POWERS[token.power], relation)
-        behind = text.find(at + 1, "scale") if relation is not Relation.EQUAL else None
-        if token.kind is Kind.NUMBER and behind is not None and behind.value.degree == "positive":  # 'at least 5 deep'
-            return SizeFilter(measure=behind.value.measure, relation=relation, low=token.value * 1e-3), behind.end
         if token.kind is Kind.NUMBER and measure is not None and not noun_follows(text, at + 1):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         if scale := text.find(at, "scale"):

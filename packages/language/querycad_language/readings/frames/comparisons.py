@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
+from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Target, Which
 from querycad_language.lexicon import Span
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, bare_of, places_of, replace_fields
+from querycad_language.phrases import Mention, bare_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -18,18 +18,15 @@ from querycad_language.tokens import Kind
 
 from .anchors import pairs_named
 
-_RISES = ("step", "shoulder")
 _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure.DIAMETER)
 
 
 def comparisons(question: Question) -> Iterator[Parse]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
-    yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
     yield from _clearances(question)
-    yield from _radial_steps(question)
     yield from _more_of(question)
 
 
@@ -156,36 +153,6 @@ def _clearances(question: Question) -> Iterator[Parse]:
     for first, second, used in pairs_named(question.parts, "in", "on", "between") if asked else ():
         form = Distance(first, second, "on radius" if radial else "on diameter")
         yield Parse(form, {"combined": 1.0}, {*used, *said})
-
-
-def _of_two(question: Question) -> Iterator[Parse]:
-    """'By how much is one lug thicker than the other?': what the larger of two has more."""
-    text = question.text
-    scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
-    one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
-    than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
-    if scale is None or one is None or than is None or not text.has("much", "many"):
-        return
-    measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
-    target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
-    most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
-
-
-def _radial_steps(question: Question) -> Iterator[Parse]:
-    """'What radial rise is there from the neck to the disc?': by how much the radius of one is larger."""
-    text = question.text
-    radial = text.at_words("radial", "radially", "radius")
-    rises = text.at_words("step", "shoulder", "high", "height", "grow", "rise", "jump", "drop")
-    if not radial or not rises or not text.has("from") or not text.has("to", "onto"):
-        return
-    nested = [[replace_fields(m.part, places=()), *(what for _, what in places_of(m.part))] for m in question.parts]
-    round_ones = [one for ones in nested for one in ones if one.known and one.noun not in _RISES]
-    if len(round_ones) > 1:
-        used = radial.union(rises, *(m.used for m in question.parts))
-        used |= text.at_words("how", "much", "up", "down", "from", "to", "onto")
-        radii = (Get((Measure.RADIUS,), one) for one in round_ones[-2:])
-        yield Parse(Combine("apart", *radii), {"combined": 1.0}, used)
 
 
 def _more_of(question: Question) -> Iterator[Parse]:

@@ -268,7 +268,6 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
     yield from _two(before, after)
-    yield from _both_before(question, before)
     yield from _levels(question, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
@@ -319,14 +318,6 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
             placed = (PartQuery, Plane, MassCentre)
             if isinstance(one.anchor, placed) or isinstance(two.anchor, placed):
                 yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
-
-
-def _both_before(question: Question, before: Sequence[list[Spot]]) -> Iterator[_Pair]:
-    """'The 14 mm and the 16 mm bores run side by side. What is the distance between them?'"""
-    pronoun = any(m.pronoun and m.start > before[-1][0].at for m in question.mentions) if len(before) > 1 else False
-    if pronoun and question.text.at_words("and") & set(range(before[-2][0].at, before[-1][0].at)):
-        one, two = before[-2][0], before[-1][0]
-        yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
