@@ -18,6 +18,7 @@ from querycad_language.forms import (
     MassCentre,
     Origin,
     Towards,
+    queries,
 )  # fmt: skip
 from querycad_language.phrases import noun_phrase
 from querycad_language.readings.question import Question
@@ -223,3 +224,27 @@ def test_face_to_face_is_over_the_outsides_of_flanges_and_between_walls() -> Non
 def test_what_stands_in_brackets_asks_for_no_further_measure() -> None:
     found = forms("How thick is the lug (the flat of it, not counting the root radius)?")
     assert all(len(form.measures) == 1 for form in found if isinstance(form, Get))
+
+
+def test_a_word_that_is_noun_and_adjective_is_a_noun_before_its_measure() -> None:
+    assert any(
+        form.measures == (Measure.OUTER_DIAMETER,) and form.target is not None and form.target.noun == "countersink"
+        for form in forms("countersink outer diameter?")
+        if isinstance(form, Get)
+    )
+    assert noun_phrase("countersink lug").noun != "countersink"
+
+
+def test_the_sides_of_a_size_are_what_is_asked_for() -> None:
+    sides = (Measure.WIDTH, Measure.HEIGHT)
+    found = forms("What is the size of the window, width first and then height?")
+    assert any(form.measures == sides for form in found if isinstance(form, Get))
+    assert not any(len(form.measures) > len(sides) for form in found if isinstance(form, Get))
+
+
+def test_right_through_is_no_side() -> None:
+    assert all(
+        not query.ends and not query.sides
+        for form in forms("Is the bore drilled right through to the other side?")
+        for query in queries(form)
+    )

@@ -71,6 +71,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     *((re.compile(rf"(?<![\w+-])[{s}]{x}(?=[ -](side|face|half|end)\b)", re.I), to) for to, (s, x) in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"\|\|"), " parallel to "),
+    (re.compile(r"\bright through(?= to\b)", re.I), "fully through"),  # no side
     (re.compile(r"\bl\s?/\s?d\b", re.I), "length to diameter ratio"),
     (re.compile(r"\b([xyz])-(?=axis|direction)", re.I), r"\1 "),
     (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),

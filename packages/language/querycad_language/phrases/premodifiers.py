@@ -173,7 +173,8 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
     after = text.find(noun.end, "noun")  # one that adds nothing: 'ring body'
     if adjective and not (adjective.end == noun.end and after is not None and after.value.name in GENERIC):
         behind, plural = adjective.end, text.tokens[adjective.end - 1].plural
-        if behind >= noun.end and is_noun(text, behind) and not plural:  # 'the counterbores visible': a noun
+        of_it = text.find(behind, "measure")  # 'countersink outer diameter'
+        if behind >= noun.end and is_noun(text, behind) and not plural and not of_it:  # 'the counterbores visible'
             return False
     whole = text.find(at, "whole")
     return whole is None or whole.end < noun.end or bool(build.nouns or build.adjectives)

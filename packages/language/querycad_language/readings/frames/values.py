@@ -31,6 +31,7 @@ MOST_TOGETHER = 3
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
+_JOINTS = ("and", ",", "&", "x", "then", "by")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 
 
@@ -64,9 +65,12 @@ def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Re
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
     lengths = [one for one in lengths if not _is_place(text, one.start) and not _in_brackets(text, one.start)]
+    sides = [one for one in lengths if one.measures[0] not in (Measure.SIZE, Measure.MAGNITUDE)]
+    if sum(len(one.measures) for one in sides) > 1:  # 'the size of the window, width first and then height'
+        lengths = sides
     ones = list({one.measures: one for one in reversed(lengths)}.values())[::-1]
     measures = tuple(dict.fromkeys(measure for one in ones for measure in one.measures))
-    joined = all(any(text.is_word(i, "and", ",", "&", "x") for i in range(a.end, b.start)) for a, b in pairwise(ones))
+    joined = all(any(text.is_word(i, *_JOINTS) for i in range(a.end, b.start)) for a, b in pairwise(ones))
     if len(ones) > 1 and len(measures) <= MOST_TOGETHER and joined:
         yield replace(ones[0], measures=measures, used=frozenset().union(*(one.used for one in ones)))
 
