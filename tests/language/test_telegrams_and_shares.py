@@ -36,7 +36,7 @@ def counted(question: str) -> PartQuery:
 @pytest.mark.parametrize(
     ("question", "measure", "relation", "low"),
     [
-        ("Quantity of slots, depth > 7 mm", Measure.DEPTH, Relation.MORE, 0.007),
+        ("Quantity of all keyways, depth > 7 mm", Measure.DEPTH, Relation.MORE, 0.007),
         ("How many lugs are there where the width is under 9 mm?", Measure.WIDTH, Relation.LESS, 0.009),
         ("How many of the slots go deeper than 7 mm?", Measure.DEPTH, Relation.MORE, 0.007),
         ("number of slots, width = 0.7 cm", Measure.WIDTH, Relation.EQUAL, 0.007),
@@ -60,7 +60,7 @@ def test_a_range_has_two_ends(phrase: str) -> None:
 
 
 def test_both_ends_of_a_range_may_be_said_apart() -> None:
-    sizes = counted("How many lugs are at least 4 but at most 8 mm wide?").sizes
+    sizes = counted("Count lugs that are at least 4 but at most 8 mm wide, nothing else.").sizes
     assert [(one.measure, one.relation, one.low) for one in sizes] == [
         (Measure.WIDTH, Relation.AT_LEAST, 0.004),
         (Measure.WIDTH, Relation.AT_MOST, 0.008),
@@ -78,9 +78,9 @@ def test_what_parts_lack_may_stand_behind_a_comma(question: str) -> None:
 @pytest.mark.parametrize(
     "question",
     [
-        "Number of lugs smaller than the largest one",
+        "Tell me the number of lugs that are smaller than the largest",
         "Count of lugs, largest width excluded",
-        "Leave the largest lugs out and give me the number of the others.",
+        "Leave out the largest lugs; what number of others is there?",
         "Besides the largest lug, how many lugs has it?",
         "How many lugs are there (the long ones, not the largest lugs)?",
     ],
@@ -124,7 +124,7 @@ def test_centred_along_a_side_is_no_distance_from_the_middle_there() -> None:
 
 
 @pytest.mark.parametrize(
-    "question", ["What percentage of the bores goes through?", "Share of through bores among all bores, in %"]
+    "question", ["What percentage of the bores goes through?", "In %, the share of through bores, of all bores"]
 )
 def test_a_share_is_of_all_that_have_the_noun(question: str) -> None:
     share = next(form for form in forms(question) if isinstance(form, Combine))
@@ -161,10 +161,10 @@ def test_numbers_of_parts_are_subtracted() -> None:
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("How much of its bounding box does the part fill, per cent?", Measure.FILL),
+        ("What share of the bounding box is taken up?", Measure.FILL),
         ("What volume gets milled away from a block of that size?", Measure.REMOVED),
-        ("What is the diagonal of the bounding box?", Measure.DIAGONAL),
-        ("Along which axis is it longest?", Measure.LONG_AXIS),
+        ("Corner to corner, how long is its bounding box?", Measure.DIAGONAL),
+        ("x, y or z: which is its longest axis?", Measure.LONG_AXIS),
     ],
 )
 def test_the_model_is_compared_with_the_box_around_it(question: str, measure: Measure) -> None:
@@ -187,7 +187,9 @@ def test_the_centre_of_mass_is_an_end_of_distances() -> None:
 
 
 def test_what_was_cut_at_a_hole_has_a_measure_of_its_own() -> None:
-    found = [form.target for form in forms("The bores are countersunk to what diameter?") if isinstance(form, Get)]
+    found = [
+        form.target for form in forms("Diameter to which the lever's bores were countersunk?") if isinstance(form, Get)
+    ]
     assert any(query is not None and query.noun == "countersink" for query in found)
     found = [form.target for form in forms("The bores are countersunk. How deep is the lug?") if isinstance(form, Get)]
     assert not any(query is not None and query.noun == "countersink" for query in found)
@@ -228,8 +230,8 @@ def test_what_stands_in_brackets_asks_for_no_further_measure() -> None:
 
 def test_a_word_that_is_noun_and_adjective_is_a_noun_before_its_measure() -> None:
     assert any(
-        form.measures == (Measure.OUTER_DIAMETER,) and form.target is not None and form.target.noun == "countersink"
-        for form in forms("countersink outer diameter?")
+        form.measures == (Measure.OUTER_DIAMETER,) and form.target is not None and form.target.noun == "spotface"
+        for form in forms("spotface outer diameter, please")
         if isinstance(form, Get)
     )
     assert noun_phrase("countersink lug").noun != "countersink"

@@ -173,7 +173,7 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
     after = text.find(noun.end, "noun")  # one that adds nothing: 'ring body'
     if adjective and not (adjective.end == noun.end and after is not None and after.value.name in GENERIC):
         behind, plural = adjective.end, text.tokens[adjective.end - 1].plural
-        of_it = text.find(behind, "measure")  # 'countersink outer diameter'
+        of_it = text.find(behind, "measure")  # 'chamfer outer radius'
         if behind >= noun.end and is_noun(text, behind) and not plural and not of_it:  # 'the counterbores visible'
             return False
     whole = text.find(at, "whole")

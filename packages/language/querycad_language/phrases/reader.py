@@ -70,7 +70,7 @@ class Phrases:
         named = next((m for m in kept if self._counted(m) and not self.text.is_word(m.start - 1, "or")), None)
         if left and named is None and left[0].part.noun and (others := self.text.at_words("other", "rest")):
             named = replace(left[0], query=replace_fields(left[0].part, ranks=(), plural=True))
-            kept = [replace(named, used=named.used | others)]  # 'leave the largest lug out and count the others'
+            kept = [replace(named, used=named.used | others)]  # 'without the tallest lugs, the others are how many'
             left, named = left[:1], kept[0]
         if not left or named is None:
             return found

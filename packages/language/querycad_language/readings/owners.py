@@ -56,7 +56,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         if owned and link not in STRONG:
             features["owner_passed"] = 1.0
         before = mention.query is not None and question.sentence_of(mention.start) < question.sentence_of(asked.start)
-        if before and not mention.part.definite:
+        if before and not owned and not mention.part.definite:  # what is asked names no part of its own
             features["introduced"] = 1.0
         nearest += 1
         used = set(mention.used)
@@ -105,7 +105,7 @@ def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Reque
 
 
 def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention, str]]) -> Iterator[Owner]:
-    """'The holes are countersunk to what diameter?', 'How deep are they counterbored?': what was cut at them."""
+    """'To which width are the lugs chamfered?', 'Countersunk to what size?': what was cut at them."""
     text = question.text
     sentence = next(((a, b) for a, b in text.sentences if a <= asked.start < b), question.asking)
     for at in sorted(text.at_words(*_CUT_BY)):

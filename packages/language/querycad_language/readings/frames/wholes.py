@@ -15,7 +15,7 @@ _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 
 
 def wholes(question: Question) -> Iterator[Parse]:
-    """'How much of its bounding box is filled, in percent?', 'Which direction is the model largest in, x, y or z?'"""
+    """'Which share of the box around it does it take up?', 'Which direction is the model largest in, x, y or z?'"""
     yield from _against_box(question)
     text = question.text
     named = {i for m in question.mentions if m.query is None for i in m.used}
@@ -31,7 +31,7 @@ def wholes(question: Question) -> Iterator[Parse]:
 
 
 def _against_box(question: Question) -> Iterator[Parse]:
-    """'What volume goes into chips, from a block of that size?', 'the diagonal of the bounding box'."""
+    """'What volume goes into chips, from a block of that size?', 'corner to corner of its box'."""
     text = question.text
     boxes = text.covered("boxes")
     shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
