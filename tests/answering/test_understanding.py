@@ -69,7 +69,7 @@ def test_equal_values_are_one_value_and_what_was_not_run_is_nobodys() -> None:
     understanding = Understanding("What is the depth of the hole?", model, Expectation())
     tried = understanding.tried(Counted(*[0.01] * 9), every=True)
     (alone,) = ranked(tried).values
-    assert alone.share > 0.95  # the rest: that none is right
+    assert 0.5 < alone.share < 1.0  # the rest: that none is right
     (less,) = ranked(tried, [tried[0].score] * 3).values
     assert less.share < alone.share
     assert key([0.01, 0.0100000001]) == key(0.01)
