@@ -43,3 +43,12 @@ def unit(a: Vector) -> Vector:
     """Which unit vector points the same way? The zero vector stays zero."""
     length = norm(a)
     return scale(a, 1.0 / length) if length > 0.0 else ORIGIN
+
+
+ALONG = math.cos(math.radians(0.1))
+"""Directions that are nearer to each other are one: converted files carry errors of some 1e-4 rad."""
+
+
+def coordinate_axis(direction: Vector) -> int | None:
+    """Which of x, y, z (0, 1, 2) does a unit vector run along, either way? None where it runs aslant."""
+    return next((i for i in range(3) if abs(direction[i]) > ALONG), None)

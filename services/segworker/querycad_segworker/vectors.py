@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable, Sequence
 
 from querycad_contracts import Vector
-from querycad_contracts.vectors import ORIGIN, add, cross, dot, norm, scale, sub, unit
+from querycad_contracts.vectors import ORIGIN, add, coordinate_axis, cross, dot, norm, scale, sub, unit
 
-__all__ = ["ORIGIN", "add", "cross", "dot", "norm", "scale", "sub", "unit"]
+__all__ = ["ORIGIN", "add", "coordinate_axis", "cross", "dot", "norm", "scale", "sub", "unit"]
 """What is told here as well, for those who need both."""
 
 
@@ -143,12 +143,3 @@ def box_center(box: Box) -> Vector:
 def box_extents(box: Box) -> Vector:
     """How large is the box, full lengths along x, y, z?"""
     return sub(box[1], box[0])
-
-
-_ALONG = math.cos(math.radians(0.1))
-"""The angle of `Tolerances`, within which directions are one."""
-
-
-def coordinate_axis(direction: Vector) -> int | None:
-    """Which of x, y, z (0, 1, 2) a unit vector runs along, either way; None where it runs aslant."""
-    return next((i for i in range(3) if abs(direction[i]) > _ALONG), None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from querycad_contracts import AnswerType, Part, PartQuery
+from querycad_contracts.vectors import coordinate_axis
 from querycad_language.forms import Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
@@ -79,17 +80,12 @@ def angle_between(build: Builder, first: PartQuery, second: Target) -> str:
     cosines = (sum(a * b for a, b in zip(axes[0], axis, strict=True)) for axis in axes)
     parallel = len(axes) == len(parts) and all(abs(cosine) > _PARALLEL for cosine in cosines)
     if parallel and second is None and len(parts) > 2:
-        return _about(build, first, None, None, flat=_main_axis(axes[0]))
+        return _about(build, first, None, None, flat=coordinate_axis(axes[0]))
     meanings = _between(parts, Reduce.ONE)
     if (along := turned(build.whole)) is not None:  # the angle of parallel axes is none
         meanings = {"about": ""} | meanings if parallel else meanings | {"about": ""}
     chosen = build.chosen(meanings, kinds(parts))
     return pairwise(build, first, second, chosen, Reduce.ONE) if chosen else _about(build, first, second, along)
-
-
-def _main_axis(direction: Sequence[float]) -> int | None:
-    """Which of x, y, z a direction runs along."""
-    return next((i for i, share in enumerate(direction) if abs(share) > _PARALLEL), None)
 
 
 def _about(build: Builder, first: PartQuery, second: Target, along: int | None, flat: int | None = None) -> str:

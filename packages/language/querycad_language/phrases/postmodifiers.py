@@ -273,11 +273,13 @@ def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> in
     """', the dowel holes left out', ', largest diameter excluded'."""
     text = phrases.text
     start = text.skip(at, "article")
-    most, size = superlative(text, start) or text.find(start, "most", "least"), None
-    if most is not None and (size := text.find(most.end, "measure")) and text.find(size.end, "left_out"):
+    most = superlative(text, start) or text.find(start, "most", "least")
+    size = text.find(most.end, "measure") if most is not None else None
+    out = text.find(size.end, "left_out") if size is not None else None
+    if most is not None and size is not None and out is not None:
         degree = "most" in (most.category, getattr(most.value, "degree", ""))
         build.excluded.append(PartQuery(ranks=(Rank(measure=size.value, most=degree),), definite=True))
-        return size.end + 1
+        return out.end
     other = phrases.inner(at, depth) if depth == 0 else None
     span = text.find(other.end, "left_out") if other is not None else None
     if other is None or span is None:
@@ -294,7 +296,7 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     scale, span = text.find(at, "scale"), text.find(at, "except", "minus")
     below = scale is not None and text.is_word(scale.end, "than") and text.skip(scale.end + 1, "article")
     if below and superlative(text, below):  # 'smaller than the largest'
-        start, excludes = below - 1, bool(below)
+        start, excludes = below - 1, True
     elif span is not None:
         start, inner = span.end, text.skip(span.end, "article")
         ranked = inner > span.end and superlative(text, inner) is not None  # 'minus the largest'

@@ -85,8 +85,10 @@ class Phrases:
     def _leaving(self, mention: Mention) -> range:
         """The words that leave a mention out, before or behind it."""
         for at in range(max(0, mention.start - 4), mention.start):
-            first = self.sentence_start(at)
-            span = self.text.find(at, "leaving", *(("except", "minus") if first and mention.part.ranks else ()))
+            begins = mention.part.ranks and any(start == at for start, _ in self.text.sentences)
+            span = self.text.find(
+                at, "leaving", *(("except", "minus") if begins else ())
+            )
             if span is not None and self.text.skip(span.end, "article") >= mention.start:
                 return range(at, span.end)
             but = self.text.is_word(at, "not") and self.text.is_word(at - 1, ",", "(", "but")
@@ -94,10 +96,6 @@ class Phrases:
                 return range(at, at + 1)  # 'lugs (the long ones, not the ribs)'
         out = self.text.find(mention.end, "left_out") if mention.query and mention.query.ranks else None
         return range(mention.end, out.end) if out is not None else range(0)
-
-    def sentence_start(self, at: int) -> bool:
-        """Does a sentence begin here?"""
-        return any(start == at for start, _ in self.text.sentences)
 
     @cached_property
     def included(self) -> frozenset[int]:

@@ -7,7 +7,6 @@ from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
-from querycad_language.lexicon import Span
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, bare_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
@@ -27,6 +26,8 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
+    yield from _times(question)
+    yield from _shares(question)
     yield from _clearances(question)
     yield from _more_of(question)
 
@@ -101,18 +102,8 @@ def _said(question: Question, mention: Mention) -> str:
 
 def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
-    text = question.text
-    times = next((i for i in text.at_words("time") if text.is_word(i - 1, "many")), None)
-    scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
-    size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
-    if scale is not None and size is not None:  # 'how many times its width is the slot long'
-        owner = next((m for m in question.mentions if not m.pronoun), None)
-        target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
-        form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
-        yield Parse(form, {"combined": 1.0}, {*range(times or 0, size.end), *scale.tokens, *named})
-    span = next(iter(text.all("operation")), None)
-    if span is None or span.value == "share":
-        yield from _shares(question, span)
+    span = next((one for one in question.text.all("operation") if one.value != "share"), None)
+    if span is None:
         return
     asked = [one for one in asked_in(question) if one.start > span.start][:2]
     if span.value == "ratio" and len(asked) < 2:  # 'the length to width ratio', 'depth divided by width'
@@ -128,21 +119,35 @@ def _combined(question: Question) -> Iterator[Parse]:
         yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
 
 
-def _shares(question: Question, span: Span | None) -> Iterator[Parse]:
+def _times(question: Question) -> Iterator[Parse]:
+    """'How many times its width is the slot long?'"""
+    text = question.text
+    times = next((i for i in text.at_words("time") if text.is_word(i - 1, "many")), None)
+    scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
+    size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
+    if times is not None and scale is not None and size is not None:
+        owner = next((m for m in question.mentions if not m.pronoun), None)
+        target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
+        form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
+        yield Parse(form, {"combined": 1.0}, {*range(times, size.end), *scale.tokens, *named})
+
+
+def _shares(question: Question) -> Iterator[Parse]:
     """'What percentage of the lugs are drilled?': of the ones that only their noun names."""
+    text = question.text
+    span = next((one for one in text.all("operation") if one.value == "share"), None)
     targets = [m.part for m in question.parts if m.part.plural][:2]
     if span is None or not targets:
         return
     whole = next((one for one in targets if bare_of(one, one.noun.split()[-1])), None)
     part = next((one for one in targets if one is not whole), None)
-    if part is None and whole is not None:  # '… of the lugs goes through'
-        said = {i: one for i in range(len(question.text)) if (one := question.text.find(i, "adjective"))}
-        if said:
-            part = replace_fields(whole, adjectives=tuple(one.value.name for one in said.values())[:1])
+    used = set(span.tokens).union(*(m.used for m in question.parts))
+    said = next((one for one in text.all("adjective") if used.isdisjoint(one.tokens)), None)
+    if part is None and whole is not None and said is not None:  # '… of the lugs goes through'
+        part, used = replace_fields(whole, adjectives=(said.value.name,)), used | set(said.tokens)
     if part is not None:
         noun = part.noun.split()[-1]
         whole = whole or PartQuery(noun=noun, words=(noun,), plural=True)
-        used = set(span.tokens).union(*(m.used for m in question.parts), question.text.at_phrases("adjective"))
         yield Parse(Combine("share", Count(part), Count(whole)), {"combined": 1.0}, used)
 
 

@@ -206,8 +206,8 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
 
 def _centred(text: Text) -> set[int]:
     """The words for 'centre to centre'; none in 'edge to edge, not centre to centre'."""
-    denied = (span for span in text.all("center_to_center") if not text.find(span.start - 1, "negation"))
-    return {at for span in denied for at in span.tokens}
+    said = (span for span in text.all("center_to_center") if not text.find(span.start - 1, "negation"))
+    return {at for span in said for at in span.tokens}
 
 
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:

@@ -26,7 +26,7 @@ def parts(question: Question) -> Iterator[Parse]:
     start = question.asking[0]
     side = next((i for i in range(start, len(text)) if _asks_for_side(text, i)), None)
     offered, named = _offered(text)
-    yield from (compared := list(_side_of_most(question, offered, named)))
+    yield from (compared := list(_side_by_numbers(question, offered, named)))
     side, offered = (None, ()) if compared else (side, offered)
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
     for index, mention in enumerate([m for m in question.parts if m.start >= begin][:3]):
@@ -52,8 +52,8 @@ def parts(question: Question) -> Iterator[Parse]:
             yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
 
 
-def _side_of_most(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
-    """'Which side has the most holes?', 'Are there more lugs on the left or on the right?'"""
+def _side_by_numbers(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
+    """'Which side has the most holes?', 'Are there more lugs on the left or on the right?', 'Which sides have none?'"""
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
     most = {i for i in asking if text.is_word(i, "most") or (text.is_word(i, "more") and offered)}

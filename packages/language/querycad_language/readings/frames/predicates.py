@@ -164,7 +164,7 @@ def _both(question: Question, start: int) -> Iterator[Parse]:
     if holder is not None and what is not None:
         has = any(text.find(i, "have", "carry") for i in range(holder.head + 1, what.start))
         held = replace_fields(holder.part, count=None, plural=True)
-        enough = Check(Count(placed_in(several(what.part), "of", held)), Relation.AT_LEAST, Count(held))
+        enough = Check(Count(placed_in(_several(what.part), "of", held)), Relation.AT_LEAST, Count(held))
         yield from [Parse(enough, _SAYS, what.used | holder.used)] if has else ()
         return
     on_both = next((m for m in question.parts if m.start < at < m.end), None)
@@ -176,18 +176,18 @@ def _both(question: Question, start: int) -> Iterator[Parse]:
     if ends is not None and not (text.is_word(at - 1, "through") or {"open at both ends"} & {*what.part.adjectives}):
         named = " ".join(text.words[at + 1 : ends.end])
         at_end = place is not None and place.what is not None and place.what.noun == named
-        bare = several(without(what.part, place) if place is not None and at_end else what.part)
+        bare = _several(without(what.part, place) if place is not None and at_end else what.part)
         owner = next((m for m in question.parts if m.end <= what.start), None)
         if owner is not None and any(text.find(i, "have") for i in range(owner.end, what.start)):
             bare, used = placed_in(bare, "of", owner.part), used | owner.used
         yield Parse(AtBothEnds(bare), _SAYS, used)
     elif ends is None and place is not None and place.what is not None:
-        held, bare = replace_fields(place.what, count=None, plural=True), several(without(what.part, place))
+        held, bare = replace_fields(place.what, count=None, plural=True), _several(without(what.part, place))
         enough = Check(Count(placed_in(bare, place.relation, held)), Relation.AT_LEAST, Count(held))
         yield Parse(enough, _SAYS, used)
 
 
-def several(query: PartQuery) -> PartQuery:
+def _several(query: PartQuery) -> PartQuery:
     """However many there are of them."""
     return replace_fields(query, plural=True, count=None, definite=False)
 

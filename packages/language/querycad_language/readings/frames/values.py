@@ -147,7 +147,7 @@ def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Pars
     """'Both diameters of the bush', 'the bore and outside diameter of the ring': inner and outer."""
     text = question.text
     both = text.at_words("both", "two") if get.measures == (Measure.DIAMETER,) else set()
-    said = text.at_words("inside", "outside", "inner", "outer", "bore", "outer diameter", "inner diameter")
+    said = text.at_words("inside", "outside", "inner", "outer", "bore")
     if both and said and get.target is not None and not get.target.plural:
         measures = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
         yield Parse(replace(get, measures=measures), parse.features, parse.used | both | said)

@@ -19,10 +19,8 @@ def wholes(question: Question) -> Iterator[Parse]:
     yield from _against_box(question)
     text = question.text
     named = {i for m in question.mentions if m.query is None for i in m.used}
-    longest = {
-        i for span in text.all("scale") if (span.value.degree, span.value.measure in _LONG) == ("most", True)
-        for i in span.tokens
-    } | text.at_words("furthest")  # fmt: skip
+    scales = [span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG]
+    longest = text.at_words("furthest").union(*(span.tokens for span in scales))
     axes = text.at_phrases("axis") | text.at_words("axis", "direction")
     asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
     if longest and axes and asks and not question.parts:

@@ -301,7 +301,7 @@ def _break(axis: Axis, wall: Wall, at_high: bool) -> Section:
 def _rounded(
     brep: Brep, axis: Axis, own: Collection[int], low: float, high: float, tolerances: Tolerances
 ) -> tuple[float, float]:
-    """The step's range up to the planes that its fillet at the foot and its rounded rim run into."""
+    """The step's range up to the planes that its fillet at the foot and its rounded or chamfered rim run into."""
     near = 3 * tolerances.length
     for face in own:
         for other in roundings_beside(brep, face):
