@@ -86,9 +86,7 @@ class Phrases:
         """The words that leave a mention out, before or behind it."""
         for at in range(max(0, mention.start - 4), mention.start):
             begins = mention.part.ranks and any(start == at for start, _ in self.text.sentences)
-            span = self.text.find(
-                at, "leaving", *(("except", "minus") if begins else ())
-            )
+            span = self.text.find(at, "leaving", *(("except", "minus") if begins else ()))
             if span is not None and self.text.skip(span.end, "article") >= mention.start:
                 return range(at, span.end)
             but = self.text.is_word(at, "not") and self.text.is_word(at - 1, ",", "(", "but")
