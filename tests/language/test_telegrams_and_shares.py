@@ -139,7 +139,6 @@ def test_a_share_is_of_all_that_have_the_noun(question: str) -> None:
     [
         "What is the depth to width ratio of the slot?",
         "Depth of the slot divided by its width?",
-        "How many times its own width is the slot deep?",
     ],
 )
 def test_a_ratio_may_be_named_behind_its_measures(question: str) -> None:

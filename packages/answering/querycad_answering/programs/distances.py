@@ -70,6 +70,12 @@ def _axis(build: Builder, form: Distance) -> int | None:
     return (apart if len(apart) > 1 else order)[form.axis - LONGEST]
 
 
+def _apart(parts: Sequence[Part]) -> list[int]:
+    """Along which of x, y, z do the middles of parts lie apart, where they lie along an axis that all of them have?"""
+    apart = [i for i, size in enumerate(_spread(parts)) if size > SLACK]
+    return apart if all(along_axis(part) in apart for part in parts) else []
+
+
 def _spread(parts: Sequence[Part]) -> Sequence[float]:
     """How far the middles of parts lie apart along x, y, z."""
     centers = [[part.center[i] for part in parts] for i in range(3)]
@@ -115,7 +121,8 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
     flat = all(part.kind in _FLAT and part.diameter is None for part in parts)
     alike = len({part.kind for part in parts}) == 1
     usual = alike or all(part.axis is not None for part in parts)
-    own = ("center", "near") if usual and not (flat and two) else ("near", "center")
+    behind = all(part.kind.stands_out and turned(part) is not None for part in parts) and len(_apart(parts)) == 1
+    own = ("center", "near") if usual and not (flat and two) and not behind else ("near", "center")
     names = {"centers": ("center", "axis"), "surfaces": ("near",)}.get(form.mode, (*own, "axis"))
     modes = {"center": "a.center_distance(b)", "near": "a.distance_to(b)"}
     if form.axis is not None:
@@ -261,8 +268,9 @@ def _beyond_both(build: Builder, first: Plane, second: Anchor | str) -> str:
 
 
 def _floor(build: Builder, plane: Plane) -> Plane:
-    """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above."""
-    cut = [p for p in build.of(plane.of) if p.kind in CUT and p.normal] if plane.side is Side.BOTTOM else []
+    """The bottom of what is cut in is its floor, wherever it opens: of a bore from below, above; and a bore's end."""
+    floors = {Side.BOTTOM: CUT, None: (PartKind.HOLE,)}.get(plane.side, ())
+    cut = [p for p in build.of(plane.of) if p.kind in floors and p.normal]
     if blind := [p for p in cut if p.bottom is not Bottom.THROUGH]:
         return replace(plane, side=_behind(blind))
     slot = next((p for p in cut if "open" in p.tags), None)

@@ -81,6 +81,8 @@ def _leads(text: Text, at: int) -> bool:
     """May the word stand between a noun and a modifier of it?"""
     if text.find(at, "passing") and text.find(at + 1, "relation", "scale"):
         return True  # 'that go deeper than 5 mm'
+    if text.is_word(at, "both") and text.find(at - 1, "be"):
+        return True  # 'that are both through and wider than 6 mm'
     if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
         return False
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
@@ -144,7 +146,7 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     tags = build.lacking if negated else build.adjectives
     if text.find(end, "emerging", "stopping"):
         return _ending(text, at, end, tags)
-    if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation")):
+    if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation", "each")):
         return at
     inner = text.skip(end + 1, "each", "article")
     whole = text.find(inner, "whole") or text.is_word(inner, "side", "way", "thickness", "wall")
@@ -220,7 +222,8 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
         build.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
         return alone.end
     place = text.find(at, "place", "have")
-    start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have") else len(text)
+    counted = ("in", "on") if any(text.find(i, "count") for i in range(at)) else ()  # 'how many holes at max diameter'
+    start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have", *counted) else len(text)
     span = text.find(start, "most", "least") or superlative(text, start)
     measure = text.find(span.end, "measure") if span is not None else None
     if span is None or measure is None or leads_away(text, at):

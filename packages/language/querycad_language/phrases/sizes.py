@@ -53,7 +53,7 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
             if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
                 return None
             measure = scale.value.measure if scale.value.measure is not Measure.MAGNITUDE else measure
-            relation, at = COMPARISONS.get(scale.value.degree, Relation.EQUAL), scale.end + 1
+            relation, at = COMPARISONS.get(scale.value.degree, Relation.EQUAL), text.skip(scale.end + 1, "article")
         elif span := text.find(at, "relation"):
             relation, at = relation if text.is_word(at, "of") else span.value, span.end
         elif (span := text.find(at, "measure")) and measure is None:

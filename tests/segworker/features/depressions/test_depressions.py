@@ -23,7 +23,7 @@ def only(found: list[Part]) -> Part:
 def test_a_rectangular_pocket_has_its_own_size_and_opens_upwards() -> None:
     pocket = only(find(cut(plate(), box((20, 12, 5), (-10, -6, -5)))).of("pocket"))
     assert "rectangular" in pocket.tags
-    assert [pocket.length, pocket.width, pocket.depth] == near(20, 20, 5)
+    assert [pocket.length, pocket.width, pocket.depth] == near(20, 12, 5)
     assert list(pocket.local_size or ()) == near(20, 12, 5)
     assert list(pocket.opening or ()) == near(0, 0, 0)
     assert pocket.bottom == "flat"

@@ -26,7 +26,6 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
-    yield from _times(question)
     yield from _shares(question)
     yield from _clearances(question)
     yield from _more_of(question)
@@ -117,19 +116,6 @@ def _combined(question: Question) -> Iterator[Parse]:
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
         yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
-
-
-def _times(question: Question) -> Iterator[Parse]:
-    """'How many times its width is the slot long?'"""
-    text = question.text
-    times = next((i for i in text.at_words("time") if text.is_word(i - 1, "many")), None)
-    scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
-    size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
-    if times is not None and scale is not None and size is not None:
-        owner = next((m for m in question.mentions if not m.pronoun), None)
-        target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
-        form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
-        yield Parse(form, {"combined": 1.0}, {*range(times, size.end), *scale.tokens, *named})
 
 
 def _shares(question: Question) -> Iterator[Parse]:

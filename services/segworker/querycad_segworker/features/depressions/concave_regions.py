@@ -27,6 +27,7 @@ from .slot_sections import (
     Pair,
     facing_pair,
     gap_between,
+    gap_on,
     over_edge_break,
     undercut,
     v_slot,
@@ -230,7 +231,7 @@ def _open_on_floor(
 ) -> Depression | None:
     """A slot, channel, notch or step: a floor with walls that leave a side open."""
     if pair is not None:
-        return _between(graph, group, floor, walls, pair)
+        return slot_between(graph, group, floor, walls, pair)
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
     round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
     along = unit(cross(plane_walls[0].axis, floor.axis)) if plane_walls else None
@@ -271,7 +272,7 @@ def _meet(brep: Brep, a: FaceRecord, b: FaceRecord) -> bool:
     return any(other == b.id for _, other in brep.neighbours(a.id))
 
 
-def _between(
+def slot_between(
     graph: ConcaveGraph, group: set[int], floor: FaceRecord, walls: Sequence[FaceRecord], pair: Pair
 ) -> Depression | None:
     """A slot, channel or notch: a floor between two walls that face each other."""
@@ -280,7 +281,7 @@ def _between(
     frame = frame_of(brep, group, floor.axis, None, along)
     at_mouth: Sequence[FaceRecord] = pair
     length = frame.size[0]
-    width = floor_width = gap_between(brep, pair, floor)
+    width = gap_between(brep, pair, floor)
     undercuts = undercut(brep, group, floor, pair)
     if undercuts is not None:
         width = undercuts.neck_width
@@ -297,7 +298,7 @@ def _between(
         found,
         width=width,
         depth=depth,
-        floor_width=max(floor_width, frame.size[1]) if undercuts else None,
+        floor_width=gap_on(floor, pair) if undercuts else None,
         tags=(undercuts.tag,) if undercuts else (),
         angle=undercuts.angle if undercuts else None,
     )

@@ -25,7 +25,8 @@ from .interrupted_slots import united_slots
 from .keyways import with_hosts
 from .round_notches import recognise_round_notches
 from .slits import recognise_slits
-from .slot_sections import relieved_vees
+from .slot_sections import relieved_vees, with_run_outs
+from .stepped_slots import with_stepped_slots
 from .windows import recognise_windows
 
 UPRIGHT = math.sin(math.radians(45.0))
@@ -70,12 +71,14 @@ def recognise_depressions(
         if cut is not None:
             used.update(cut.faces)
             found.append(cut)
+    found = with_stepped_slots(graph, found)
     found.extend(recognise_slits(brep, found_walls, used))
     found.extend(recognise_round_notches(brep, found_walls, used, tolerances))
     if is_clear is not None:
         found = united_slots(brep, found, tolerances, is_clear, found_walls)
         found = [with_open_ends(cut, is_clear) for cut in found]
     found.extend(relieved_vees(brep, found))
+    found = [with_run_outs(brep, cut) for cut in found]
     return sorted(with_hosts(brep, found), key=lambda d: d.faces[0])
 
 

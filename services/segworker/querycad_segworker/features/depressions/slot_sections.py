@@ -12,7 +12,7 @@ from querycad_segworker.features.shared.extruded_walls import first_of_surface
 from querycad_segworker.features.shared.frames import frame_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord
-from querycad_segworker.vectors import add, cross, dot, norm, parallel, scale, sub, unit
+from querycad_segworker.vectors import add, cross, dot, norm, parallel, scale, span, sub, unit
 
 from .depression import Depression, DepressionKind, depression_in
 
@@ -92,6 +92,13 @@ def gap_between(brep: Brep, pair: Pair, floor: FaceRecord) -> float:
     return abs(rims[1] - rims[0])
 
 
+def gap_on(floor: FaceRecord, pair: Pair) -> float:
+    """How far apart do two walls meet the plane of a floor, in metres, also where fillets hide that?"""
+    side = _level(pair[0].axis, floor.axis)
+    a, b = (dot(sub(wall.point, floor.point), wall.axis) / dot(side, wall.axis) for wall in pair)
+    return abs(a - b)
+
+
 def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) -> Undercut | None:
     """Is the slot wider below than at its mouth? A T slot by lips above it, a dovetail by leaning flanks."""
     leans = [dot(wall.axis, floor.axis) for wall in pair]
@@ -102,7 +109,8 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
         return Undercut("dovetail", neck, frozenset(), math.acos(min(1.0, -leans[0])))
     lips = []
     for wall in pair:
-        above = [brep.faces[i] for i in brep.beside(wall.id, EdgeConvexity.CONCAVE) if i in group]
+        over = {j for i in brep.beside(wall.id, EdgeConvexity.SMOOTH) for j in brep.beside(i, EdgeConvexity.SMOOTH)}
+        above = [brep.faces[i] for i in group if i in over.union(brep.beside(wall.id, EdgeConvexity.CONCAVE))]
         above = [face for face in above if dot(face.axis, floor.axis) < -math.cos(DRAFT_RAD)]
         if not above:
             return None
@@ -111,6 +119,11 @@ def undercut(brep: Brep, group: Collection[int], floor: FaceRecord, pair: Pair) 
     if necks is None:
         return None
     width = abs(dot(sub(necks[1].point, necks[0].point), pair[0].axis))
+    points = [p for e in brep.face_edges[floor.id] for p in (brep.edges[e].start, brep.edges[e].end)]
+    low, high = span(points, unit(cross(pair[0].axis, floor.axis)))
+    if high - low < gap_between(brep, pair, floor):
+        refuse("slot", (floor.id, *(wall.id for wall in (*pair, *lips))), "shorter than wide: a pocket with a notch")
+        return None
     if width < NECK_SHARE * gap_between(brep, pair, floor):
         refuse("slot", (floor.id, *(wall.id for wall in (*pair, *lips))), "too narrow between its lips for a T slot")
         return None
@@ -144,7 +157,7 @@ def _necks(brep: Brep, lips: Sequence[FaceRecord], pair: Pair) -> Pair | None:
         outline = {e for loop in lip.loops if loop.outer for e in loop.edges}  # a window in the lip is no mouth
         around = [(edge, brep.faces[i]) for edge, i in brep.neighbours(lip.id) if edge.id in outline]
         beside = [face for edge, face in around if edge.convexity is EdgeConvexity.CONVEX]
-        beside = [face for face in beside if dot(face.axis, wall.axis) > math.cos(DRAFT_RAD)]
+        beside = [f for f in (*beside, *over_edge_break(brep, lip)) if dot(f.axis, wall.axis) > math.cos(DRAFT_RAD)]
         if not beside:
             return None
         found.append(max(beside, key=lambda face: face.area))
@@ -192,7 +205,12 @@ def _v_between(
         return None
     frame = frame_of(brep, group, normal, None, along)
     slot = depression_in(DepressionKind.SLOT, "triangular", frame, group, (), a[0].body, is_open=True)
-    return replace(slot, tags=("v_shaped",), angle=opening_angle)
+    mouth = dot(slot.opening, normal)
+    level = [dot(face.point, normal) - mouth for face in (*first, *second) if parallel(face.axis, normal, SQUARE)]
+    rise = max(level, default=0.0) if len(level) > 1 and max(level) - min(level) < SQUARE * slot.depth else 0.0
+    depth = slot.depth + max(rise, 0.0)  # to the face that it is cut into, over the chamfers or rounds of its edges
+    width = slot.width + 2 * (depth - slot.depth) * math.tan(opening_angle / 2)
+    return replace(slot, tags=("v_shaped",), angle=opening_angle, depth=depth, width=width)
 
 
 def _is_step(brep: Brep, flank: Sequence[FaceRecord], other: Sequence[FaceRecord]) -> bool:
@@ -211,6 +229,28 @@ def over_edge_break(brep: Brep, wall: FaceRecord) -> list[FaceRecord]:
     bevels = [other for edge, other in around if breaks_edge(brep, wall, edge, other)]
     beyond = [(bevel, brep.faces[i]) for bevel in bevels for _, i in brep.neighbours(bevel.id) if i != wall.id]
     return [face for bevel, face in beyond if face.kind is SurfaceKind.PLANE and face.area > BEYOND * bevel.area]
+
+
+def with_run_outs(brep: Brep, cut: Depression) -> Depression:
+    """As long as it is drawn, a step also as wide: over the chamfers and rounds at which an open cut ends at its body.
+
+    These are narrower than the cut.
+    """
+    planes = brep.of_kind(SurfaceKind.PLANE, cut.faces) if cut.is_open else ()
+    ends = [end for face in planes for end in over_edge_break(brep, face)]
+    length, cut = _over_breaks(cut, ends, cut.direction, cut.length)
+    across = unit(cross(cut.normal, cut.direction))
+    width, cut = _over_breaks(cut, ends, across, cut.width) if cut.kind is DepressionKind.STEP else (cut.width, cut)
+    return replace(cut, length=length, width=width)
+
+
+def _over_breaks(cut: Depression, ends: Sequence[FaceRecord], way: Vector, size: float) -> tuple[float, Depression]:
+    """The size of a cut along a direction, up to planes square to it, and the cut with its middle there. Metres."""
+    off = [dot(sub(end.point, cut.center), way) for end in ends if parallel(end.axis, way, SQUARE)]
+    half = size / 2
+    low, high = (max((abs(d) for d in off if half < s * d < half + cut.width), default=half) for s in (-1.0, 1.0))
+    shift = scale(way, (high - low) / 2)
+    return low + high, replace(cut, center=add(cut.center, shift), opening=add(cut.opening, shift))
 
 
 def relieved_vees(brep: Brep, found: Sequence[Depression]) -> Iterator[Depression]:
@@ -247,7 +287,7 @@ def _flank(brep: Brep, wall: FaceRecord, slot: Depression) -> FaceRecord | None:
 
 
 def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[FaceRecord]:
-    """The planes that a flank of a groove ends at over much of its length, of those that face out of the groove."""
+    """The planes that face out of a groove, and that its flank ends at over much of its length or a broken edge."""
     bounds: list[tuple[float, FaceRecord]] = []
     for edge, other in brep.neighbours(flank.id):
         face = brep.faces[other]
@@ -255,7 +295,8 @@ def _beside(brep: Brep, flank: FaceRecord, along: Vector, out: Vector) -> list[F
         if edge.convexity is EdgeConvexity.CONVEX and face.kind is SurfaceKind.PLANE and runs_along:
             bounds.append((edge.length, face))
     longest = max((length for length, _ in bounds), default=0.0)
-    return [face for length, face in bounds if length > MUCH * longest and dot(face.axis, out) > FLARE]
+    ends = [face for length, face in bounds if length > MUCH * longest] + over_edge_break(brep, flank)
+    return [face for face in ends if dot(face.axis, out) > FLARE]
 
 
 def woodruff(brep: Brep, group: set[int], planes: Sequence[FaceRecord]) -> Depression | None:

@@ -56,7 +56,7 @@ def recognise_holes(
     windows = recognise_windows(brep, tolerances)
     hubs = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and wall.encloses]
     keyholes = {face for window in windows if window.outline == "keyhole" for face in window.faces}
-    for stack in stacks(brep, walls, tolerances, lambda wall: _widens(brep, wall)):
+    for stack in stacks(brep, walls, tolerances, lambda wall: _widens(brep, wall), over_roundings=True):
         if keyholes.issuperset(stack.faces):
             refuse("hole", stack.faces, "it is the wide end of a keyhole")
             continue

@@ -93,12 +93,12 @@ def _bottom(found: Depression, through: bool) -> Bottom | None:
 
 
 def _width(found: Depression) -> float:
-    """The width of something rectangular: along x, or along y where it opens left or right.
+    """The width of something rectangular in an upright wall: along x, or along y where it opens left or right.
 
-    What stands oblique in the file has its own: the smaller of its two dimensions. A groove that closes on itself has
-    its own, too: from wall to wall.
+    What opens up or down, or stands oblique in the file, has its own: the smaller of its two dimensions. A groove that
+    closes on itself has its own, too: from wall to wall.
     """
-    if found.kind is DepressionKind.GROOVE:
+    if found.kind is DepressionKind.GROOVE or abs(found.normal[2]) > ALIGNED:
         return found.width
     opens_sideways = abs(found.normal[0]) > ALIGNED
     along = abs(found.direction[1 if opens_sideways else 0])

@@ -7,10 +7,9 @@ from collections import defaultdict
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from querycad_contracts import Part, SurfaceKind, Vector
+from querycad_contracts import Part, Vector
 from querycad_segworker.features.depressions.depression import Depression, DepressionKind
-from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend, same_cylinder
-from querycad_segworker.features.shared.axes import Axis
+from querycad_segworker.features.shared.adjacency import breaks_edge, is_blend
 from querycad_segworker.features.shared.frames import LocalFrame, face_points, frame_of_edges
 from querycad_segworker.features.shared.part_measures import (
     PLATE_RATIO,
@@ -22,8 +21,10 @@ from querycad_segworker.features.shared.part_measures import (
     stance,
 )
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord, linked
-from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, norm, scale, sub, unit
+from querycad_segworker.topology import Brep, EdgeKind, FaceRecord, linked
+from querycad_segworker.vectors import OFF_ROUND, add, box_extents, cross, dist, dot, scale, sub
+
+from .gussets import gusset_in
 
 MOST = 0.5
 """More than this share of one of the two faces has the other one straight behind it."""
@@ -52,9 +53,6 @@ UNDERCUT = frozenset(("t_slot", "dovetail", "v_shaped", "keyway"))
 """Slots that no fork has."""
 TINE = 2.0
 """Tines are no thicker than so many widths of the gap between them."""
-CORNER = 0.75
-"""The side of a gusset fills less than this share of the block over its two feet: a triangle half of it, a plate in the
-corner of a box all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -170,78 +168,10 @@ def _between(brep: Brep, wall: FlatWall, beside: Mapping[int, int]) -> FlatWall:
 
 
 def _gusset(brep: Brep, wall: FlatWall) -> FlatWall | None:
-    """The same wall with the lengths of its two feet, where it fills the corner of two faces that meet; else None.
-
-    Its height is that of the foot which is the more upright one. A side that is level with that of one of the faces has
-    no foot there: then the gusset has the other side, and what is as wide as it is thick.
-    """
-    feet = {face: _feet(brep, brep.faces[face]) for face in wall.faces}
-    standing = {face: found for face, found in feet.items() if len(found) == 2}
-    if len(wall.faces) != 2 or not standing or max(map(len, feet.values())) > 2:
+    found = gusset_in(brep, wall.faces, wall.center, wall.thickness)
+    if found is None:
         return None
-    (a, a_length), (b, b_length) = next(iter(standing.values()))
-    others = [i for found in feet.values() for i, _ in found]
-    same = all(_is_one_surface(brep, a, i) or _is_one_surface(brep, b, i) for i in others)
-    normals = _out_of(brep.faces[a], wall.center), _out_of(brep.faces[b], wall.center)
-    if abs(dot(*normals)) < SQUARE:  # over fillets the feet go on to where both faces would meet
-        points = face_points(brep, standing)
-        b_length, a_length = (
-            max(_off(brep.faces[i], n, p) for p in points) for i, n in zip((a, b), normals, strict=True)
-        )
-    area = max(brep.faces[face].area for face in standing)
-    spread = norm(cross(*normals))
-    if not same or spread < math.sqrt(1 - APART**2) or area > CORNER * a_length * b_length * spread:
-        return None
-    upright = abs(normals[0][2]), abs(normals[1][2])  # a foot on an upright face runs upwards
-    height, length = (a_length, b_length) if upright[0] < upright[1] else (b_length, a_length)
-    rims = {i for face in standing for e, i in brep.neighbours(face) if _is_rim(brep.faces[i], e, wall.thickness)}
-    faces = wall.faces if len(standing) == 2 else tuple(sorted({*standing, *rims}))
-    return replace(wall, length=length, width=height, faces=faces, tags=("gusset",))
-
-
-def _out_of(foot: FaceRecord, at: Vector) -> Vector:
-    """The direction out of the plane, or of the outer cylinder, that something stands on."""
-    return foot.axis if foot.kind is SurfaceKind.PLANE else unit(sub(at, Axis.of(foot).foot(at)))
-
-
-def _off(foot: FaceRecord, out: Vector, point: Vector) -> float:
-    """How far is a point from what something stands on, along the direction out of it?"""
-    radius = 0.0 if foot.kind is SurfaceKind.PLANE else foot.radius
-    return dot(sub(point, foot.point if foot.kind is SurfaceKind.PLANE else foot.origin), out) - radius
-
-
-def _is_rim(face: FaceRecord, edge: EdgeRecord, thickness: float) -> bool:
-    """Does a face beyond a convex edge of a wall go as far as the wall is thick, and no further?"""
-    return edge.convexity is EdgeConvexity.CONVEX and abs(face.area - edge.length * thickness) < SAME * face.area
-
-
-def _feet(brep: Brep, side: FaceRecord) -> list[tuple[int, float]]:
-    """The planes and outer cylinders that a side of a wall stands on, over fillets too, and for how long."""
-    found: dict[int, float] = defaultdict(float)
-    for edge, other in brep.neighbours(side.id):
-        if edge.convexity is EdgeConvexity.CONCAVE and _bears(brep.faces[other], edge):
-            found[other] += edge.length
-        elif edge.convexity is EdgeConvexity.SMOOTH and is_blend(brep, brep.faces[other]):
-            for face in set(brep.beside(other, EdgeConvexity.SMOOTH)) - {side.id}:
-                if brep.faces[other].outward < 0 and _bears(brep.faces[face], edge):
-                    found[face] += edge.length
-    return sorted(found.items())
-
-
-def _bears(face: FaceRecord, edge: EdgeRecord) -> bool:
-    """Is it a plane, or an outer cylinder along whose axis an edge runs?"""
-    upright = face.kind is SurfaceKind.CYLINDER and edge.kind is EdgeKind.LINE and face.outward > 0
-    return face.kind is SurfaceKind.PLANE or (upright and abs(dot(face.axis, edge.direction)) > 1 - UPRIGHT**2)
-
-
-def _is_one_surface(brep: Brep, a: int, b: int) -> bool:
-    first, second = brep.faces[a], brep.faces[b]
-    if SurfaceKind.CYLINDER in (first.kind, second.kind):
-        return a == b or same_cylinder(first, second)
-    apart = abs(dot(sub(second.point, first.point), first.axis))
-    return a == b or (
-        dot(first.axis, second.axis) > 1 - UPRIGHT**2 and apart <= UPRIGHT * dist(first.point, second.point)
-    )
+    return replace(wall, length=found.length, width=found.height, faces=found.faces, tags=("gusset",))
 
 
 def _joined(brep: Brep, wall: FlatWall, others: Sequence[FlatWall]) -> Iterator[int]:
@@ -411,9 +341,9 @@ def _legs(brep: Brep, walls: Sequence[FlatWall]) -> list[FlatWall]:
         made_of = sum(wall.volume for wall in members) > MADE_OF * brep.bodies[body].volume > 0
         if made_of and len(members) == 1 and not members[0].is_floor:
             continue
-        floored = any(wall.is_floor for wall in members)
-        sides = [wall.normal for wall in members if not wall.is_floor]
-        closed = floored and any(abs(dot(a, b)) < APART for a in sides for b in sides)  # a channel has legs, a box none
+        floors = [wall.normal for wall in members if wall.is_floor]  # returned lips lie along the floor of a channel
+        sides = [wall.normal for wall in members if all(abs(dot(wall.normal, floor)) < APART for floor in floors)]
+        closed = floors and any(abs(dot(a, b)) < APART for a in sides for b in sides)  # a channel has legs, a box none
         legs = turned and made_of and not closed
         result += [_leg(brep, wall, members) if legs and not wall.is_floor else wall for wall in members]
     return result

@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
-from querycad_contracts import Bottom, Part, Vector
+from querycad_contracts import Bottom, Part, SurfaceKind, Vector
 from querycad_segworker.features.depressions.dimples import Dimple
 from querycad_segworker.features.holes.hole import RIM, Hole, Section, SectionKind
+from querycad_segworker.features.shared.coaxial_stacks import roundings_beside
 from querycad_segworker.features.shared.margins import edge_distance
 from querycad_segworker.features.shared.part_measures import faces_area, faces_box, geometry, millimetres
-from querycad_segworker.topology import Brep
-from querycad_segworker.vectors import box_extents, dist, mid
+from querycad_segworker.tolerances import FACING
+from querycad_segworker.topology import Brep, EdgeConvexity
+from querycad_segworker.vectors import box_extents, dist, dot, mid, scale, sub
 
 from .patterns import Pattern, PatternKind
 
 _HOLE_ADJECTIVES = ("oblique", "threaded", "countersunk", "counterbored", "spotfaced", "conical")
 _SQUARE = math.radians(0.1)
 """Axes this far off a right angle are square: the angle of `Tolerances`."""
+_SLACK = 1e-7
+"""Metres. Sections that follow each other end and begin at one depth."""
 _CUT_AT_A_HOLE = (SectionKind.COUNTERBORE, SectionKind.SPOTFACE, SectionKind.COUNTERSINK, SectionKind.CHAMFER)
 
 
@@ -31,7 +36,7 @@ def hole_part(brep: Brep, hole: Hole, number: int) -> Part:
     form = {Bottom.THROUGH: "through", Bottom.BORE: "cross"}.get(hole.bottom, "blind")
     words = " ".join(word for word in (adjective, "" if hole.is_ring else form, kind) if word)
     widest = max((hole.opening_radius, hole.radius, *hole.steps))
-    width = widest - hole.core_radius if hole.core_radius is not None else 2 * widest
+    width = max((hole.radius, *hole.steps)) - hole.core_radius if hole.core_radius is not None else 2 * widest
     cones = [section for section in hole.sections if section.kind in (SectionKind.COUNTERSINK, SectionKind.BORE)]
     ends = {Bottom.THROUGH: "open at both ends", Bottom.BORE: "ending in another bore"}
     return Part(
@@ -95,8 +100,35 @@ def hole_section_parts(brep: Brep, hole: Hole, number: int) -> list[Part]:
     if hole.is_ring:
         return []
     return [
-        section_part(brep, s, _section_id(s, number, i), f"hole {number}") for i, s in enumerate(_cuts(hole), start=1)
+        section_part(brep, _unbroken(brep, hole, s), _section_id(s, number, i), f"hole {number}")
+        for i, s in enumerate(_cuts(hole), start=1)
     ]
+
+
+def _unbroken(brep: Brep, hole: Hole, section: Section) -> Section:
+    """A counterbore as deep as it is drawn, from the face to its floor.
+
+    The chamfer or round of its edge and the fillet of its floor are less deep than its wall.
+    """
+    if section.kind not in (SectionKind.COUNTERBORE, SectionKind.SPOTFACE):
+        return section
+
+    def depth_of(point: Vector) -> float:
+        return dot(sub(section.start, point), section.normal)
+
+    far = sub(hole.opening, scale(hole.normal, hole.depth))
+    wall = depth_of(section.end)
+    steps = [s for s in hole.sections if s.kind is not SectionKind.CHAMFER and s.faces != section.faces]
+    ends = [max(depth_of(s.start), depth_of(s.end)) for s in steps]
+    mouth = max([min(depth_of(hole.opening), depth_of(far)), *(end for end in ends if end < _SLACK)])
+    beside = {i for face in section.faces for i in brep.beside(face, EdgeConvexity.CONCAVE)}
+    fillets = {i for face in section.faces for i in roundings_beside(brep, face)}
+    beside |= {i for fillet in fillets for i in brep.beside(fillet, EdgeConvexity.SMOOTH)}
+    planes = brep.of_kind(SurfaceKind.PLANE, sorted(beside))
+    floor = max((depth_of(p.point) for p in planes if dot(p.axis, section.normal) > FACING.parallel), default=wall)
+    start = sub(section.start, scale(section.normal, min(mouth, 0.0))) if mouth > -wall else section.start
+    end = sub(section.end, scale(section.normal, floor - wall)) if wall < floor < 2 * wall else section.end
+    return replace(section, start=start, end=end)
 
 
 def _cuts(hole: Hole) -> list[Section]:

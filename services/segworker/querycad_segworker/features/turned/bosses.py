@@ -184,7 +184,7 @@ def _boss(
             at_high = abs(a - high) <= near
             own_end = radius_at(axis, step[-1] if at_high else step[0], at_high)
             begins = radius_at(axis, other, not at_high)
-            if other.kind is SurfaceKind.CONE and not begins / WIDER <= own_end <= begins * WIDER:
+            if not begins / WIDER <= own_end <= begins * WIDER:
                 continue  # it breaks the edge of the wider step that this one stands on
             low, high = (low, b) if at_high else (a, high)
             faces.update(other.faces)
