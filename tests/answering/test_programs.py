@@ -8,7 +8,7 @@ import pytest
 from tests.made import body, hole, part, whole
 
 from querycad_answering.programs import Unwritable, write
-from querycad_contracts import AnswerType, Measure, PartQuery, Relation, Side
+from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation, Side
 from querycad_language.forms import (
     LONGEST,
     SHORTER,
@@ -340,3 +340,27 @@ def test_parts_in_line_lie_on_the_axis_of_the_first_or_in_a_row() -> None:
 
 def test_the_largest_dimension_is_one_value() -> None:
     assert "max(shape.extents)" in write(Get((Measure.SIZE,), None, Reduce.LARGEST), {}, whole()).code
+
+
+def test_the_end_of_a_blind_bore_is_its_floor() -> None:
+    """Of a through bore it is the end that lies further out."""
+    lever = part("prism-1", (0.0, 0.0, 0.02), extents=(0.04, 0.04, 0.04))
+    bore = PartQuery(noun="bore")
+    left = Distance(Plane(None, bore), Plane(Side.TOP, LEVERS))
+    for blind, sign in ((True, "+"), (False, "-")):
+        drilled = part(
+            "hole-1", (0.0, 0.0, 0.01), kind="hole", extents=(0.01, 0.01, 0.02), axis=(0.0, 0.0, -1.0),
+            normal=(0.0, 0.0, -1.0), bottom="flat" if blind else "through",
+        )  # fmt: skip
+        written = write(left, {bore: ((drilled,), 0), LEVERS: ((lever,), 0)}, whole())
+        assert f"q.center[2] {sign} q.half_extents[2] for q in" in written.code.splitlines()[-1].split(" - (")[0]
+
+
+def test_how_far_apart_flanges_on_one_axis_are_is_the_gap_between_them() -> None:
+    def flange(i: int, x: float) -> Part:
+        axis, extents = (0.0, 0.0, 1.0), (0.04, 0.04, 0.005)
+        return part(f"boss-{i}", (x, 0.0, 0.03 * i), kind="boss", axis=axis, diameter=0.04, extents=extents)
+
+    for off, expression in ((0.0, "a.distance_to(b)"), (0.05, "a.center_distance(b)")):
+        grounds = {HOLES: ((flange(1, 0.0), flange(2, off)), 0)}
+        assert expression in write(Distance(HOLES, "each other"), grounds, whole()).code

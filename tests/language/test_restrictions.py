@@ -219,3 +219,28 @@ def test_across_the_corners_is_a_measure_and_in_the_corners_a_place() -> None:
 def test_from_one_side_to_the_other_is_a_direction(words: str) -> None:
     assert noun_phrase(f"the lug {words}").sides == ()
     assert noun_phrase(f"the lug on the {words.split(maxsplit=1)[0]}").sides != ()
+
+
+@pytest.mark.parametrize(
+    "question",
+    ["How many lugs are both open and deeper than 4 mm?", "Count the lugs that are open and deeper than 4 mm."],
+)
+def test_two_restrictions_may_share_a_both(question: str) -> None:
+    (lugs,) = {counted(question)}
+    assert lugs.adjectives == ("open",)
+    assert [size.low for size in lugs.sizes] == [0.004]
+
+
+@pytest.mark.parametrize("question", ["Number of slots in the largest length?", "How many slots at max width?"])
+def test_those_of_the_largest_size_are_counted(question: str) -> None:
+    assert [rank.most for rank in counted(question).ranks] == [True]
+
+
+@pytest.mark.parametrize("question", ["Max and min lug diameter?", "What is the lugs' diameter, minimum and maximum?"])
+def test_the_largest_and_the_smallest_are_asked_for_together(question: str) -> None:
+    assert any(isinstance(form, Get) and form.reduce is Reduce.RANGE for form in forms(question))
+
+
+@pytest.mark.parametrize("question", ["Lugs chamfered?", "Lugs countersunk?"])
+def test_what_is_said_of_parts_with_a_question_mark_is_answered_by_yes_or_no(question: str) -> None:
+    assert not any(isinstance(form, Count | Get) for form in forms(question))

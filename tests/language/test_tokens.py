@@ -84,6 +84,21 @@ def test_words_are_folded_to_one_form() -> None:
     assert ("gray", False) in words
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("c/line to u/side", ["centerline", "to", "underside"]),
+        ("C'bored thro'", ["counterbored", "through"]),
+        ("o/a height", ["overall", "height"]),
+        ("across the boss's flats", ["across", "flat", "of", "the", "boss"]),
+        ("Ø x dp", ["diameter", "x", "depth"]),
+        ("Vol. in mm³", ["volume", "in", "mm3"]),
+    ],
+)
+def test_drawing_offices_shorten_words(text: str, words: list[str]) -> None:
+    assert " ".join(token.word for token in tokenize(text)) == " ".join(words)
+
+
 def test_a_slip_is_corrected_and_counted_and_a_name_of_the_file_is_none() -> None:
     (slip,) = tokenize("countrbore")
     assert (slip.word, slip.corrected) == ("counterbore", 1)

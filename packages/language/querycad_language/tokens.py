@@ -52,6 +52,12 @@ _OUTWARD = {
     side.value: ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)]) for side in Side
 }
 """The sign and the axis of the file's frame towards each side."""
+_SLASHED = {
+    "a/f": "across flats", "c/c": "center to center", "c/l": "centerline", "c/line": "centerline",
+    "c/bore": "counterbore", "c/sink": "countersink", "c/sunk": "countersunk", "o/a": "overall", "o/all": "overall",
+    "u/side": "underside", "u/cut": "undercut",
+}  # fmt: skip
+"""Drawing offices shorten words at a slash or an apostrophe (BS 308)."""
 _ECHO = re.compile(
     r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
 )
@@ -76,16 +82,18 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\b([xyz])-(?=axis|direction)", re.I), r"\1 "),
     (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
-    (re.compile(r"\bc['’]bore", re.I), "counterbore"),
-    (re.compile(r"\bc['’]sink", re.I), "countersink"),
-    (re.compile(r"\ba/f\b", re.I), "across flats"),
+    (
+        re.compile(r"\b[acou]['’/](?:all|line|bore|sink|sunk|side|cut|[acfl])(?=e?d?\b)", re.I),
+        lambda found: _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0]),
+    ),
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
     (re.compile(r"\b[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
-    (re.compile(r"\bc/c\b|\bc-c\b", re.I), "center to center"),
-    (re.compile(r"\bc/l\b", re.I), "centerline"),
+    (re.compile(r"\bthro(?:['’]|\b)", re.I), "through"),
+    (re.compile(r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", re.I), r"across \2 of the \1"),
+    (re.compile(r"\bc-c\b", re.I), "center to center"),
     (re.compile(r"\bC[oO]?[GM]\b"), "center of mass"),  # a cog is a gear
     (
-        re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|d|t|thk)\b)+", re.I),
+        re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|dp|d|t|thk)\b)+", re.I),
         lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
     ),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
@@ -95,7 +103,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
 
 _SYMBOLS = {
     "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " centerline ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
-    "□": " square ", "∠": " angle ",
+    "□": " square ", "∠": " angle ", "²": "2", "³": "3",
 }  # fmt: skip
 """ISO 129-1 and ASME Y14.5."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}

@@ -187,6 +187,20 @@ def test_a_bearing_sits_in_the_wide_step_of_a_bore_else_in_the_largest_bore() ->
     assert ids(best(seat)) == {"hole-2"}
 
 
+def test_a_seat_goes_on_over_a_ring_groove_and_two_seats_are_two() -> None:
+    seat = PartQuery(noun="bearing seat", words=("bearing", "seat"), definite=True)
+    bore = hole(4, diameter=0.02, radii=(0.01, 0.015), tags=("through", "stepped", "circular"), faces=(4, 5, 6))
+
+    def step(i: int, radius: float, low: float, high: float) -> Part:
+        size = {"radius": radius, "diameter": 2 * radius, "depth": high - low, "height": high - low}
+        return part(f"cylinder-{i}", (0.0, 0.0, (low + high) / 2), **size, tags=("inner",), faces=(i,))
+
+    for narrow, depth in (((0.0, 0.01), 0.02), ((0.016, 0.018), 0.012)):
+        steps = [step(4, 0.01, *narrow), step(5, 0.015, 0.01, 0.016), step(6, 0.015, 0.018, 0.03)]
+        found = best(seat, inventory(SMALL, bore, *steps)).parts
+        assert [one.depth for one in found] == pytest.approx([depth])
+
+
 def test_a_hub_is_what_stands_out_most_and_a_raised_face_least() -> None:
     discs = {"flange": (0.15, 0.018), "face": (0.1, 0.002), "hub": (0.08, 0.012)}
     tags = ("cylindrical", "hollow", "flat", "raised", "central")

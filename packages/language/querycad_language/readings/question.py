@@ -83,13 +83,16 @@ class Question:
 
     @property
     def _declares(self) -> bool:
-        """Is it said, with a question mark: 'Holes are on both ends?', 'The slot goes right through?'"""
+        """Is it said with a question mark: 'Holes are on both ends?', 'It goes right through?', 'Bore stepped?'"""
         text, (start, end) = self.text, self.asking
         subject = next((m for m in self.parts if m.start <= start + 1), None)
         asks = any(text.find(i, "ask", "where", "count", "imperative") for i in range(start, end))
         if subject is None or asks or any(text.is_word(i, "how", "or") for i in range(start, end)):
             return False
         verb = next((i for i in range(subject.head + 1, subject.end + 1) if text.is_word(i, *_SAYING)), None)
+        trait = text.find(subject.head + 1, "adjective") if not text.find(start, "be", "do", "modal") else None
+        if trait is not None and trait.value.tags and not text.find(trait.end, "noun", "measure", "article"):
+            return not any(text.find(i, "measure", "scale") for i in range(start, end))
         return verb is not None and not any(text.is_word(i, "that", "which", "who") for i in range(subject.head, verb))
 
     def _asks_yes_no(self, begin: int) -> bool:

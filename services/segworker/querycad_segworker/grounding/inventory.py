@@ -214,13 +214,12 @@ class Inventory:
 
 def _over_rings(step: Part, pieces: Sequence[Part], axis: Vector | None) -> Part:
     """A step of a bore as long as its pieces on both sides of a ring groove, where nothing narrower lies between."""
-    if axis is None:
+    if axis is None or step.radius is None:
         return step
-    spans = {p.id: (dot(p.center, axis) - p.height / 2, dot(p.center, axis) + p.height / 2) for p in pieces if p.height}
-    like = [p for p in pieces if p.id in spans and p.radius and math.isclose(p.radius, step.radius or 0.0)]
-    low, high = (pick(end for p in like for end in spans[p.id]) for pick in (min, max))
-    narrower = (p for p in pieces if p.id in spans and (p.radius or 0.0) < (step.radius or 0.0) - 1e-7)
-    if len(like) < 2 or any(low < sum(spans[p.id]) / 2 < high for p in narrower):
+    spans = [(p.radius or 0.0, dot(p.center, axis), (p.height or 0.0) / 2) for p in pieces]
+    like = [(at - half, at + half) for radius, at, half in spans if math.isclose(radius, step.radius)]
+    low, high = min(like)[0], max(like)[1]
+    if len(like) < 2 or any(low < at < high and radius < 0.999 * step.radius for radius, at, _ in spans):
         return step
     center = add(step.center, scale(axis, (low + high) / 2 - dot(step.center, axis)))
     return step.model_copy(update={"depth": high - low, "height": high - low, "length": high - low, "center": center})

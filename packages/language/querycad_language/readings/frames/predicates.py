@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Get, Parallel
 from querycad_language.lexicon import Span
-from querycad_language.phrases import Mention, Phrases, noun_follows, placed_in, replace_fields, without
+from querycad_language.phrases import Mention, Phrases, placed_in, replace_fields, without
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -107,7 +107,7 @@ def _full_extents(question: Question, start: int) -> Iterator[Parse]:
 def _middles(question: Question, start: int) -> Iterator[Parse]:
     """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
-    cue = _first(text, start + 1, "halfway") or _centred_along(question, start)
+    cue = _first(text, start + 1, "halfway")
     said = cue is not None and any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start))
     subject = _subject(question, start, cue.start) if cue is not None and said else None
     if cue is None or subject is None:
@@ -128,15 +128,6 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         used |= along
     owner = others[0].part if others and others[0].query is not None else PartQuery(noun="object", words=("object",))
     yield Parse(Check(Distance(subject.part, owner, "centers", axis), Relation.AT_MOST, 0.0), _SAYS, used)
-
-
-def _centred_along(question: Question, start: int) -> Span | None:
-    """'Is the slot centred along the length?', '… centred left to right?': where an axis is named."""
-    text = question.text
-    at = next((i for i in sorted(text.at_words(*_CENTRED)) if i > start and not noun_follows(text, i + 1)), None)
-    if at is None or axis_named(question, set())[0] is None:
-        return None
-    return Span(at, at + 1, "halfway", None)
 
 
 def _in_line(question: Question, start: int) -> Iterator[Parse]:

@@ -154,20 +154,13 @@ def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Pars
 
 
 def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'the diameters of the largest and the smallest hole', 'max and min hole diameter': both; 'at its thinnest'."""
-    text, target = question.text, get.target
-    spans = [span for span in text.all("scale", "most", "least") if question.in_question(span.start)]
-    said = {getattr(span.value, "degree", span.category): span.start for span in spans}
-    said = {degree: at for degree, at in said.items() if degree in EXTREMES}
-    if target is None or not is_length(get.measures[0]):
-        return
-    whole = replace(get, target=replace_fields(target, ranks=(), plural=True))
-    if len(said) == len(EXTREMES):
-        yield Parse(replace(whole, reduce=Reduce.RANGE), parse.features, parse.used | set(said.values()))
-    for degree, at in said.items():
-        if at not in parse.used and text.is_word(at - 1, "its", "their", "the", "it", "is"):  # 'where it is thinnest'
-            used = parse.used | {at} | text.at_words("where", "point", "place", "spot")
-            yield Parse(replace(whole, reduce=EXTREMES[degree]), parse.features, used)
+    """'the diameters of the largest and the smallest hole', 'max and min hole diameter': both of them."""
+    spans = [one for one in question.text.all("scale", "most", "least") if question.in_question(one.start)]
+    both = {getattr(one.value, "degree", one.category): one.start for one in spans if get.target is not None}
+    both = {degree: at for degree, at in both.items() if degree in EXTREMES}
+    if get.target is not None and len(both) == len(EXTREMES) and is_length(get.measures[0]):
+        form = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
+        yield Parse(form, parse.features, parse.used | set(both.values()))
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:

@@ -292,7 +292,8 @@ def slot_between(
     round_ends = [wall for wall in walls if wall.kind is SurfaceKind.CYLINDER]
     plane_walls = [wall for wall in walls if wall.kind is SurfaceKind.PLANE]
     ends = [w for w in plane_walls if abs(dot(w.axis, along)) > 0.5]
-    outline = "obround" if round_ends else "rectangular" if _is_square(plane_walls) else "free"
+    straight = undercuts is not None or _is_square(plane_walls)  # from above the lips of an undercut are its outline
+    outline = "obround" if round_ends else "rectangular" if straight else "free"
     found = depression_in(DepressionKind.SLOT, outline, frame, group, (floor.id,), floor.body, is_open=True)
     found = replace(
         found,
