@@ -98,6 +98,8 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
         build.lines.append(f"a, b = closest({parts}{others})")
         return expression
     loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
+    if second is None and reduce is Reduce.ONE and _has_likes(build.of(first)):
+        loop += " if a.kind == b.kind and abs((a.diameter or 0.0) - (b.diameter or 0.0)) < 1e-05"
     if second is not None:
         loop = f"for a in {parts} for b in {build.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":
@@ -111,6 +113,12 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
         build.lines.append(f"found = [d for d in found if d > {SLACK:g}] or found")
     reduced = {Reduce.EACH: "found", Reduce.DIFFERENT: "different(found)", **_REDUCED}
     return reduced.get(reduce, "found[0] if len(different(found, 1e-05)) == 1 else min(found)")
+
+
+def _has_likes(parts: Sequence[Part]) -> bool:
+    """Are some of several round parts of one diameter, and others not? How far apart they are is asked of like ones."""
+    sizes = [round(part.diameter or 0.0, 5) for part in parts]
+    return 1 < len(set(sizes)) < len(sizes) and all(sizes)
 
 
 def _between(build: Builder, form: Distance, two: bool) -> str:

@@ -95,12 +95,8 @@ def recognise_flat_walls(
     for a, b in _pairs(brep, opposite_m2):
         thickness = round(_gap(brep, a, b) * OFF_ROUND / (3 * tolerances.length))
         alike[brep.faces[a].body, thickness].append((a, b))
-    floors = {
-        face: found.normal
-        for found in depressions
-        if found.kind in (DepressionKind.POCKET, DepressionKind.CHANNEL)
-        for face in found.floor
-    }
+    floored = [found for found in depressions if found.kind in (DepressionKind.POCKET, DepressionKind.CHANNEL)]
+    floors = {face: found.normal for found in floored for face in found.floor}
     closed = (DepressionKind.POCKET, DepressionKind.PASSAGE)
     beside = {
         face: number
@@ -112,6 +108,7 @@ def recognise_flat_walls(
     slots = _forks(brep, depressions)
     pockets = {face: depressions[n] for face, n in beside.items() if depressions[n].kind is DepressionKind.POCKET}
     most = {face: FLATTER * pocket.depth for face, pocket in pockets.items()} | slots
+    most |= {face: FLATTER * found.depth for found in floored for face in found.floor}
     thin: list[FlatWall] = []
     low: list[FlatWall] = []
     for pairs in alike.values():
@@ -125,6 +122,7 @@ def recognise_flat_walls(
         wall
         for wall in low
         if not {"between", "tine"}.isdisjoint(wall.tags)
+        or wall.is_floor
         or not pockets.keys().isdisjoint(wall.faces)
         or next(_joined(brep, wall, thin), None) is not None
     ]

@@ -11,11 +11,15 @@ from querycad_segworker.features.shared.frames import LocalFrame, frame_of, outl
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE
 from querycad_segworker.features.shared.walls import REVOLVED
-from querycad_segworker.tolerances import Tolerances
+from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, FaceRecord, Loop
+from querycad_segworker.vectors import dot
 
 RIB_RATIO = 3.0
 """A protrusion this much longer than thick is a rib, fin or wall."""
+
+AS_LARGE = 0.9
+"""The top of a protrusion is at least this share as long and wide as its outline: chamfers and drafts take the rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +125,7 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         above = frame_of(brep, group - fillets, normal, loop)
         low, size = (*above.low[:2], frame.low[2]), (*above.size[:2], frame.size[2])
         frame = LocalFrame(above.u, above.v, above.n, low, size)
+    frame = _up_to_its_top(brep, frame, group)
     outline, _ = outline_of(brep, loop, tolerances)
     length, width, height = frame.size
     return Protrusion(
@@ -135,6 +140,18 @@ def _protrusion(brep: Brep, host: FaceRecord, loop: Loop, group: set[int], toler
         faces=tuple(sorted(group)),
         tags=tags_of(length, width, height),
     )
+
+
+def _up_to_its_top(brep: Brep, frame: LocalFrame, group: Collection[int]) -> LocalFrame:
+    """The same frame, as high as the level plane that is as large as the outline: what stands on that is not it."""
+    planes = brep.of_kind(SurfaceKind.PLANE, sorted(group))
+    level = (face for face in planes if dot(face.axis, frame.n) > FACING.parallel)
+    for top in sorted(level, key=lambda face: dot(face.point, frame.n)):
+        size = frame_of(brep, (top.id,), frame.n, None, frame.u).size
+        height = dot(top.point, frame.n) - frame.low[2]
+        if min(size[0] / frame.size[0], size[1] / frame.size[1]) > AS_LARGE and height > 0:
+            return LocalFrame(frame.u, frame.v, frame.n, frame.low, (*frame.size[:2], height))
+    return frame
 
 
 def tags_of(length: float, width: float, height: float) -> tuple[str, ...]:
