@@ -364,3 +364,15 @@ def test_how_far_apart_flanges_on_one_axis_are_is_the_gap_between_them() -> None
     for off, expression in ((0.0, "a.distance_to(b)"), (0.05, "a.center_distance(b)")):
         grounds = {HOLES: ((flange(1, 0.0), flange(2, off)), 0)}
         assert expression in write(Distance(HOLES, "each other"), grounds, whole()).code
+
+
+def test_bores_of_one_size_among_others_lie_apart_by_their_own_pitch() -> None:
+    main, ports = hole(1, 5, diameter=0.02), [hole(i, 30 * i) for i in (2, 3)]
+    like = "abs((a.diameter or 0.0) - (b.diameter or 0.0)) < 1e-05"
+    for reduce, holes, is_like in (
+        (Reduce.ONE, (main, *ports), True),
+        (Reduce.SMALLEST, (main, *ports), False),
+        (Reduce.ONE, (main, ports[0]), False),
+    ):
+        code = write(Distance(HOLES, "each other", reduce=reduce), {HOLES: (holes, 0)}, whole()).code
+        assert (like in code) is is_like

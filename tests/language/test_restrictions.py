@@ -244,3 +244,8 @@ def test_the_largest_and_the_smallest_are_asked_for_together(question: str) -> N
 @pytest.mark.parametrize("question", ["Lugs chamfered?", "Lugs countersunk?"])
 def test_what_is_said_of_parts_with_a_question_mark_is_answered_by_yes_or_no(question: str) -> None:
     assert not any(isinstance(form, Count | Get) for form in forms(question))
+
+
+def test_the_distance_of_the_closest_ones_is_the_smallest_of_all() -> None:
+    asked = [form for form in forms("How far apart are the two closest lugs?") if isinstance(form, Distance)]
+    assert {form.reduce for form in asked if form.second == "each other"} == {Reduce.SMALLEST}

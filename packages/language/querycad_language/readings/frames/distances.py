@@ -83,8 +83,10 @@ def distances(question: Question) -> Iterator[Parse]:
                 continue
             if reduce is Reduce.SMALLEST and isinstance(second, PartQuery) and mode == "usual":
                 mode = "surfaces"  # the shortest way from one to the other
-            across = second == "each other" and reduce is Reduce.ONE and opposed
-            form = Distance(first, second, mode, axis, Reduce.LARGEST if across else reduce)
+            every = second == "each other" and reduce is Reduce.ONE
+            across, near = every and opposed, question.text.covered("least") - more  # 'the two closest holes'
+            of_all = Reduce.LARGEST if across else Reduce.SMALLEST if every and near else reduce
+            form = Distance(first, second, mode, axis, of_all)
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
