@@ -83,7 +83,7 @@ class Question:
 
     @property
     def _declares(self) -> bool:
-        """Is it said with a question mark: 'Holes are on both ends?', 'It goes right through?', 'Bore stepped?'"""
+        """Is it said with a question mark: 'Lugs are on both sides?', 'It goes right through?', 'Lug bored?'"""
         text, (start, end) = self.text, self.asking
         subject = next((m for m in self.parts if m.start <= start + 1), None)
         asks = any(text.find(i, "ask", "where", "count", "imperative") for i in range(start, end))

@@ -154,7 +154,7 @@ def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Pars
 
 
 def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'the diameters of the largest and the smallest hole', 'max and min hole diameter': both of them."""
+    """'the width of the largest and of the smallest lug', 'lug width, max and min': both of them."""
     spans = [one for one in question.text.all("scale", "most", "least") if question.in_question(one.start)]
     both = {getattr(one.value, "degree", one.category): one.start for one in spans if get.target is not None}
     both = {degree: at for degree, at in both.items() if degree in EXTREMES}
