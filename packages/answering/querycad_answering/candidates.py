@@ -12,7 +12,6 @@ from typing import Any
 from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
 from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import bare_of
 from querycad_language.readings import Reading
 from querycad_language.weights import weights
 
@@ -105,8 +104,6 @@ def absences(
         for index, query in enumerate(queries(reading.form)):
             for way in _lacking(query, grounded.get(query, ()), names):
                 features = {**reading.features, **_of_absence(query, way), "absent_place": float(index > 0)}
-                alone = bare_of(query, query.noun) and not any(name.startswith("skip_") for name in reading.features)
-                features["absent_bare"] = float(alone and "absent_product" in features)
                 features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
                 found = Absence(query, way, features)
                 if query not in best or found.score > best[query].score:

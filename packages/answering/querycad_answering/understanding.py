@@ -25,6 +25,7 @@ from querycad_contracts import (
 from querycad_language.forms import Count, Exists, Get, Parts, Reduce, Towards
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import WHOLE
+from querycad_language.phrases import bare_of
 from querycad_language.readings.reader import Reader
 from querycad_language.readings.skipped_words import CLOSED
 
@@ -187,8 +188,16 @@ class Understanding:
         return ranked(tried, untried, () if self.addressed.ids else self.absences)
 
     def missing(self, ranking: Ranked) -> Failure | None:
-        """Which part is not there, where that is more probable than all values together?"""
-        return self._asked.absent(self.absences[0]) if ranking.is_absent else None
+        """Which part is not there, where that is more probable than all values together?
+
+        Not so of a noun for products that stands alone, as 'the beam': the one body of a file may be one.
+        """
+        best = ranking.values[0].candidate.features if ranking.values else {}
+        query = self.absences[0].query if ranking.is_absent else None
+        noun = lexicon().nouns.get(query.noun) if query is not None and "whole_alone" in best else None
+        if query is None or (noun is not None and noun.product and bare_of(query, query.noun)):
+            return None
+        return self._asked.absent(self.absences[0])
 
     def _may_lack(self, ranking: Ranked) -> Iterator[str]:
         """That the part may be missing, where that is more probable than the best value."""
