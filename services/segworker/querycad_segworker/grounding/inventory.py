@@ -7,12 +7,13 @@ from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
 
-from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Side, Vector
+from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Side
 from querycad_language.lexicon import Adjective, Sense, lexicon
 from querycad_segworker.relations import orders
+from querycad_segworker.relations.bore_steps import over_rings
 from querycad_segworker.relations.nearby import Nearby
 from querycad_segworker.relations.roles import ROLES, Kinds
-from querycad_segworker.vectors import add, dot, scale
+from querycad_segworker.vectors import dot
 
 from .names import all_words, holds, share, vocabulary
 from .printed import printed_labels
@@ -172,7 +173,7 @@ class Inventory:
         for hole in holes:
             pieces = [p for p in inner if set(p.faces) <= set(hole.faces)]
             longest = {round(p.radius or 0.0, 7): p for p in reversed(pieces)}
-            own = {radius: _over_rings(p, pieces, hole.axis) for radius, p in longest.items()}
+            own = {radius: over_rings(p, pieces, hole.axis) for radius, p in longest.items()}
             if len(own) > 1:
                 opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
                 walls.append(own[pick(own)].model_copy(update={"sides": opening or hole.sides}))
@@ -210,19 +211,6 @@ class Inventory:
             return [part for part in found if orders.out_to_corner(part, middle) >= CORNER_SHARE - 1e-6] or list(found)
         values = [orders.off_center(p, middle) if order == "distance" else orders.measured(p, order) for p in found]
         return orders.end_of(found, values, adjective.most, count)
-
-
-def _over_rings(step: Part, pieces: Sequence[Part], axis: Vector | None) -> Part:
-    """A step of a bore as long as its pieces on both sides of a ring groove, where nothing narrower lies between."""
-    if axis is None or step.radius is None:
-        return step
-    spans = [(p.radius or 0.0, dot(p.center, axis), (p.height or 0.0) / 2) for p in pieces]
-    like = [(at - half, at + half) for radius, at, half in spans if math.isclose(radius, step.radius)]
-    low, high = min(like)[0], max(like)[1]
-    if len(like) < 2 or any(low < at < high and radius < 0.999 * step.radius for radius, at, _ in spans):
-        return step
-    center = add(step.center, scale(axis, (low + high) / 2 - dot(step.center, axis)))
-    return step.model_copy(update={"depth": high - low, "height": high - low, "length": high - low, "center": center})
 
 
 def _towards(side: Side, part: Part) -> float:

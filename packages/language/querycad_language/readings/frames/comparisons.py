@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise, takewhile
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Target, Which
+from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, bare_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
@@ -23,6 +23,7 @@ _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure
 def comparisons(question: Question) -> Iterator[Parse]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
+    yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
     yield from _times(question)
@@ -180,3 +181,17 @@ def _more_of(question: Question) -> Iterator[Parse]:
     if left is not None and right is not None:
         form = Combine("apart", Count(left.part), Count(right.part))
         yield Parse(form, {"combined": 1.0}, {more - 2, more - 1, more, than, *left.used, *right.used})
+
+
+def _of_two(question: Question) -> Iterator[Parse]:
+    """'By how much is one lug thicker than the other?': what the larger of two has more."""
+    text = question.text
+    scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
+    one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
+    than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
+    if scale is None or one is None or than is None or not text.has("much", "many"):
+        return
+    measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
+    target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
+    most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
+    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
