@@ -98,12 +98,15 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
         build.lines.append(f"a, b = closest({parts}{others})")
         return expression
     loop = f"for i, a in enumerate({parts}) for b in {parts}[i + 1 :]"
-    if second is None and reduce is Reduce.ONE and _has_likes(build.of(first)):
-        loop += " if a.kind == b.kind and abs((a.diameter or 0.0) - (b.diameter or 0.0)) < 1e-05"
+    likes = reduce is Reduce.ONE and _has_likes(build.of(first))
     if second is not None:
         loop = f"for a in {parts} for b in {build.parts(second)} if a.id != b.id"
     elif own > FEW and least and expression == "a.center_distance(b)":
-        loop = f"for a, b in nearest({parts})"
+        alike = f"[p for p in {parts} if abs(p.diameter - size) < 1e-05]"
+        sizes = f"for size in different([p.diameter for p in {parts}], 1e-05)"
+        loop = f"{sizes} for a, b in nearest({alike})" if likes else f"for a, b in nearest({parts})"
+    elif likes:
+        loop += " if abs(a.diameter - b.diameter) < 1e-05"
     build.lines.append(f"found = [{expression} {loop}]")
     if "center[" in expression and reduce not in (Reduce.LARGEST, Reduce.EACH):  # along an axis: in a row, or apart
         aside = [i for i in range(3) if f"center[{i}]" not in expression]

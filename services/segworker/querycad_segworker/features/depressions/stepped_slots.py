@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
 from querycad_contracts import SurfaceKind
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
@@ -21,19 +22,20 @@ SAME_LEVEL = 1e-6
 
 def with_stepped_slots(graph: ConcaveGraph, found: Sequence[Depression]) -> list[Depression]:
     """The same depressions, with the two halves that a narrower slot parts a slot into made one again."""
-    result = list(found)
+    owner = {face: cut for cut in found for face in cut.faces}
     inner = [cut for cut in found if cut.kind is DepressionKind.SLOT and cut.is_open]
+    kept = {id(cut): cut for cut in found}
     while inner:
         slot = inner.pop()
-        halves = [(floor, cut) for floor in _floors_beside(graph, slot) for cut in result if floor.id in cut.faces]
-        for i, (floor, one) in enumerate(halves):
-            for level, other in halves[i + 1 :]:
-                apart = abs(dot(sub(level.point, floor.point), floor.axis))
-                wide = None if one is other or apart > SAME_LEVEL else _united(graph, floor, level, one, other)
-                if wide is not None and one in result and other in result:
-                    result = [*(cut for cut in result if cut not in (one, other)), wide]
-                    inner = [*(cut for cut in inner if cut not in (one, other)), wide]
-    return result
+        halves = [(floor, owner[floor.id]) for floor in _floors_beside(graph, slot) if floor.id in owner]
+        for (floor, one), (level, other) in combinations(halves, 2):
+            level_with = abs(dot(sub(level.point, floor.point), floor.axis)) <= SAME_LEVEL
+            wide = _united(graph, floor, level, one, other) if level_with and one is not other else None
+            if wide is not None and {id(one), id(other), id(slot)} <= kept.keys():
+                kept = {key: cut for key, cut in kept.items() if key not in (id(one), id(other))} | {id(wide): wide}
+                owner.update(dict.fromkeys(wide.faces, wide))
+                inner.append(wide)
+    return list(kept.values())
 
 
 def _floors_beside(graph: ConcaveGraph, slot: Depression) -> list[FaceRecord]:
