@@ -110,6 +110,7 @@ class Measure(StrEnum):
     APPROACH = "approach"
     """Into the material: of a tool into an opening, of a screw."""
     EDGE_DISTANCE = "edge_distance"
+    CENTER_HEIGHT = "center_height"
     PITCH = "pitch"
     COUNT = "count"
     """Of a pattern its members, of a gear its teeth."""

@@ -41,6 +41,7 @@ _CHAMFER = "chamfer_size; min(extents); ~width"
 _WINDOW = "extents; [*local_size[:2]]; ~max(extents)"
 _LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs({0}.axis[2])))"
 """Of an axis: to the z axis, and to the horizontal plane."""
+_LEVEL = 'find_parts("hole") if abs(p.axis[2]) < 0.5'
 _BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
 
 _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
@@ -152,6 +153,10 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.DIRECTION: {"CUT": "normal; axis", "": "axis; normal"},
     Measure.APPROACH: "approach[0]",
     Measure.EDGE_DISTANCE: "edge_distance()",
+    Measure.CENTER_HEIGHT: {  # of the whole that of its largest level bore
+        "WHOLE": f"~max((p.diameter, p.center[2]) for p in {_LEVEL})[1] - {{0}}.min_corner[2]",
+        "": "{0}.center[2] - shape.min_corner[2]",
+    },
     Measure.KIND: "label",
     Measure.NAME: "name; ?label",
     Measure.ANGLE: (

@@ -87,7 +87,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         lambda found: _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0]),
     ),
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
-    (re.compile(r"\b[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
+    (re.compile(r"\b(?!lead-|run-|cut-|add-)[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
     (re.compile(r"\bthro(?:['’]|\b)", re.I), "through"),
     (re.compile(r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", re.I), r"across \2 of the \1"),
     (re.compile(r"\bc-c\b", re.I), "center to center"),

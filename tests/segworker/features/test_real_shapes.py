@@ -211,6 +211,7 @@ def test_drill_points_and_chamfers_are_told_from_other_cones() -> None:
     found = find(cut(plate(), drilled, cone(2, 8, 20, (15, 0, -20))))
     assert len(of(found, "cone", "drill_point")) == len(of(found, "cone", "chamfer")) == 1
     assert len(of(found, "cone")) == 3
+    assert only(of(found, "cone", "drill_point")).tip == near(-15, 0, -14)
 
 
 def test_a_screw_is_as_long_as_its_body_with_a_rounded_head() -> None:

@@ -76,7 +76,7 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
 def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     """An adjective, a rank, a side, a colour, a noun, or a word that is not known."""
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
-    if noun and text.find(at, "reach", "passing") and not _names(text, at, build.article):
+    if noun and noun.end == at + 1 and text.find(at, "reach", "passing") and not _names(text, at, build.article):
         noun = None  # 'ring sticks up': a verb
     if not build.nouns and (end := _by_measure(text, at, build)) > at:
         return end
@@ -118,7 +118,7 @@ def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:
 
 def _names(text: Text, at: int, article: bool) -> bool:
     """Is a word that can be a verb a noun here: 'the recess', 'the seal recess', but 'do the rings recess'?"""
-    if article and text.find(at - 1, "article", "adjective"):
+    if (article and text.find(at - 1, "article", "adjective")) or at - 1 in text.covered("count"):
         return True
     acts = text.find(at, "adjective") or (text.find(at, "passing") and not article)
     acts = acts or text.tokens[at].plural or (at > 0 and text.tokens[at - 1].plural)
@@ -201,7 +201,7 @@ def _unknown(text: Text, at: int, build: PhraseBuilder, measure: Span | None) ->
     if build.nouns or not text.is_content(at) or measure or text.find(at, "whole", "side", "scale", "adjective"):
         return at
     if (
-        text.find(at, "ground", "verbs", "reach", "passing", "fits", "aside", "side_noun")
+        text.find(at, "ground", "verbs", "reach", "passing", "emerging", "fits", "aside", "side_noun")
         or text.is_word(at, "s")
         or is_verb(text, at)
     ):

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
 
-from querycad_contracts import Measure, PartQuery
+from querycad_contracts import PartQuery
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -55,12 +55,12 @@ class Phrases:
         return self._without([self._shared(mention, found[i + 1 :]) for i, mention in enumerate(found)])
 
     def _aside(self, at: int) -> Span | None:
-        """'without the drill point' says how a depth is taken; an angle is asked for of the point itself."""
-        return None if self._asks_angle else self.text.find(at, "aside")
-
-    @cached_property
-    def _asks_angle(self) -> bool:
-        return any(span.value in (Measure.ANGLE, Measure.INCLUDED_ANGLE) for span in self.text.all("measure"))
+        """'without the drill point' says how a depth is taken; else the point itself is meant."""
+        text, span = self.text, self.text.find(at, "aside")
+        if span is None:
+            return None
+        said = text.at_phrases("except", "leaving", "left_out", "minus", "negation", "beginning")
+        return span if any(span.start - 4 <= i < span.end + 3 for i in said) else None
 
     def _without(self, found: list[Mention]) -> list[Mention]:
         """'Forget the largest one, how many lugs remain?': what is left out is an exception to the others."""

@@ -130,6 +130,10 @@ def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
         span = text.find(text.skip(where.end, "be", "article"), "measure")
         if span and span.start not in taken and answer_type(span.value) is AnswerType.POINT:  # 'where is the tip of …'
             return Requested(at, span.end, (span.value,), "where", used=frozenset((*where.tokens, *span.tokens)))
+        mouth = text.at_phrases("emerging") | text.at_words("meet", "leave", "enter", "pierce")
+        if mouth and text.find(where.end, "do"):  # 'where does the axis of the bore meet the end face'
+            used = {*where.tokens, *mouth, *text.at_words("axis", "through")}
+            return Requested(at, where.end, (Measure.OPENING,), "where", used=frozenset(used))
         return Requested(at, where.end, (Measure.POSITION,), "where", used=frozenset(where.tokens))
     return None
 

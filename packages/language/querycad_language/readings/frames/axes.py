@@ -33,6 +33,9 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
         if text.find(at + 1, "distance", "gap") or (text.find(at + 1, "measure") and question.in_question(at)):
             return 2, {at}  # 'the vertical distance'
     for span in (one for one in text.all("axis") if one.start not in taken):
+        that = max((i for i in text.at_words("that", "which") if i < span.start), default=span.start)
+        if any(text.find(i, "passing") for i in range(that, span.start)):
+            continue  # 'the holes that run along Y'
         lead = text.find(span.start - 1 - text.is_word(span.start - 1, "the"), "axis_preposition")
         if lead or span.end - span.start > 1 or len(text.words[span.start]) > 1:
             return span.value, set(range(max(0, span.start - 2), span.end))

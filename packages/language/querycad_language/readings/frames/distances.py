@@ -30,7 +30,8 @@ _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 _BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
-_APART = (Measure.HEIGHT, Measure.THICKNESS, Measure.Z, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
+_HIGH = (Measure.HEIGHT, Measure.CENTER_HEIGHT, Measure.Z)
+_APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
 _OFF = 4
 """Words from 'off' to the middle that something is off."""
@@ -162,7 +163,7 @@ def _distance_words(question: Question) -> Iterator[_Words]:
         elif (measure := text.find(at, "measure")) and measure.value in _APART:
             ahead = set(range(measure.end, len(text))) - text.covered("over_all")
             if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
-                mode: Mode = "centers" if measure.value in (Measure.HEIGHT, Measure.Z) else "surfaces"
+                mode: Mode = "centers" if measure.value in _HIGH else "surfaces"
                 yield _Words(measure.start, measure.end, mode, set(measure.tokens))
 
 

@@ -108,6 +108,9 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     if target is not None and (reduce is Reduce.MEAN or (compound and reduce in _OF_SEVERAL)):
         target = replace_fields(target, plural=True)
     used |= asked.used | owner.used
+    faces = (m for m in question.parts if m.part.ends and used.isdisjoint(m.used))
+    if target is not None and asked.measures == (Measure.OPENING,) and (face := next(faces, None)) is not None:
+        target, used = replace_fields(target, sides=face.part.ends), used | face.used  # 'break through the left face'
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
@@ -206,13 +209,14 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
 def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduce, set[int]]:
     """What becomes of the values: one each, the shared one, the different ones, their sum, …?"""
     text = question.text
-    plural = target is not None and (target.plural or bool(text.at_phrases("sum")))
+    start, end = question.asking
+    each = {i for i in text.at_phrases("each") if start <= i < end}
+    plural = target is not None and not each and (target.plural or bool(text.at_phrases("sum")))
     if asked.reduce is not None:
         adds = asked.measures[0] in ADDITIVE | _STACKED or bool(text.at_phrases("sum"))
         if asked.reduce is not Reduce.TOTAL or (plural and adds):
             return asked.reduce, set()
     used: set[int] = set()
-    start, end = question.asking
     for meaning in (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL):
         for at in sorted(i for i in text.at_phrases(meaning.value) if start <= i < end):
             span = text.find(at, meaning.value)
@@ -227,7 +231,6 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
             used |= set(span.tokens)
     if target is None:
         return Reduce.ONE, used
-    each = {i for i in text.at_phrases("each") if start <= i < end}
     if each or (target.plural and not target.sample):
         return Reduce.EACH, used | each
     named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'

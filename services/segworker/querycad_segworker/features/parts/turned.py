@@ -116,12 +116,13 @@ def surface_parts(brep: Brep, walls: Sequence[Wall], sections: Sequence[Section]
 
 
 def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int, role: str | None = None) -> Part:
-    """A cone has the radii of both ends, the wider first, and its larger one as radius; a torus its two radii."""
+    """A cone has the radii of both ends, the wider first and as its radius, and a tip; a torus its two radii."""
     side = "outer" if wall.outward > 0 else "inner"
     record = brep.faces[wall.faces[0]]
     torus = kind == "torus"
     radii = (record.radius, record.minor_radius) if torus else (wall.radius, min(wall.radius_low, wall.radius_high))
     wide = 2 * (record.radius + record.minor_radius) if torus else 2 * wall.radius
+    narrow = wall.low if wall.radius_low < wall.radius_high else wall.high
     return Part(
         id=f"{kind}-{number}",
         kind=kind,
@@ -131,6 +132,7 @@ def _revolved_part(brep: Brep, wall: Wall, kind: str, number: int, role: str | N
         center=record.origin if torus else wall.axis.at((wall.low + wall.high) / 2),
         extents=box_extents(faces_box(brep, wall.faces)),
         axis=wall.axis.direction,
+        tip=None if torus else wall.axis.at(narrow),
         radius=radii[0],
         diameter=wide,
         height=wall.height,
