@@ -229,7 +229,7 @@ def main() -> int:
     options = parser.parse_args()
     data = sorted((one for file in options.files for one in asked(file)), key=lambda one: one.file)
     groups = [list(of) for _, of in groupby(data, key=lambda one: one.file)]
-    groups = random.Random(7).sample(groups, round(options.share * len(groups)))
+    groups = random.Random(7).sample(groups, round(options.share * len(groups)))  # noqa: S311 - no secret
     changes = ["as it was", *(options.change or list(CHANGES)[1:])]
     with ProcessPoolExecutor(options.jobs) as pool:
         rows = [row for part in pool.map(partial(_of_model, changes, options.store), groups) for row in part]

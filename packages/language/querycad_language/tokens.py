@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 
 from rapidfuzz.distance import OSA
 from spellchecker import SpellChecker
@@ -49,9 +49,18 @@ _OPENING = re.compile(r"\W{0,3}(?:the|this|a|total|it|all|diameter|width|length|
 """Words before which 'in' is no unit."""
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
 _OUTWARD = {
-    side.value: ("+" if sum(side.outward) > 0 else "-−", "xyz"[list(map(abs, side.outward)).index(1)]) for side in Side
+    side.value: ("[+]" if sum(side.outward) > 0 else "[-−]") + "xyz"[list(map(abs, side.outward)).index(1)]
+    for side in Side
 }
 """The sign and the axis of the file's frame towards each side."""
+
+
+def _sided(side: str, axis: re.Match[str]) -> str:
+    """'the +X lug': the side that an axis points to, before what has sides."""
+    lex, word = lexicon(), axis[1].lower()
+    return side if word in ("side", "half") or lex.singular(word) in lex.nouns else axis[0]
+
+
 _SLASHED = {
     "a/f": "across flats", "c/c": "center to center", "c/l": "centerline", "c/line": "centerline",
     "c/bore": "counterbore", "c/sink": "countersink", "c/sunk": "countersunk", "o/a": "overall", "o/all": "overall",
@@ -63,6 +72,7 @@ _ECHO = re.compile(
 )
 """'…, and if so, which ones?': those that make it so are evidence of the answer."""
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
+    (re.compile(r"^(?:\d+\)\s|[\"“])"), ""),
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
     (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
     (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
@@ -74,7 +84,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
     (_ECHO, "?"),
     (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
-    *((re.compile(rf"(?<![\w+-])[{s}]{x}(?=[ -](side|face|half|end)\b)", re.I), to) for to, (s, x) in _OUTWARD.items()),
+    *((re.compile(rf"(?<![\w+-]){axis}(?=[ -]([a-z]+))", re.I), partial(_sided, to)) for to, axis in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"\|\|"), " parallel to "),
     (re.compile(r"\bright through(?= to\b)", re.I), "fully through"),  # no side
@@ -227,6 +237,8 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
     if folded not in known and spelt in known:
         folded = spelt
     pieces: tuple[str, ...] = (folded,)
+    if folded not in known and folded[:2] == "un" and folded[2:] in lex.adjectives:  # 'unchamfered'
+        return [Token("non", raw), Token(folded[2:], raw)]
     edits = 0
     spellable = TYPO_MIN_LETTERS <= len(folded) <= TYPO_MAX_LETTERS and folded.isalpha()
     if spellable and folded not in known and names.isdisjoint((folded, lower)):

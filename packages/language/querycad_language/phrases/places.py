@@ -20,9 +20,9 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     text = phrases.text
     negated = text.is_word(at, "not", "invisible", "hidden")
     start = text.skip(at + 1, "passing") if negated else at
-    seeing = text.find(start, "seeing")
+    seeing, view = text.find(start, "seeing"), text.find(start, "view")
     start = text.skip(start, "seeing")
-    view = text.find(start, "view")
+    view = view or text.find(start, "view")
     if view and text.find(start, "place") and (noun_follows(text, view.end) or text.find(view.end, "pronoun")):
         view = None  # 'underneath the flange' is no side
     sides, end = ([view.value], view.end) if view is not None else _sides(text, start)
@@ -62,7 +62,7 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     while True:
         inner = text.skip(end, "article", "each")
         span = text.find(inner, "side")
-        if span is None:
+        if span is None or text.is_word(text.skip(span.end, "side"), "corner"):
             break
         after = text.skip(span.end, "side_noun")
         if after == span.end and is_noun(text, span.end) and not text.find(span.end, "be", "function"):
@@ -110,7 +110,10 @@ def along(text: Text, at: int, build: PhraseBuilder) -> int:
 def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
-    span = text.find(at, "near", "far")
+    span, extreme = text.find(at, "near", "far"), text.find(at, "place_extreme")
+    if extreme is not None and extreme.end > at + 1:  # 'with the highest z'
+        build.ranks.append(Rank(side=extreme.value))
+        return extreme.end
     if span is None or depth >= MAX_DEPTH or text.is_word(at - 1, "to"):  # 'from the pin to the nearest edge': an end
         return at
     most = span.category == "far"
@@ -119,6 +122,9 @@ def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if edge := text.find(inner, "edge"):
         build.ranks.append(Rank(edge=True, most=most))
         return edge.end
+    if text.is_word(inner, "center", "middle") and not text.is_word(inner + 1, "of"):
+        build.adjectives.append("farthest out" if most else "innermost")
+        return inner + 1
     if side := text.find(inner, "side"):
         away = most and "from" in text.words[span.start : start]
         build.ranks.append(Rank(side=side.value.opposite if away else side.value))
@@ -135,10 +141,11 @@ def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     corner = text.skip(at + 1, "article", "each", "number")
     if span is not None:
         end = span.end - text.is_word(span.end - 1, "of")
-    elif text.find(at, "place") and text.is_word(corner, "corner") and not text.find(at, "measure"):
-        if is_noun(text, corner + 1):
+    elif text.find(at, "place") and text.is_word(text.skip(corner, "side"), "corner") and not text.find(at, "measure"):
+        end = text.skip(corner, "side") + 1
+        if is_noun(text, end):
             return at  # 'of the four corner lugs'
-        end = corner + 1
+        build.ends += [side.value for i in range(corner, end) if (side := text.find(i, "side"))]  # 'top left corner'
     else:
         return at
     build.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")

@@ -72,7 +72,8 @@ def _opens(text: Text, at: int) -> bool:
     if counted and text.is_word(at + 1, "neither", "no", "without"):
         return text.find(text.skip(at + 2, "article"), "trait", "adjective") is not None  # 'slots, no chamfer'
     size = stated_size(text, at + 1)
-    if size is not None and (size[0].relation is not Relation.EQUAL or "=" in text.words[at : size[1]]):
+    apart = size is not None and size[0].measure is not None and text.is_word(size[1], ",")  # 'the slot, 5 mm wide,'
+    if size is not None and (apart or size[0].relation is not Relation.EQUAL or "=" in text.words[at : size[1]]):
         return True  # 'slots, width > 5 mm'
     return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
 
@@ -103,7 +104,9 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
             return end
     negated = text.is_word(at, "not")
     begin = at + 2 if text.is_word(at, "on", "in", "around") and text.is_word(at + 2, "inside", "outside") else at
-    adjective = text.find(begin + negated, "adjective")
+    adjective, measure = text.find(begin + negated, "adjective"), text.find(begin, "measure")
+    if measure is not None and adjective is not None and measure.end > adjective.end:
+        return at  # 'boss vertical extent'
     place = begin == at and text.find(at, "place")
     sided = text.is_word(at, "side")  # 'on each side': no attribute
     if own and adjective and not (sided or is_noun(text, adjective.end) or place) and adjective.value.tags:
@@ -173,8 +176,8 @@ def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
     """'which bodies are red'."""
-    color = text.find(at, "color")
-    if color is None or not text.find(at - 1, "be") or is_noun(text, color.end):
+    color = text.find(at + text.is_word(at, "colored", "coloured", "painted"), "color")
+    if color is None or not (text.find(at - 1, "be") or color.start > at) or is_noun(text, color.end):
         return at
     build.colors.append(color.value)
     return color.end
@@ -225,11 +228,14 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     counted = ("in", "on") if any(text.find(i, "count") for i in range(at)) else ()  # 'how many holes at max diameter'
     start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have", *counted) else len(text)
     span = text.find(start, "most", "least") or superlative(text, start)
+    more = text.find(start, "scale") if place and place.value == "with" and span is None else None
+    if more is not None and more.value.degree in ("more", "less"):  # 'with the greater depth'
+        span = more
     measure = text.find(span.end, "measure") if span is not None else None
     if span is None or measure is None or leads_away(text, at):
         return at
-    most = "most" in (span.category, getattr(span.value, "degree", ""))
-    build.ranks.append(Rank(measure=measure.value, most=most))
+    most = {"most", "more"} & {span.category, getattr(span.value, "degree", "")}
+    build.ranks.append(Rank(measure=measure.value, most=bool(most)))
     return measure.end
 
 

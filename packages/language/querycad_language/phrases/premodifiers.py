@@ -16,7 +16,10 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
     """Where the next piece of the phrase ends; `at` where nothing here belongs to it."""
     token = text.tokens[at]
     empty = not (build.nouns or build.unknown)
+    adjective = text.find(at, "adjective")
     match token.kind:
+        case _ if adjective and adjective.end > at + 1 and text.is_word(at + 1, "sided", "cornered"):
+            return _word(text, at, build)  # 'six sided': no count
         case Kind.TIMES:
             build.count = int(token.value)
             return at + 1
@@ -159,7 +162,9 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
         most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
         build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))
         return scale.end
-    if ordinal and ordinal.value > 1 and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
+    noun = text.find(ordinal.end, "noun") if ordinal else None
+    counted = ordinal and (ordinal.value > 1 or (noun and text.is_word(noun.end, "from")))  # 'first slot from the top'
+    if ordinal and counted and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
         build.ranks.append(Rank(nth=ordinal.value))
         return ordinal.end
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
@@ -181,14 +186,17 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
 
 
 def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
-    """Where a side or a colour ends; 0 where none stands here."""
+    """Where a side, a colour or what is lacking ends; 0 where none stands here."""
+    if not build.nouns and text.is_word(at, "non") and (denied := text.find(at + 1, "adjective")):
+        build.lacking.append(denied.value.name)  # 'the non-chamfered hole'
+        return denied.end
     if (side := text.find(at, "side")) and not build.nouns:
         faced = side.end + text.is_word(side.end, "side", "face", "half")
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
             build.seen_on([side.value], half=text.is_word(side.end, "half"))
             return faced
-        if is_noun(text, side.end):
-            build.ends.append(side.value)
+        if is_noun(text, side.end) or (text.find(side.end, "side") and is_noun(text, side.end + 1)):
+            build.ends.append(side.value)  # 'the top left hole'
             return side.end
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
         build.colors.append(color.value)

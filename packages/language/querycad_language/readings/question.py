@@ -63,7 +63,7 @@ class Question:
     def chooses(self) -> bool:
         """Is one of two asked for: 'Which is longer, the spindle or the lever?'"""
         text = self.text
-        asks = any(text.is_word(i, "which", "what") for i in range(*self.asking)) and not text.has("than")
+        asks = any(text.is_word(i, "which", "what") for i in range(self.asking[1])) and not text.has("than")
         return asks and any(a.end <= at < b.start for at in text.at_words("or") for a, b in pairwise(self.parts))
 
     @property
@@ -181,8 +181,9 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
 def _adds_nothing(text: Text, start: int, end: int) -> bool:
     """Does a sentence name nothing: 'Which ones?', 'If so, what are they?'"""
     words = range(start, end)
+    asks = ("noun", "measure", "scale", "count", "side", "verbs", "reach")
     return end - start <= LONGEST_ECHO and not any(
-        text.is_content(i) or text.find(i, "noun", "measure", "scale", "count", "side", "verbs", "reach") for i in words
+        text.is_content(i) or text.is_word(i, "how") or text.find(i, *asks) for i in words
     )
 
 
@@ -195,7 +196,7 @@ _ASKS_IF = (
     "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
 )  # fmt: skip
 """Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
-_CONFIRMS = ("confirm", "verify", "check", "ensure", "true", "correct")
+_CONFIRMS = ("confirm", "verify", "check", "ensure", "true", "correct", "right", "sure")
 """Words before a 'that' that asks: 'confirm that …', 'is it true that …'."""
 _ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""

@@ -36,6 +36,8 @@ _IMPLIED = {
     "gear": ("toothed",),
 }
 """Attributes that all parts of a kind have."""
+_ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}
+"""What is up and down in the view from above."""
 _TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
 
 
@@ -196,10 +198,16 @@ class Inventory:
     # Orders
 
     def at_end(self, found: Sequence[Part], sides: Sequence[Side]) -> list[Part]:
-        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model."""
-        kept = list(found)
+        """Those whose middles lie farthest towards each of the sides, give or take a fiftieth of the model.
+
+        'The top left hole' of a plate that lies flat is the one at the back, as on a drawing of it.
+        """
+        kept, near = list(found), 0.02 * self.largest
         for side in sides:
-            kept = orders.first(kept, partial(_towards, side), 0.02 * self.largest)
+            first = orders.first(kept, partial(_towards, side), near)
+            if len(first) == len(kept) and len(sides) > 1 and side in _ON_PAPER:
+                first = orders.first(kept, partial(_towards, _ON_PAPER[side]), near)
+            kept = first
         return kept
 
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:

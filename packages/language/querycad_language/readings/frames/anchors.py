@@ -123,12 +123,14 @@ def _of_model(text: Text, at: int) -> Spot | None:
 
 
 def _box_middle(text: Text, at: int) -> set[int] | None:
-    """'the middle of the bounding box', 'the bounding box centre': that of the whole model."""
-    if not text.is_word(at, "center", "middle", "midpoint", "centre"):
+    """'from the centre', 'the middle of the part', 'the bounding box centre': that of the whole model."""
+    if not text.is_word(at, "center", "middle", "midpoint"):
         return None
     around = next((span for span in text.all("boxes") if span.end == at), None)
     behind = text.skip(at + 2, "article") if text.is_word(at + 1, "of") else at
-    around = around or (text.find(behind, "boxes") if behind > at else None)
+    around = around or (text.find(behind, "boxes", "whole") if behind > at else None)
+    if around is None and behind == at and text.is_word(at - 1, "the") and text.is_word(at - 2, "from", "to", "off"):
+        return {at} if not text.find(at + 1, "noun", "adjective", "measure") else None  # 'to the centre hole'
     return {at, *range(at, behind), *around.tokens} if around is not None else None
 
 

@@ -42,7 +42,7 @@ def _compared(question: Question) -> Iterator[Parse]:
     if than is None or comparative is None:
         return
     parts = [m for m in question.mentions if not m.pronoun or m.query is None]
-    behind = [m for m in parts if m.start > than]
+    behind = [m for m in parts if m.start > than and not (m.pronoun and text.is_word(m.end, "of"))]  # 'than that of'
     before = [m for m in parts if m.start < than][-1:] or behind[1:2]
     other = next(filter(None, (text.find(i, "scale") for i in range(than + 1, len(text)))), None)
     itself = all(m.pronoun for m in behind)
@@ -77,8 +77,10 @@ def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Meas
 def _which(question: Question) -> Iterator[Parse]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
+    both = text.is_word(question.asking[0] + 1, "of", "between")  # 'which of the lug and the rib is thicker?'
+    either |= text.at_words("and") if both else set()
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
-    chosen = question.chooses or (question.closed and not text.has("than"))
+    chosen = both or question.chooses or (question.closed and not text.has("than"))
     left, right = next(pairs, (None, None)) if chosen else (None, None)
     scale = next((span for span in text.all("scale") if span.value.degree != "positive"), None)
     if left is None or right is None or scale is None:
@@ -102,21 +104,23 @@ def _said(question: Question, mention: Mention) -> str:
 
 def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
-    span = next((one for one in question.text.all("operation") if one.value != "share"), None)
+    text, owners = question.text, [m for m in question.mentions if not m.pronoun][:2]
+    two = len(owners) > 1 and text.is_word(owners[0].end, "and")  # 'the total width of A and B'
+    spans = text.all("operation", *["total"] * two)
+    span = next((one for one in spans if one.value != "share"), None)
     if span is None:
         return
-    asked = [one for one in asked_in(question) if one.start > span.start][:2]
-    if span.value == "ratio" and len(asked) < 2:  # 'the length to width ratio', 'depth divided by width'
+    asked = [one for one in asked_in(question) if one.start >= span.start][:2]
+    if len(asked) < (2 if span.value == "ratio" else 1):  # 'the length to width ratio', 'width difference of A and B'
         before = [one for one in asked_in(question) if one.start < span.start]
         asked = [*before[-2 + len(asked) :], *asked]
     measures = [measure for one in asked for measure in one.measures]
-    owners = [m for m in question.mentions if not m.pronoun][:2]
     targets: list[Target] = [m.query for m in owners] or [None]
     if measures and len(measures) + len(targets) > 2:
         left = Get((measures[0],), targets[0])
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
-        yield Parse(Combine(span.value, left, right), {"combined": 1.0}, used)
+        yield Parse(Combine("plus" if span.category == "total" else span.value, left, right), {"combined": 1.0}, used)
 
 
 def _times(question: Question) -> Iterator[Parse]:
@@ -173,13 +177,15 @@ def _more_of(question: Question) -> Iterator[Parse]:
         form = Combine("apart", Count(several[0]), Count(several[1]))
         yield Parse(form, {"combined": 1.0}, {*apart, *counted}.union(*(m.used for m in question.parts)))
     than = min(text.at_words("than"), default=None)
-    more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many")), None)
-    if than is None or more is None or not text.is_word(more - 2, "how"):
+    more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many", "there")), None)
+    if than is None or more is None or not (text.is_word(more - 2, "how") or question.closed):
         return
     left = next((m for m in question.parts if more < m.start < than), None)
     right = next((m for m in question.parts if m.start > than), None)
     if left is not None and right is not None:
-        form = Combine("apart", Count(left.part), Count(right.part))
+        one, other = Count(left.part), Count(right.part)
+        relation = Relation.MORE if text.is_word(more, "more") else Relation.LESS
+        form = Check(one, relation, other) if question.closed else Combine("apart", one, other)
         yield Parse(form, {"combined": 1.0}, {more - 2, more - 1, more, than, *left.used, *right.used})
 
 

@@ -221,6 +221,7 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
     near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *_BORDERS)}
     near |= {at for at in text.at_words("beginning", "start") if text.is_word(at + 1, "of")}
+    near |= {at for at in text.at_words("begin", "begins", "start", "starts") if at > 0 and text.find(0, "ask")}
     left = text.at_phrases("remaining") if text.has("between") else frozenset[int]()
     facing = near | inside | text.covered("surface_to_surface") | left
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
@@ -313,8 +314,8 @@ def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
 
 
 def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
-    """Two anchors behind the words that ask, or one before and one behind them."""
-    pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else [])]
+    """Two anchors behind the words that ask, one before and one behind them, or both before: 'rib to hub distance'."""
+    pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else pairwise(before[-2:]))]
     pairs += [(after[0], after[2])] if len(after) > 2 else []
     for ones, others in pairs:
         for one, two in product(ones, others):

@@ -137,7 +137,8 @@ def _in_line(question: Question, start: int) -> Iterator[Parse]:
     subject = _subject(question, start, cue.start) if cue is not None else None
     if cue is None or subject is None:
         return
-    other = next(iter(_behind(question, cue.end)), None)
+    joined = _subject(question, subject.end, cue.start) if text.is_word(subject.end, "and") else None
+    other = next(iter(_behind(question, cue.end)), joined)  # 'are the bore and the pin coaxial'
     used = {*subject.used, *cue.tokens, *(other.used if other is not None else ())}
     strict = any(text.is_word(i, "axis", "coaxial", "concentric") for i in range(cue.start, len(text)))
     second = other.query if other is not None else None

@@ -177,6 +177,10 @@ def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Req
             if mention.query is not None:
                 get = Get(one.measures, replace_fields(mention.query, plural=True))
                 yield Parse(forms.Uniform(get), used=mention.used | same | one.used)
+                second = parts[1] if len(parts) > 1 and text.is_word(mention.end, "and") else None
+                if second is not None and second.query is not None:  # 'are the lug and the rib equally thick'
+                    form = Check(Get(one.measures, mention.query), Relation.EQUAL, Get(one.measures, second.query))
+                    yield Parse(form, {"check": 1.0}, mention.used | second.used | same | one.used)
                 for right, used in _others(text, max(same), mention.part, parts):  # 'the same size as those in the hub'
                     wide = text.find(max(used) + 2, "scale") if text.find(max(used) + 1, "be") else None
                     measures = (wide.value.measure,) if wide is not None else one.measures  # 'as the rim is wide'

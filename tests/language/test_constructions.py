@@ -1,0 +1,173 @@
+"""Every way to say it, with every part: constructions of English, filled in with parts that nothing was written for.
+
+A construction that is only read with some nouns is a rule for those. Each is tried with several, drawn by seed.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+
+import pytest
+
+from querycad_contracts import PartQuery
+from querycad_language.describe import plural_of
+from querycad_language.forms import Get
+from querycad_language.lexicon import lexicon
+from querycad_language.readings import Reading, read
+
+PARTS = ("boss", "slot", "pocket", "rib", "groove", "lug", "flange", "hub", "pin", "hole")
+FIRST = 6
+"""So many readings are looked at: which of them is right the model decides."""
+
+
+def filled(template: str, times: int = 4) -> Iterator[tuple[str, str, str]]:
+    """The sentence with several pairs of parts: {a} and {b}, in the plural {aa} and {bb}."""
+    dice = random.Random(template)
+    for _ in range(times):
+        a, b = dice.sample(PARTS, 2)
+        said = template.format(a=a, b=b, aa=plural_of(a), bb=plural_of(b))
+        yield said[0].upper() + said[1:], a, b
+
+
+def readings(question: str) -> list[Reading]:
+    return read(question, ())[:FIRST]
+
+
+def targets(question: str, noun: str) -> list[PartQuery]:
+    found = (getattr(reading.form, "target", None) for reading in readings(question))
+    return [query for query in found if query is not None and query.noun == noun]
+
+
+DISTANCES = (
+    "How far is the {a} from the {b}?",
+    "How far apart are the {a} and the {b}?",
+    "The {a} and the {b}: how far apart?",
+    "{a} to {b} distance?",
+    "{a} to {b}?",
+    "Centre distance {a} - {b}?",
+    "How much material is between the {a} and the {b}?",
+    "How close is the {a} to the {b}?",
+    "What separates the {a} from the {b}, in mm?",
+    "At what distance from the {b} is the {a}?",
+    "Measured from the {b}, how far is the {a}?",
+    "How wide is the gap between the {a} and the {b}?",
+    "How much is the {a} offset from the {b}?",
+    "How far in from the {b} is the {a}?",
+)
+COMPARISONS = {
+    "Is the {a} wider than the {b}?": "Check",
+    "Is the width of the {a} greater than that of the {b}?": "Check",
+    "Is the {a} as wide as the {b}?": "Check",
+    "Are the {a} and the {b} equally wide?": "Check",
+    "Do the {a} and the {b} have the same width?": "Check",
+    "Are there more {aa} than {bb}?": "Check",
+    "Which is wider, the {a} or the {b}?": "Which",
+    "Which one is wider: the {a} or the {b}?": "Which",
+    "Of the {a} and the {b}, which is wider?": "Which",
+    "How much wider is the {a} than the {b}?": "Combine",
+    "By how much is the {a} wider than the {b}?": "Combine",
+    "Width difference between {a} and {b}?": "Combine",
+    "What is the difference in width between the {a} and the {b}?": "Combine",
+    "What is the ratio between the widths of the {a} and the {b}?": "Combine",
+    "What is the combined width of the {a} and the {b}?": "Combine",
+    "Total width of {a} and {b}?": "Combine",
+    "How wide are the {a} and the {b} together?": "Combine",
+    "How many more {aa} than {bb} are there?": "Combine",
+    "Are the {a} and the {b} coaxial?": "Parallel",
+    "Does the {a} line up with the {b}?": "Parallel",
+    "Is the {a} parallel to the {b}?": "Parallel",
+    "What is the angle between the {a} and the {b}?": "Angle",
+}
+RELATIONS = (
+    *("carries", "holds", "contains", "touches", "adjoins", "crosses", "pierces", "surrounds", "encloses", "joins"),
+    *("faces", "stands on", "rises from", "ends at", "runs into", "borders", "flanks", "lies on", "is next to"),
+    *("is carried by", "is surrounded by", "is crossed by", "is cut into", "belongs to", "is part of"),
+)
+NAMED = {
+    "left {a}": "ends",
+    "{a} on the left side": "sides",
+    "top left {a}": "ends",
+    "{a} in the top left corner": "ends",
+    "+X {a}": "ends",
+    "{a} facing right": "sides",
+    "{a} visible from above": "sides",
+    "{a} with the highest z": "ranks",
+    "{a} at smaller x": "ranks",
+    "{a} nearest the top": "ranks",
+    "second {a} from the left": "ranks",
+    "first {a} from the bottom": "ranks",
+    "deepest {a}": "ranks",
+    "{a} with the greater depth": "ranks",
+    "{a} closest to the centre": "adjectives",
+    "innermost {a}": "adjectives",
+    "chamfered {a}": "adjectives",
+    "{a} that is not chamfered": "lacking",
+    "unchamfered {a}": "lacking",
+    "non-chamfered {a}": "lacking",
+    "5 mm {a}": "sizes",
+    "{a}, 5 mm wide,": "sizes",
+    "{a} with a width of 5 mm": "sizes",
+    "{a} that is 5 mm wide": "sizes",
+    "six-sided {a}": "adjectives",
+    "{a} coloured red": "colors",
+}
+LEADS = (
+    "{Q}",
+    "The {a}: {q}",
+    "Look at the {a}. {Q}",
+    "There is a {a} here. {Q}",
+    "Regarding the {a}, {q}",
+    "{a} - {q}",
+    "This part has a {a}. {Q}",
+)
+
+
+@pytest.mark.parametrize("template", DISTANCES)
+def test_how_far_apart_two_parts_are(template: str) -> None:
+    for question, a, b in filled(template):
+        said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == "Distance"]
+        assert any(f"noun='{a}'" in form and f"noun='{b}'" in form for form in said), question
+
+
+@pytest.mark.parametrize(("template", "form"), COMPARISONS.items())
+def test_what_two_parts_have_together_or_apart(template: str, form: str) -> None:
+    for question, a, b in filled(template):
+        said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == form]
+        assert any(f"noun='{a}'" in one and f"noun='{b}'" in one for one in said), question
+
+
+@pytest.mark.parametrize("relation", RELATIONS)
+def test_a_relative_clause_places_the_part(relation: str) -> None:
+    for question, a, b in filled(f"How wide is the {{a}} that {relation} the {{b}}?"):
+        placed = [place.what for query in targets(question, a) for place in query.places]
+        assert any(what is not None and what.noun == b for what in placed), question
+
+
+@pytest.mark.parametrize(("phrase", "field"), NAMED.items())
+@pytest.mark.parametrize("question", ["How wide is the {}?", "Where is the {}?", "I need the depth of the {}."])
+def test_each_way_to_tell_parts_apart_restricts(phrase: str, field: str, question: str) -> None:
+    for said, a, _ in filled(question.format(phrase)):
+        assert any(getattr(query, field) for query in targets(said, a)), said
+
+
+@pytest.mark.parametrize("lead", LEADS[1:])
+@pytest.mark.parametrize("asked", ["how wide is it?", "its width?", "what is its width?", "please give me the width."])
+def test_what_was_said_before_owns_the_measure(lead: str, asked: str) -> None:
+    for question, a, _ in filled(lead.replace("{q}", asked).replace("{Q}", asked.capitalize())):
+        assert any(isinstance(one.form, Get) and one.form.measures[0] == "width" for one in readings(question))
+        assert targets(question, a), question
+
+
+@pytest.mark.parametrize(
+    "frame", ["How long is the {}?", "How deep is the large {}?", "What is the diameter of the {}?"]
+)
+def test_every_noun_of_the_lexicon_is_read(frame: str) -> None:
+    nouns = lexicon().nouns
+    whole = {*lexicon().words("whole"), *lexicon().words("aside"), "drill", "wrench", "spanner", "blank", "single part"}
+    lost = []
+    for name, noun in nouns.items():
+        mentioned = {getattr(getattr(one.form, "target", None), "noun", None) for one in read(frame.format(name), ())}
+        if name not in whole and not {name, noun.name} & mentioned:
+            lost.append(name)
+    assert len(lost) <= 0.01 * len(nouns), lost
