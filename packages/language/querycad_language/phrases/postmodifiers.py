@@ -224,6 +224,11 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     if alone is not None and not noun_follows(text, alone.end):
         build.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
         return alone.end
+    more = text.find(at + 1, "scale") if text.find(at, "be") and text.is_word(0, "which") else None
+    ends = more is not None and (more.end >= len(text) or text.is_break(more.end))
+    if more is not None and more.value.degree in ("more", "less") and ends:  # 'which lug is thicker'
+        build.ranks.append(Rank(measure=more.value.measure, most=more.value.degree == "more"))
+        return more.end
     place = text.find(at, "place", "have")
     counted = ("in", "on") if any(text.find(i, "count") for i in range(at)) else ()  # 'how many holes at max diameter'
     start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have", *counted) else len(text)

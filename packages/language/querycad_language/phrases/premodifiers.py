@@ -79,7 +79,7 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
 def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     """An adjective, a rank, a side, a colour, a noun, or a word that is not known."""
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
-    if noun and noun.end == at + 1 and text.find(at, "reach", "passing") and not _names(text, at, build.article):
+    if noun and text.find(at, "reach", "passing") and not _names(text, at, build.article):
         noun = None  # 'ring sticks up': a verb
     if not build.nouns and (end := _by_measure(text, at, build)) > at:
         return end
@@ -182,7 +182,7 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
         if behind >= noun.end and is_noun(text, behind) and not plural and not of_it:  # 'the counterbores visible'
             return False
     whole = text.find(at, "whole")
-    return whole is None or whole.end < noun.end or bool(build.nouns or build.adjectives)
+    return whole is None or whole.end < noun.end or bool(build.nouns or build.adjectives or build.lacking)
 
 
 def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:

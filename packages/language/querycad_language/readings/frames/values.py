@@ -108,9 +108,10 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     if target is not None and (reduce is Reduce.MEAN or (compound and reduce in _OF_SEVERAL)):
         target = replace_fields(target, plural=True)
     used |= asked.used | owner.used
-    faces = (m for m in question.parts if m.part.ends and used.isdisjoint(m.used))
+    faces = (m for m in question.parts if (m.part.ends or m.part.sides) and used.isdisjoint(m.used))
     if target is not None and asked.measures == (Measure.OPENING,) and (face := next(faces, None)) is not None:
-        target, used = replace_fields(target, sides=face.part.ends), used | face.used  # 'break through the left face'
+        target = replace_fields(target, sides=face.part.ends or face.part.sides)  # 'break through the left face'
+        used |= face.used
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
@@ -211,7 +212,8 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
     text = question.text
     start, end = question.asking
     each = {i for i in text.at_phrases("each") if start <= i < end}
-    plural = target is not None and not each and (target.plural or bool(text.at_phrases("sum")))
+    single = text.at_words("each") & each  # 'the total length of each slot'
+    plural = target is not None and not single and (target.plural or bool(text.at_phrases("sum")))
     if asked.reduce is not None:
         adds = asked.measures[0] in ADDITIVE | _STACKED or bool(text.at_phrases("sum"))
         if asked.reduce is not Reduce.TOTAL or (plural and adds):
