@@ -8,6 +8,7 @@ import pytest
 from tests.made import body, hole, part, whole
 
 from querycad_answering.programs import Unwritable, write
+from querycad_answering.programs.meanings import options
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation, Side
 from querycad_language.forms import (
     LONGEST,
@@ -34,7 +35,6 @@ from querycad_language.forms import (
     Uniform,
     queries,
 )
-from querycad_language.measures import options
 from querycad_sandbox.check import TypeChecker
 
 HOLES = PartQuery(noun="hole", plural=True)

@@ -123,6 +123,21 @@ LEADS = (
 )
 
 
+EIGHT = (
+    *("8 mm", "8mm", "8-mm", "8,0 mm", "Ø8", "ø 8", "Ø8 mm", "Ø8H7", "dia. 8", "dia 8", "8 dia", "8 mm dia", "D8"),
+    *("d = 8 mm", "diameter 8", "0.8 cm", "eight mm", "8 x 20 mm", "8x20 mm", "8 mm wide"),
+)
+
+
+@pytest.mark.parametrize("size", EIGHT)
+@pytest.mark.parametrize("question", ["How many {} {}?", "How deep is the {} {}?"])
+def test_a_size_is_one_however_it_is_written(question: str, size: str) -> None:
+    for noun in ("slot", "bore", "pocket"):
+        several = plural_of(noun) if "many" in question else noun
+        found = targets(question.format(size, several), noun)
+        assert any(one.sizes and one.sizes[0].low == pytest.approx(8e-3) for one in found), (question, size, noun)
+
+
 @pytest.mark.parametrize("template", DISTANCES)
 def test_how_far_apart_two_parts_are(template: str) -> None:
     for question, a, b in filled(template):

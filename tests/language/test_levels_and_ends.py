@@ -6,9 +6,9 @@ import pytest
 from tests.made import body, part, whole
 
 from querycad_answering.programs import write
+from querycad_answering.programs.meanings import options
 from querycad_contracts import Measure, Part, PartQuery, Side
 from querycad_language.forms import SHORTER, Check, Distance, Form, Get, Plane, Towards
-from querycad_language.measures import options
 from querycad_language.readings.frames.distances import overhangs
 from querycad_language.readings.question import Question
 from querycad_language.readings.reader import read

@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 from tests.made import part
 
+from querycad_answering.programs.meanings import options
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, SHORTER, Boundary, Combine, Count, Distance, Get, Plane
-from querycad_language.measures import options
 from querycad_language.readings import Reading, read
 from querycad_language.tokens import tokenize
 

@@ -48,6 +48,7 @@ _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
 _OPENING = re.compile(r"\W{0,3}(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
 """Words before which 'in' is no unit."""
 _LETTERS = {"l": "length", "w": "width", "b": "width", "h": "height", "d": "depth", "t": "thickness", "⌀": "diameter"}
+_DECIMAL = r"\d+(?:[.,]\d+)?"
 _OUTWARD = {
     side.value: ("[+]" if sum(side.outward) > 0 else "[-−]") + "xyz"[list(map(abs, side.outward)).index(1)]
     for side in Side
@@ -107,6 +108,11 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|dp|d|t|thk)\b)+", re.I),
         lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
     ),
+    (re.compile(r"(?<=\d)\s?(?:[EFGHJKNPSefghjknps]|JS|js)\d{1,2}\b(?! ?mm)"), ""),  # ISO 286: '8H7'
+    (re.compile(r"\b(?:[dD](?:\s?=\s?)?|[dD]ia(?:m|meter)?\.? )(?=\d+(?:[.,]\d+)?(?: ?mm)? [a-z]{3})"), "⌀ "),
+    (re.compile(rf"(?<![\d.,⌀])({_DECIMAL})\s?dia\b\.?", re.I), r"⌀ \1"),  # '8 dia holes'
+    (re.compile(rf"({_DECIMAL})\s?[x×]\s?(?={_DECIMAL}(?:\s?[x×]\s?{_DECIMAL})?\s?(mm|cm|inch)\b)", re.I), r"\1 \2 x "),
+    (re.compile(r"\bM (?=\d)"), "M"),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
     (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
 )

@@ -11,7 +11,9 @@ from typing import NamedTuple
 from querycad_contracts import AnswerType, Measure, Part, PartKind, PartQuery
 from querycad_language.forms import Form
 from querycad_language.lexicon import lexicon
-from querycad_language.measures import CUT, WHOLE, Grade, options
+from querycad_language.measures import WHOLE
+
+from .meanings import CUT, Grade, options
 
 _VECTORS = (".extents", ".center", ".half_extents", ".tip", ".opening", ".axis", ".normal")
 

@@ -8,9 +8,10 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Bottom, Part, PartKind, PartQuery, Side
 from querycad_language import forms
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, MassCentre, Origin, Plane, Reduce
-from querycad_language.measures import CUT, WHOLE, along_axis
+from querycad_language.measures import WHOLE
 
 from .builder import Builder, Read, Unwritable
+from .meanings import CUT, along_axis
 
 SLACK = 1e-6
 """Metres within which two lengths are one."""

@@ -64,10 +64,11 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
     token = text.tokens[at]
     whole = token.value == int(token.value)
     noun = text.find(at + 1, "noun")
+    sized = text.find(at + 1, "scale")  # 'is the slot 8 wide'
     one = build.definite and noun and not text.tokens[noun.end - 1].plural and not text.find(noun.end, "noun")
     if not build.nouns and ((not whole and text.find(at + 1, "noun", "adjective")) or (one and token.value > 1)):
         build.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes', 'the 25 lug'
-    elif whole and build.nouns and not build.unknown and build.nouns[-1].end == at and token.value < 10_000:
+    elif whole and token.value < 10_000 and build.nouns and build.nouns[-1].end == at and not (build.unknown or sized):
         build.ids.append(f"{build.nouns[-1].value.name}-{int(token.value)}")
     elif whole and not build.nouns and noun_follows(text, at + 1):
         build.count = int(token.value)

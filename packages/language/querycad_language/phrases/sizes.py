@@ -47,8 +47,12 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         token = text.tokens[at]
         if token.kind is Kind.QUANTITY and token.power in _POWERS:
             return _sized(text, at, measure or token.measure or _POWERS[token.power], relation)
-        if token.kind is Kind.NUMBER and measure is not None and not noun_follows(text, at + 1):
+        bare = token.kind is Kind.NUMBER and (measure or relation in COMPARISONS.values())
+        if bare and not noun_follows(text, at + 1) and not text.is_word(at - 2, "more", "less", "fewer"):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
+        wide = text.find(at + 1, "scale") if token.kind is Kind.NUMBER else None
+        if wide is not None and wide.value.degree == "positive" and not noun_follows(text, wide.end):  # 'is it 8 wide'
+            return SizeFilter(measure=wide.value.measure, relation=relation, low=token.value * 1e-3), wide.end
         if scale := text.find(at, "scale"):
             if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
                 return None
