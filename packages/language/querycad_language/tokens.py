@@ -80,7 +80,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
     (re.compile(r"\bi\.\s?e\.?(?!\w)", re.I), "that is"),
     (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
-    (re.compile(r"\bno\.(?=\s?of\b)", re.I), "number"),
+    (re.compile(r"(?:\bno\.|#)(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
     (_ECHO, "?"),

@@ -479,3 +479,9 @@ def test_what_is_outer_by_a_tag_is_not_what_is_inner() -> None:
 def test_the_smaller_of_one_is_marked() -> None:
     ways = ground(inventory(hole(1)), PartQuery(noun="hole", adjectives=("smaller",), definite=True))
     assert any("comparative_nothing" in way.features for way in ways)
+
+
+def test_the_top_left_one_of_a_flat_plate_is_at_the_back() -> None:
+    corners = [hole(n, x, y) for n, (x, y) in enumerate([(-20, -10), (20, -10), (-20, 10), (20, 10)], start=1)]
+    query = PartQuery(noun="hole", words=("hole",), definite=True, ends=(Side.TOP, Side.LEFT))
+    assert ids(best(query, inventory(*corners))) == {"hole-3"}

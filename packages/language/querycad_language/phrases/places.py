@@ -54,7 +54,7 @@ def leads_away(text: Text, at: int) -> bool:
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     """Sides behind a preposition: 'from the top or the bottom side'."""
     leads = text.is_word(at, "to") and (text.has("from") or any(s.value is Measure.AXIS for s in text.all("measure")))
-    along = text.is_word(at, "to") and at in text.covered("axis")
+    along = text.is_word(at, "to", "from") and at in text.covered("axis")
     if leads or along or (prep := text.find(at, "side_preposition")) is None:
         return [], at  # 'from the pin to the back end of the fork' leads to an end; 'left to right' is no side
     sides: list[Side] = []

@@ -217,7 +217,8 @@ class Inventory:
         order, middle = adjective.order, self.model
         if order == "corner":
             return [part for part in found if orders.out_to_corner(part, middle) >= CORNER_SHARE - 1e-6] or list(found)
-        values = [orders.off_center(p, middle) if order == "distance" else orders.measured(p, order) for p in found]
+        aside = order == "distance"
+        values = [orders.off_center(p, middle) for p in found] if aside else orders.compared(found, order)
         return orders.end_of(found, values, adjective.most, count)
 
 

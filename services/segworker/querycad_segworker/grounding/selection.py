@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from querycad_contracts import Measure, Part, PartQuery, Rank
 from querycad_language.lexicon import lexicon
 from querycad_segworker.relations.nearby import to_nearest
-from querycad_segworker.relations.orders import by_size, extreme, measured, size
+from querycad_segworker.relations.orders import by_size, compared, extreme, size
 from querycad_segworker.vectors import dot
 
 from .candidates import Candidate, Request, kept, through
@@ -83,7 +83,7 @@ def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
     sized = rank.measure in (None, Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
     if sized and all(p.kind == "face" for p in parts):
         return [p.area or 0.0 for p in parts]
-    return [measured(p, "size" if sized else str(rank.measure)) for p in parts]
+    return compared(parts, "size" if sized else str(rank.measure))
 
 
 def counted(request: Request, way: Candidate) -> Sequence[Candidate]:

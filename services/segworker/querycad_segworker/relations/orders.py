@@ -58,6 +58,12 @@ def measured(part: Part, order: str) -> float:
     return value if value is not None else max(part.extents)
 
 
+def compared(found: Sequence[Part], order: str) -> list[float]:
+    """What a word compares of several parts: of round ones of which only some are discs the diameter."""
+    mixed = order == "thickness" and any(p.thickness is None for p in found) and all(p.diameter for p in found)
+    return [measured(part, "size" if mixed else order) for part in found]
+
+
 def end_of(found: Sequence[Part], values: Sequence[float], most: bool, count: int | None) -> list[Part]:
     """The parts at one end of an order: as many as counted, else those before the first clear gap, or the widest."""
     ranked = sorted(zip(found, values, strict=True), key=lambda pair: pair[1], reverse=most)

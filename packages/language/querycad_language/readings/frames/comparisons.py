@@ -195,9 +195,10 @@ def _of_two(question: Question) -> Iterator[Parse]:
     scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
     one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
     than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
-    if scale is None or one is None or than is None or not text.has("much", "many"):
+    if scale is None or one is None or than is None or not (text.has("much", "many") or question.closed):
         return
     measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
     target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
+    apart, used = Combine("apart", most, least), used | set(range(question.asking[0], one.start))
+    yield Parse(Check(apart, Relation.MORE, 0.0) if question.closed else apart, {"combined": 1.0}, used)

@@ -163,9 +163,10 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
         if any(mention.start < at < mention.end for at in text.at_words("both")):
             continue  # 'in both flanges': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
-        if query is not None and query.count and span is not None:
-            several = Count(replace_fields(query, count=None, plural=True))
-            yield Parse(Check(several, span.value, float(query.count)), features, used | mention.used | {*span.tokens})
+        many = query.count or (1 if text.is_word(mention.start, "one") else None) if query is not None else None
+        if query is not None and many and span is not None:
+            several = Count(replace_fields(query, count=None, plural=True, sample=False))
+            yield Parse(Check(several, span.value, float(many)), features, used | mention.used | {*span.tokens})
         elif query is not None:
             yield Parse(Exists(query), features, used | mention.used)
 
