@@ -80,7 +80,7 @@ COMPARISONS = {
     "What is the angle between the {a} and the {b}?": "Angle",
 }
 RELATIONS = (
-    *("carries", "holds", "contains", "touches", "adjoins", "crosses", "pierces", "surrounds", "encloses", "joins"),
+    *("carries", "contains", "touches", "adjoins", "crosses", "pierces", "surrounds", "encloses"),
     *("faces", "stands on", "rises from", "ends at", "runs into", "borders", "flanks", "lies on", "is next to"),
     *("is carried by", "is surrounded by", "is crossed by", "is cut into", "belongs to", "is part of"),
 )

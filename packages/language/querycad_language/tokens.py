@@ -108,7 +108,10 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|dp|d|t|thk)\b)+", re.I),
         lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
     ),
-    (re.compile(r"(?<=\d)\s?(?:[EFGHJKNPSefghjknps]|JS|js)\d{1,2}\b(?! ?mm)"), ""),  # ISO 286: '8H7'
+    (
+        re.compile(r"(?<!\d)(\d{1,3}(?:[.,]\d+)?)\s?(?:[EFGHJKNPSefghjknps]|JS|js)[1-9]\d?\b(?! ?mm)"),
+        r"\1",
+    ),  # ISO 286: '8H7'
     (re.compile(r"\b(?:[dD](?:\s?=\s?)?|[dD]ia(?:m|meter)?\.? )(?=\d+(?:[.,]\d+)?(?: ?mm)? [a-z]{3})"), "⌀ "),
     (re.compile(rf"(?<![\d.,⌀])({_DECIMAL})\s?dia\b\.?", re.I), r"⌀ \1"),  # '8 dia holes'
     (re.compile(rf"({_DECIMAL})\s?[x×]\s?(?={_DECIMAL}(?:\s?[x×]\s?{_DECIMAL})?\s?(mm|cm|inch)\b)", re.I), r"\1 \2 x "),

@@ -162,6 +162,8 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
     if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or leads_away(text, at):
         return at
+    if text.words[at].endswith("ed") and text.find(at - 1, "be") and not text.is_word(at - 2, "that", "which"):
+        return at  # 'the board is carried by posts': what is said of it, not which
     start = span.end
     size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)
     if size and text.find(at, "relation"):

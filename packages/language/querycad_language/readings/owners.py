@@ -65,9 +65,6 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         yield Owner(mention.query, used, features)
         for holder in _part_of(mention.query):
             yield Owner(holder, used, features)
-        has = next((m for m in question.parts if m.end <= mention.start and text.find(m.end, "have")), None)
-        if has is not None and link == "earlier" and mention.query is not None:  # 'the hub has a keyway. Its width?'
-            yield Owner(placed_in(mention.query, "of", has.part), used | has.used, features)
     yield from _compound_of(text, linked, asked)
     yield from _cut_at(question, asked, linked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():

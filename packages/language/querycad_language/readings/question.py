@@ -63,8 +63,10 @@ class Question:
     def chooses(self) -> bool:
         """Is one of two asked for: 'Which is longer, the spindle or the lever?'"""
         text = self.text
-        asks = any(text.is_word(i, "which", "what") for i in range(self.asking[1])) and not text.has("than")
-        return asks and any(a.end <= at < b.start for at in text.at_words("or") for a, b in pairwise(self.parts))
+        two = sum(self.in_question(part.start) for part in self.parts) == 2  # 'which is longer: the pin or the rod?'
+        asks = any(text.is_word(i, "which", "what") for i in range(0 if two else self.asking[0], self.asking[1]))
+        offered = any(a.end <= at < b.start for at in text.at_words("or") for a, b in pairwise(self.parts))
+        return asks and offered and not text.has("than")
 
     @property
     def offers_yes_no(self) -> bool:

@@ -77,7 +77,8 @@ def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Meas
 def _which(question: Question) -> Iterator[Parse]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
-    both = text.is_word(question.asking[0] + 1, "of", "between")  # 'which of the lug and the rib is thicker?'
+    start = question.asking[0]  # 'which of the lug and the rib is thicker?'
+    both = text.find(start, "ask") and text.is_word(start + 1, "of", "between")
     either |= text.at_words("and") if both else set()
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
     chosen = both or question.chooses or (question.closed and not text.has("than"))

@@ -174,10 +174,14 @@ def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> I
         yield Parse(form, {**parse.features, "there": 1.0}, parse.used | said)
 
 
+_FACES = ("face", "surface", "end face", "outside", "side face")
+
+
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
     text = question.text
-    if get.measures == (Measure.POSITION,) and (target.sides or target.ends) and is_cut(target):
+    faced = any(what.noun in _FACES for _, what in places_of(target)) or text.has("outside")
+    if get.measures == (Measure.POSITION,) and (target.sides or target.ends or faced) and is_cut(target):
         seen = replace(get, measures=(Measure.OPENING,))  # 'the centre of the hole seen from the left'
         yield Parse(seen, {**parse.features, "position_seen": 1.0}, parse.used)
     for words, measure in _THERE.get(get.measures[0], {}).items():
