@@ -153,7 +153,7 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
     """'the nearest end of the base', 'the plate's long edge': the nearer of two opposite ends."""
     text = question.text
     for at in sorted(text.at_words("end", "edge", "side")):
-        sized = text.is_word(at - 1, "long", "longer", "short", "shorter")
+        sized = text.is_word(at - 1, "long", "longer", "longest", "short", "shorter", "shortest")
         lead = at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)
         along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
         if along is not None or not (sized or (lead < at and text.is_word(at, "end"))):
@@ -161,7 +161,7 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
         end = text.skip(at + 1, "side_noun")
         other = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
-        across = text.is_word(at - 1, "long", "longer")
+        across = text.is_word(at - 1, "long", "longer", "longest")
         used = {*range(lead, other.end if other else end), *(holder.used if holder is not None else ())}
         of = holder.query if holder is not None else None
         yield Spot(at, Boundary(None, of, SHORTER if across else LONGEST), used)
