@@ -55,6 +55,20 @@ DISTANCES = (
     "How much is the {a} offset from the {b}?",
     "How far in from the {b} is the {a}?",
 )
+LEAST = (
+    "What is the thinnest web between the {a} and the {b}?",
+    "Thinnest metal between the {a} and the {b}?",
+    "How much material is left between the {a} and the {b} at its thinnest?",
+    "Smallest wall thickness between the {a} and the {b}?",
+)
+TO_PLACES = {
+    "How far is the {a} from the centre?": "second=None",
+    "How far is the {a} from the middle of the part?": "second=None",
+    "What is the wall between the {a} and outside?": "Boundary(side=None",
+    "How far is the {a} from the longest side?": "Boundary(side=None",
+    "How far from the left end does the {a} begin?": "mode='surfaces'",
+    "What is the y distance between the two {aa}?": "axis=1",
+}
 COMPARISONS = {
     "Is the {a} wider than the {b}?": "Check",
     "Is the width of the {a} greater than that of the {b}?": "Check",
@@ -143,6 +157,20 @@ def test_how_far_apart_two_parts_are(template: str) -> None:
     for question, a, b in filled(template):
         said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == "Distance"]
         assert any(f"noun='{a}'" in form and f"noun='{b}'" in form for form in said), question
+
+
+@pytest.mark.parametrize("template", LEAST)
+def test_the_least_that_is_left_between_two_parts(template: str) -> None:
+    for question, a, b in filled(template):
+        said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == "Distance"]
+        assert any(f"noun='{a}'" in one and f"noun='{b}'" in one and "SMALLEST" in one for one in said), question
+
+
+@pytest.mark.parametrize(("template", "says"), TO_PLACES.items())
+def test_how_far_a_part_is_from_a_place_of_the_model(template: str, says: str) -> None:
+    for question, a, _ in filled(template):
+        said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == "Distance"]
+        assert any(f"noun='{a}'" in one and says in one for one in said), question
 
 
 @pytest.mark.parametrize(("template", "form"), COMPARISONS.items())

@@ -47,7 +47,7 @@ def test_what_is_hollow_has_its_extents_twice(question: str, measure: Measure, e
 @pytest.mark.parametrize(
     ("question", "expected"),
     [
-        ("How long is the middle section of the spindle?", ("central",)),
+        ("How long is the middle section of the spindle?", ("middle",)),
     ],
 )
 def test_a_section_is_told_by_its_diameter_or_by_where_it_is(question: str, expected: tuple[str, ...]) -> None:

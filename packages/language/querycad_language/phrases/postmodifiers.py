@@ -52,6 +52,8 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
             build.used.update(range(start, after))
             return after
         relative = relative or text.is_word(at, "that", "which", "who", "where")
+        if text.is_word(at, "and") and text.has("between") and not build.adjectives:
+            return start  # 'between the keyway and outside'
         again = at == start and text.is_word(at, "and", "but") and text.find(at + 1, "relation", "scale")
         if not _leads(text, at) and not (relative and _is_verb(text, at)) and not (again and build.adjectives):
             return start

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Rank, SizeFilter
+from querycad_contracts import Measure, Rank, SizeFilter
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -116,7 +116,7 @@ def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:
     measure = text.find(at, "measure")
     if measure is None or measure.end > at + 1 or not text.is_word(at, "middle") or not text.find(at + 1, "noun"):
         return at
-    build.adjectives.append("central")
+    build.adjectives.append("middle")
     return at + 1
 
 
@@ -148,6 +148,9 @@ def _is_measure(
     """Is the word a measure, and no part that has one: 'mouth diameter'?"""
     if measure is None or (noun and noun.end > measure.end) or (adjective and adjective.end > measure.end):
         return False
+    others = [one for one in text.all("measure", "scale") if one.start != measure.start]
+    if measure.value is Measure.MINIMUM_THICKNESS and text.is_word(measure.end - 1, "section") and others:
+        return False  # 'how long is the thinnest section'
     if noun is not None and text.tokens[noun.end - 1].plural:
         return False  # 'the cogs'
     if noun is None or noun.end != measure.end or build.article or build.nouns:

@@ -108,6 +108,8 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if edge := text.find(at, "edge"):
         joining = text.is_word(at, "edge") and text.is_word(edge.end, "to")  # 'edge to edge'
         return None if joining else Spot(at, Boundary(None), set(edge.tokens))
+    if text.is_word(at, "outside") and text.is_word(at - 1, "and", "to"):
+        return Spot(at, Boundary(None), {at})  # 'between the bore and outside'
     if (measure := text.find(at, "measure")) and measure.value is Measure.CENTER_OF_MASS:
         return Spot(at, MassCentre(), set(measure.tokens))
     if (middle := _box_middle(text, at)) is not None:

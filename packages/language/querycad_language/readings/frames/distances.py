@@ -35,6 +35,8 @@ _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPT
 """Measures that between two parts are distances: 'the height of A above B'."""
 _OFF = 4
 """Words from 'off' to the middle that something is off."""
+_WEBS = ("web", "bridge", "land", "ligament", "partition")
+"""What is left between two cuts."""
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -152,9 +154,7 @@ def _distance_words(question: Question) -> Iterator[_Words]:
             for at in text.at_words("how") if span.category == "gap" else ():  # 'how wide is the gap'
                 used |= {at, *(scale.tokens if (scale := text.find(at + 1, "scale")) else ())}
             yield _Words(span.start, span.end, "surfaces" if span.category == "gap" else "usual", used)
-    for span in text.all("stuff") if text.has("between") else ():  # 'the least metal between the lugs'
-        if question.in_question(span.start) and text.is_word(span.end, "between", "left", "remaining", "standing"):
-            yield _Words(span.start, span.end, "surfaces", {*span.tokens, *text.at_phrases("remaining", "between")})
+    yield from _left_between(question)
     for at in range(*question.asking):
         if text.is_word(at, "how"):
             yield from _how(question, at)
@@ -165,6 +165,17 @@ def _distance_words(question: Question) -> Iterator[_Words]:
             if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
                 mode: Mode = "centers" if measure.value in _HIGH else "surfaces"
                 yield _Words(measure.start, measure.end, mode, set(measure.tokens))
+
+
+def _left_between(question: Question) -> Iterator[_Words]:
+    """'the least metal between the lugs', 'the thinnest web between the bores'."""
+    text = question.text
+    for span in text.all("stuff") if text.has("between") else ():
+        if question.in_question(span.start) and text.is_word(span.end, "between", "left", "remaining", "standing"):
+            yield _Words(span.start, span.end, "surfaces", {*span.tokens, *text.at_phrases("remaining", "between")})
+    for at in text.at_words(*_WEBS):
+        if text.is_word(at + 1, "between") and question.in_question(at):
+            yield _Words(at, at + 1, "surfaces", {at, at + 1})
 
 
 def _unnamed(question: Question) -> Iterator[_Words]:
@@ -242,6 +253,9 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
     for at in range(max(0, start - 2), min(end + 1, len(text))):
         if span := text.find(at, "most", "least"):
             return EXTREMES[span.category], {at}
+    for at in sorted(text.at_phrases("most", "least")):  # 'at its thinnest'
+        if text.is_word(at - 1, "its", "the", "their") and text.is_word(at - 2, "at"):
+            return EXTREMES["most" if text.find(at, "most") else "least"], {at - 2, at - 1, at}
     ends = text.at_words("first"), text.at_words("last")
     if all(ends) and min(ends[0]) < max(ends[1]):  # 'from the first hole to the last one'
         return Reduce.LARGEST, ends[0] | ends[1]
