@@ -195,7 +195,7 @@ def test_each_way_to_tell_parts_apart_restricts(phrase: str, field: str, questio
 
 
 @pytest.mark.parametrize("lead", LEADS[1:])
-@pytest.mark.parametrize("asked", ["how wide is it?", "its width?", "what is its width?", "please give me the width."])
+@pytest.mark.parametrize("asked", ["how broad is it?", "its width?", "what is its width?", "please give me the width."])
 def test_what_was_said_before_owns_the_measure(lead: str, asked: str) -> None:
     for question, a, _ in filled(lead.replace("{q}", asked).replace("{Q}", asked.capitalize())):
         assert any(isinstance(one.form, Get) and one.form.measures[0] == "width" for one in readings(question))
