@@ -373,7 +373,7 @@ class Part(Weighed):
     )
     thickness: float | None = None
     opening: Vector | None = Field(None, description="Centre of the opening of a hole, pocket or slot.")
-    tip: Vector | None = Field(None, description="Outermost point on the axis of what protrudes; of a cone the middle of its narrow end.")
+    tip: Vector | None = Field(None, description="Outermost point on its axis; of a cone its narrow end.")
     tips: tuple[Vector, ...] = Field((), description="All free ends of its axis, `tip` first: two of a shaft or rod.")
     approach: tuple[Vector, ...] = Field(
         (),

@@ -175,8 +175,8 @@ def _more_of(question: Question) -> Iterator[Parse]:
     several = [replace_fields(m.part, also=()) for m in question.parts if m.part.plural]
     several += [also for m in question.parts for also in m.part.also]
     if apart and len(several) == 2 and (counted or not asked_in(question)):  # 'the number of slots minus that of lugs'
-        form = Combine("apart", Count(several[0]), Count(several[1]))
-        yield Parse(form, {"combined": 1.0}, {*apart, *counted}.union(*(m.used for m in question.parts)))
+        fewer = Combine("apart", Count(several[0]), Count(several[1]))
+        yield Parse(fewer, {"combined": 1.0}, {*apart, *counted}.union(*(m.used for m in question.parts)))
     than = min(text.at_words("than"), default=None)
     more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many", "there")), None)
     if than is None or more is None or not (text.is_word(more - 2, "how") or question.closed):
@@ -186,7 +186,7 @@ def _more_of(question: Question) -> Iterator[Parse]:
     if left is not None and right is not None:
         one, other = Count(left.part), Count(right.part)
         relation = Relation.MORE if text.is_word(more, "more") else Relation.LESS
-        form = Check(one, relation, other) if question.closed else Combine("apart", one, other)
+        form: Check | Combine = Check(one, relation, other) if question.closed else Combine("apart", one, other)
         yield Parse(form, {"combined": 1.0}, {more - 2, more - 1, more, than, *left.used, *right.used})
 
 
@@ -196,10 +196,9 @@ def _of_two(question: Question) -> Iterator[Parse]:
     scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
     one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
     than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
-    if scale is None or one is None or than is None or not (text.has("much", "many") or question.closed):
+    if scale is None or one is None or than is None or not text.has("much", "many"):
         return
     measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
     target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    apart, used = Combine("apart", most, least), used | set(range(question.asking[0], one.start))
-    yield Parse(Check(apart, Relation.MORE, 0.0) if question.closed else apart, {"combined": 1.0}, used)
+    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
