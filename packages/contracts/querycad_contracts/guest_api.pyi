@@ -126,7 +126,7 @@ class Part:
     """Two of what goes through."""
     frame: Frame
     tip: Vector
-    """Outermost point of what protrudes; of a cone its narrow end."""
+    """Outermost point of what protrudes. Of a cone: its narrow end."""
     tips: list[Vector]
     """Of all free ends, `tip` first."""
     extents: Vector

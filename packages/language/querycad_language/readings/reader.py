@@ -21,7 +21,7 @@ from .frames.wholes import wholes
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
 from .question import Question, seen_from
-from .skipped_words import finished, passable
+from .skipped_words import CLOSED, finished, passable
 
 MAX_VIEWS = 2
 """Sides that are said apart from a part; nobody says more."""
@@ -51,7 +51,9 @@ class Reader(Question):
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading
-        return sorted(best.values(), key=_prior, reverse=True)[:MAX_READINGS]
+        decided = [one for one in best.values() if isinstance(one.form, CLOSED)] if self.closed else []
+        whole = any(not one.skipped for one in decided)  # yes or no to every word: no value is asked
+        return sorted(decided if whole else best.values(), key=_prior, reverse=True)[:MAX_READINGS]
 
 
 def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
