@@ -59,7 +59,7 @@ def test_a_section_is_told_by_its_diameter_or_by_where_it_is(question: str, expe
     [
         ("What is the top diameter of the spigot?", Measure.DIAMETER, "face of spigot"),
         ("What is the radius at the bottom of the spigot?", Measure.RADIUS, "face of spigot"),
-        ("What is the diameter at the bottom of the ring groove?", Measure.DIAMETER, "ring groove"),
+        ("What diameter is left at the bottom of the ring groove?", Measure.DIAMETER, "ring groove"),
         ("What is the inner diameter of the lever?", Measure.DIAMETER, "bore of lever"),
         ("outer radius?", Measure.RADIUS, "outer cylinder"),
         ("What is the outer bend radius?", Measure.OUTER_RADIUS, "bend"),
