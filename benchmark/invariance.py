@@ -14,7 +14,7 @@ import json
 import random
 import re
 import tempfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
@@ -22,15 +22,9 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from OCP.BRep import BRep_Builder
-from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeSolid, BRepBuilderAPI_NurbsConvert, BRepBuilderAPI_Transform
-from OCP.gp import gp_Ax1, gp_Dir, gp_Pnt, gp_Trsf, gp_Vec
-from OCP.IFSelect import IFSelect_ReturnStatus
+from build123d import Axis, Plane, Pos, Shell, Solid, export_step, import_step, mirror, scale
+from OCP.BRepBuilderAPI import BRepBuilderAPI_NurbsConvert
 from OCP.ShapeUpgrade import ShapeUpgrade_ShapeDivideClosed
-from OCP.STEPControl import STEPControl_Reader, STEPControl_StepModelType, STEPControl_Writer
-from OCP.TopAbs import TopAbs_ShapeEnum
-from OCP.TopExp import TopExp_Explorer
-from OCP.TopoDS import TopoDS, TopoDS_Shape, TopoDS_Shell
 
 from querycad import EmbeddedRuntime
 from querycad_segworker.brep.step import quiet
@@ -47,83 +41,29 @@ SIDED = re.compile(
 """Words whose meaning may follow the axes of the file."""
 
 
-def _solids(shape: TopoDS_Shape) -> list[TopoDS_Shape]:
-    return list(_each(shape, TopAbs_ShapeEnum.TopAbs_SOLID))
-
-
-def _each(shape: TopoDS_Shape, kind: TopAbs_ShapeEnum) -> Iterator[TopoDS_Shape]:
-    explorer = TopExp_Explorer(shape, kind)
-    while explorer.More():
-        yield explorer.Current()
-        explorer.Next()
-
-
-def _halves(shape: TopoDS_Shape) -> TopoDS_Shape:
+def _halves(solid: Solid) -> Solid:
     """Closed faces in two, as several kernels write them."""
-    divide = ShapeUpgrade_ShapeDivideClosed(shape)
+    divide = ShapeUpgrade_ShapeDivideClosed(solid.wrapped)
     divide.SetNbSplitPoints(1)
     divide.Perform()
-    return divide.Result()
+    return Solid(divide.Result())
 
 
-def _splines(shape: TopoDS_Shape) -> TopoDS_Shape:
-    """Every surface and curve as a B-spline."""
-    return BRepBuilderAPI_NurbsConvert(shape, True).Shape()
-
-
-def _reversed(shape: TopoDS_Shape) -> TopoDS_Shape:
+def _reversed(solid: Solid) -> Solid:
     """The faces in the opposite order."""
-    builder = BRep_Builder()
-    (solid,) = _solids(shape)
-    made = BRepBuilderAPI_MakeSolid()
-    for old in _each(solid, TopAbs_ShapeEnum.TopAbs_SHELL):
-        shell = TopoDS_Shell()
-        builder.MakeShell(shell)
-        for face in reversed(list(_each(old, TopAbs_ShapeEnum.TopAbs_FACE))):
-            builder.Add(shell, face)
-        shell.Closed(True)
-        made.Add(TopoDS.Shell(shell.Oriented(old.Orientation())))
-    return made.Solid()
+    return Solid(Shell(list(reversed(solid.faces()))))
 
 
-def _moved(transform: gp_Trsf, shape: TopoDS_Shape) -> TopoDS_Shape:
-    return BRepBuilderAPI_Transform(shape, transform, True).Shape()
-
-
-def _turn(degrees: float, *axis: float) -> gp_Trsf:
-    transform = gp_Trsf()
-    transform.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(*axis)), degrees * 3.141592653589793 / 180)
-    return transform
-
-
-def _shift() -> gp_Trsf:
-    transform = gp_Trsf()
-    transform.SetTranslation(gp_Vec(137.3, -41.7, 88.9))
-    return transform
-
-
-def _scale() -> gp_Trsf:
-    transform = gp_Trsf()
-    transform.SetScale(gp_Pnt(0, 0, 0), SCALE)
-    return transform
-
-
-def _mirror() -> gp_Trsf:
-    transform = gp_Trsf()
-    transform.SetMirror(gp_Pnt(0, 0, 0))
-    return transform
-
-
-CHANGES: dict[str, Callable[[TopoDS_Shape], TopoDS_Shape]] = {
-    "as it was": lambda shape: shape,
+CHANGES: dict[str, Callable[[Solid], Solid]] = {
+    "as it was": lambda solid: solid,
     "halves": _halves,
-    "splines": _splines,
+    "splines": lambda solid: Solid(BRepBuilderAPI_NurbsConvert(solid.wrapped, True).Shape()),
     "reversed": _reversed,
-    "shifted": partial(_moved, _shift()),
-    "turned": partial(_moved, _turn(90, 0, 0, 1)),
-    "tilted": partial(_moved, _turn(33, 1, 2, 3)),
-    "mirrored": partial(_moved, _mirror()),
-    "scaled": partial(_moved, _scale()),
+    "shifted": lambda solid: Pos(137.3, -41.7, 88.9) * solid,
+    "turned": lambda solid: solid.rotate(Axis.Z, 90),
+    "tilted": lambda solid: solid.rotate(Axis((0, 0, 0), (1, 2, 3)), 33),
+    "mirrored": lambda solid: mirror(solid, Plane.YZ),
+    "scaled": lambda solid: scale(solid, SCALE),
 }
 MOVES = {"turned", "tilted", "mirrored"}
 """Changes after which words of sides and of the three axes mean something else."""
@@ -143,30 +83,19 @@ def comparable(change: str, one: Question) -> bool:
     return change not in MOVES or SIDED.search(one.question) is None
 
 
-def read_step(file: Path) -> TopoDS_Shape | None:
-    """The one body of a file, or nothing where there are more."""
+def read(file: Path) -> Solid | None:
+    """The one body of a file, packed or not; none where there are more."""
     with tempfile.NamedTemporaryFile(suffix=".step") as plain:
         data = file.read_bytes()
         plain.write(gzip.decompress(data) if file.suffix == ".gz" else data)
         plain.flush()
-        reader = STEPControl_Reader()
-        if reader.ReadFile(plain.name) != IFSelect_ReturnStatus.IFSelect_RetDone:
-            return None
-        reader.TransferRoots()
-        solids = _solids(reader.OneShape())
+        solids = import_step(plain.name).solids()
     return solids[0] if len(solids) == 1 else None
-
-
-def write_step(shape: TopoDS_Shape, file: Path) -> None:
-    """Writes a shape, in millimetres."""
-    writer = STEPControl_Writer()
-    writer.Transfer(shape, STEPControl_StepModelType.STEPControl_AsIs)
-    writer.Write(str(file))
 
 
 def _of_model(changes: Sequence[str], store: Path, asked_here: Sequence[Question]) -> list[dict[str, Any]]:
     quiet()
-    shape = read_step(asked_here[0].file)
+    shape = read(asked_here[0].file)
     if shape is None:
         return []
     rows: list[dict[str, Any]] = []
@@ -175,7 +104,7 @@ def _of_model(changes: Sequence[str], store: Path, asked_here: Sequence[Question
         for change in changes:
             file = Path(folder) / f"{change}.step"
             try:
-                write_step(CHANGES[change](shape), file)
+                export_step(CHANGES[change](shape), file)
                 model = runtime.open(file)
             except (FileProblem, RuntimeError) as problem:
                 rows.append({"change": change, "model": asked_here[0].model, "problem": str(problem)})

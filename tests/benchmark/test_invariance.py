@@ -5,8 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from benchmark.invariance import CHANGES, SCALE, comparable, read_step, write_step
+from benchmark.invariance import CHANGES, SCALE, comparable, read
 from benchmark.understanding.data import Question
+from build123d import Solid, export_step
 from tests.segworker.shapes import cut, cylinder, find, plate
 
 DRILLED = cut(plate(), cylinder(6, 40, (5, 0, -30)))
@@ -19,10 +20,10 @@ def asked(question: str, kind: str = "length") -> Question:
 @pytest.mark.parametrize("change", CHANGES)
 def test_the_part_stays_what_it_is_through_a_file(change: str, tmp_path: Path) -> None:
     file = tmp_path / "changed.step"
-    write_step(CHANGES[change](DRILLED), file)
-    shape = read_step(file)
-    assert shape is not None
-    (hole,) = find(shape).of("hole")
+    export_step(CHANGES[change](Solid(DRILLED)), file)
+    solid = read(file)
+    assert solid is not None
+    (hole,) = find(solid.wrapped).of("hole")
     assert hole.diameter == pytest.approx(0.012 * (SCALE if change == "scaled" else 1), rel=1e-6)
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from querycad_contracts import AnswerType, Measure, PartKind
+from querycad_contracts import AnswerType, Measure, PartKind, Side
 
 WHOLE = frozenset(kind for kind in PartKind if kind.is_whole)
 EXTENTS = (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT)
-_ENDS = (
-    Measure.TOP_END, Measure.BOTTOM_END, Measure.LEFT_END, Measure.RIGHT_END, Measure.FRONT_END, Measure.BACK_END,
-)  # fmt: skip
+ENDS = {
+    Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
+    Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
+}  # fmt: skip
+"""The side that each end of a part lies on."""
 _TYPES = {
     Measure.SIZE: AnswerType.SIZE, Measure.HALF_SIZE: AnswerType.SIZE, Measure.VOLUME: AnswerType.VOLUME,
     Measure.REMOVED: AnswerType.VOLUME, Measure.FILL: AnswerType.NUMBER, Measure.LONG_AXIS: AnswerType.TEXT,
@@ -17,7 +19,7 @@ _TYPES = {
     Measure.MIRROR_PLANES: AnswerType.DIRECTIONS, Measure.INERTIA: AnswerType.NUMBERS,
     **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE, Measure.DRAFT, Measure.INCLINATION), AnswerType.ANGLE),
     **dict.fromkeys((Measure.AREA, Measure.OPENING_AREA, Measure.STANDING_AREA), AnswerType.AREA),
-    **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *_ENDS), AnswerType.POINT),
+    **dict.fromkeys((Measure.POSITION, Measure.CENTER_OF_MASS, Measure.OPENING, Measure.TIP, *ENDS), AnswerType.POINT),
     **dict.fromkeys((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.APPROACH), AnswerType.DIRECTION),
     **dict.fromkeys((Measure.NAME, Measure.KIND, Measure.COLOR, Measure.BOTTOM), AnswerType.TEXT),
 }  # fmt: skip

@@ -56,6 +56,11 @@ _OUTWARD = {
 """The sign and the axis of the file's frame towards each side."""
 
 
+def _fitted(word: str) -> str:
+    """'the press-in bush' is a bush; a lead-in is a part."""
+    return word if word.replace("-", " ").lower() in lexicon().nouns else ""
+
+
 def _sided(side: str, axis: re.Match[str]) -> str:
     """'the +X lug': the side that an axis points to, before what has sides."""
     lex, word = lexicon(), axis[1].lower()
@@ -99,7 +104,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         lambda found: _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0]),
     ),
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
-    (re.compile(r"\b(?!lead-|run-|cut-|add-)[a-z]+-(?:in|on|fit)\b", re.I), ""),  # how a part is put there
+    (re.compile(r"\b[a-z]+-(?:in|on|fit)(?= [a-z])", re.I), lambda found: _fitted(found[0])),
     (re.compile(r"\bthro(?:['’]|\b)", re.I), "through"),
     (re.compile(r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", re.I), r"across \2 of the \1"),
     (re.compile(r"\bc-c\b", re.I), "center to center"),

@@ -9,7 +9,7 @@ from functools import cache
 from typing import Literal
 
 from querycad_contracts import Measure, Part, PartKind, Side
-from querycad_language.measures import EXTENTS, WHOLE
+from querycad_language.measures import ENDS, EXTENTS, WHOLE
 
 Grade = Literal["own", "derived", "foreign", "missing"]
 """Is a measure the part's own, derived from its own, one that nobody would ask of it, or not there?"""
@@ -21,11 +21,6 @@ CUT = frozenset(kind for kind in PartKind if kind.cuts_in) | {PartKind.SPOTFACE,
 FLAT = 0.5
 """What is lower than this share of its diameter is a disc, a flange or a plate, as in docs/measures.md."""
 COORDINATES = (Measure.X, Measure.Y, Measure.Z)
-
-_ENDS = {
-    Measure.TOP_END: Side.TOP, Measure.BOTTOM_END: Side.BOTTOM, Measure.LEFT_END: Side.LEFT,
-    Measure.RIGHT_END: Side.RIGHT, Measure.FRONT_END: Side.FRONT, Measure.BACK_END: Side.BACK,
-}  # fmt: skip
 
 
 def _end(side: Side) -> str:
@@ -41,6 +36,7 @@ _WINDOW = "extents; [*local_size[:2]]; ~max(extents)"
 _LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs({0}.axis[2])))"
 """Of an axis: to the z axis, and to the horizontal plane."""
 _LEVEL = 'find_parts("hole") if abs(p.axis[2]) < 0.5'
+"""Holes within 60 degrees of level."""
 _BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
 
 _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
@@ -174,7 +170,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.STANDING_AREA: {
         "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)'
     },
-    **{measure: _end(side) for measure, side in _ENDS.items()},
+    **{measure: _end(side) for measure, side in ENDS.items()},
 }
 """The expressions of each measure, the usual one first; '~' is before what is derived, '?' before what is foreign.
 

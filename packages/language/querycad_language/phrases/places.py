@@ -110,10 +110,9 @@ def along(text: Text, at: int, build: PhraseBuilder) -> int:
 def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
-    span, extreme = text.find(at, "near", "far"), text.find(at, "place_extreme")
-    if extreme is not None and extreme.end > at + 1:  # 'with the highest z'
-        build.ranks.append(Rank(side=extreme.value))
-        return extreme.end
+    if (end := _by_coordinate(text, at, build)) > at:
+        return end
+    span = text.find(at, "near", "far")
     if span is None or depth >= MAX_DEPTH or text.is_word(at - 1, "to"):  # 'from the pin to the nearest edge': an end
         return at
     most = span.category == "far"
@@ -132,6 +131,19 @@ def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if (other := phrases.inner(start, depth)) is not None:
         build.ranks.append(Rank(near=other.query, most=most))
     return other.end if other is not None else at
+
+
+def _by_coordinate(text: Text, at: int, build: PhraseBuilder) -> int:
+    """'with the highest z', 'at smaller x', 'at positive y'."""
+    start = text.skip(at + 1, "article") if text.is_word(at, "with", "at") else len(text)
+    span, signed = text.find(start, "most", "least", "scale"), text.is_word(start, "positive", "negative")
+    axis = text.find(span.end if span is not None else start + 1, "axis") if span is not None or signed else None
+    degree = getattr(span.value, "degree", span.category) if span is not None else ""
+    if axis is None or axis.value > 2 or degree == "positive":  # 'at large x' is no order
+        return at
+    sign = 1.0 if degree in ("most", "more") or text.is_word(start, "positive") else -1.0
+    build.ranks.append(Rank(side=next(side for side in Side if side.outward[axis.value] == sign)))
+    return axis.end
 
 
 def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:

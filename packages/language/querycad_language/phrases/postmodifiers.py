@@ -178,7 +178,7 @@ def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
     """'which bodies are red'."""
-    color = text.find(at + text.is_word(at, "colored", "coloured", "painted"), "color")
+    color = text.find(at + text.is_word(at, "colored", "painted"), "color")
     if color is None or not (text.find(at - 1, "be") or color.start > at) or is_noun(text, color.end):
         return at
     build.colors.append(color.value)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from querycad_contracts import Measure, Rank, SizeFilter
+from querycad_contracts import Rank, SizeFilter
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -18,7 +18,7 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
     empty = not (build.nouns or build.unknown)
     adjective = text.find(at, "adjective")
     match token.kind:
-        case _ if adjective and adjective.end > at + 1 and text.is_word(at + 1, "sided", "cornered"):
+        case _ if adjective and adjective.end > at + 1 and (token.kind is Kind.NUMBER or text.find(at, "number")):
             return _word(text, at, build)  # 'six sided': no count
         case Kind.TIMES:
             build.count = int(token.value)
@@ -150,7 +150,7 @@ def _is_measure(
     if measure is None or (noun and noun.end > measure.end) or (adjective and adjective.end > measure.end):
         return False
     others = [one for one in text.all("measure", "scale") if one.start != measure.start]
-    if measure.value is Measure.MINIMUM_THICKNESS and text.is_word(measure.end - 1, "section") and others:
+    if others and superlative(text, measure.start) and text.find(measure.end - 1, "noun"):
         return False  # 'how long is the thinnest section'
     if noun is not None and text.tokens[noun.end - 1].plural:
         return False  # 'the cogs'

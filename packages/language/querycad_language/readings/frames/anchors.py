@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple, TypeAlias
 from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, MassCentre, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
+from querycad_language.measures import ENDS
 from querycad_language.phrases import Mention, places_of, replace_fields, without
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -181,10 +182,9 @@ def planes_of(question: Question) -> list[Spot]:
     for at in range(len(text)):
         side = text.find(at, "side")
         end = text.find(at, "measure")
-        if end is not None and (end.value == Measure.TIP or end.value.endswith("_end")) and text.is_word(end.end, "of"):
+        if end is not None and (end.value is Measure.TIP or end.value in ENDS) and text.is_word(end.end, "of"):
             if (ended := question.phrases.at(end.end + 1, 1)) and ended.query is not None:  # 'the tip of the shank'
-                towards = None if end.value == Measure.TIP else Side(end.value.removesuffix("_end"))
-                found.append(Spot(at, Plane(towards, ended.query), set(range(at, ended.end))))
+                found.append(Spot(at, Plane(ENDS.get(end.value), ended.query), set(range(at, ended.end))))
         if side is None:
             continue
         after = text.skip(side.end, "side_noun")

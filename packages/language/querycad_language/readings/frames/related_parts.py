@@ -14,6 +14,8 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested
 from querycad_language.text import Text
 
+_FACES = ("face", "surface", "end face", "outside", "side face")
+"""Where a cut opens: its centre there is that of its mouth."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
@@ -172,9 +174,6 @@ def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> I
         names = tuple(name for name in target.adjectives if name != "straight")
         form = replace(get, measures=(Measure.CENTRE_LENGTH,), target=replace_fields(target, adjectives=names))
         yield Parse(form, {**parse.features, "there": 1.0}, parse.used | said)
-
-
-_FACES = ("face", "surface", "end face", "outside", "side face")
 
 
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
