@@ -23,6 +23,8 @@ class Reduce(StrEnum):
     SMALLEST = "smallest"
     RANGE = "range"
     """The smallest and the largest value."""
+    SIDES = "sides"
+    """Of the rectangle that four parts are the corners of."""
 
 
 Target: TypeAlias = PartQuery | None
@@ -147,7 +149,7 @@ class Combine:
 class Check:
     """Does the value compare so with a stated one, or with another value?"""
 
-    left: Get | Count | Distance
+    left: Get | Count | Distance | Combine
     relation: Relation
     low: float | Get | Count | Distance
     high: float | None = None

@@ -26,7 +26,10 @@ BREAK = 0.1
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
-_REDUCED = {Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
+CORNERS = 4
+_SIDES = "[d for d in different(found, 1e-05) if d < max(found) - 1e-05]"
+"""Of the three distances between corners of a rectangle the longest is its diagonal."""
+_REDUCED = {Reduce.SIDES: _SIDES, Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
 
 
 def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
@@ -47,7 +50,7 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
         first, second = second, first
     if not isinstance(first, PartQuery):
         raise Unwritable
-    kind = AnswerType.LENGTHS if form.reduce is Reduce.DIFFERENT else AnswerType.LENGTH
+    kind = AnswerType.LENGTHS if form.reduce in (Reduce.DIFFERENT, Reduce.SIDES) else AnswerType.LENGTH
     if isinstance(second, forms.Behind):
         second = Boundary(_behind(build.of(first)))
         form = replace(form, mode="surfaces")
@@ -91,7 +94,7 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
     parts, least = build.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
     own, others = len(build.of(first)), "" if second is None else f", {build.parts(second)}"
     pairs = own * (own - 1) // 2 if second is None else own * len(build.of(second))
-    if second is None and own < 2:
+    if second is None and (own < 2 or (reduce is Reduce.SIDES and own != CORNERS)):
         raise Unwritable
     if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
         if not least:
@@ -142,7 +145,8 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
         modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
     elif two and (not alike or form.mode == "centers") and (along := turned(parts[-1])) is not None:  # from its axis
-        planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i != along)
+        beside = {along, turned(parts[0]) if parts[0].axis is not None else None}  # of two crossing axes the third way
+        planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
         modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
-from querycad_language.measures import SCALARS, answer_type, is_length, of_several
+from querycad_language.measures import SCALARS, answer_type, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping, side_axis
@@ -246,8 +246,10 @@ def _of_model(build: Builder, expression: str) -> str:
     return expression.format("model")
 
 
-def _scalar(build: Builder, get: Get | Count) -> str:
+def _scalar(build: Builder, get: Get | Count | forms.Combine) -> str:
     """One number of the whole, or of parts: of several the largest."""
+    if isinstance(get, forms.Combine):
+        return _combine(build, get)[0]
     if isinstance(get, Count):
         return f"len({build.parts(get.target)})"
     if get.target is not None:
@@ -268,7 +270,9 @@ def _compared(build: Builder, form: Get | Count | Distance) -> str:
     return "other"
 
 
-def _kind(form: Get | Count | Distance) -> AnswerType:
+def _kind(form: Get | Count | Distance | forms.Combine) -> AnswerType:
+    if isinstance(form, forms.Combine):
+        return AnswerType.NUMBER if form.operation in ("ratio", "share") else _kind(form.left)
     if isinstance(form, Count):
         return AnswerType.COUNT
     return answer_type(Measure.LENGTH if isinstance(form, Distance) else form.measures[0])
@@ -285,7 +289,7 @@ def _combine(build: Builder, form: forms.Combine) -> tuple[str, AnswerType]:
         value = build.read(left.measures[0], build.of(left.target)).format("p")
         return f"[{value} - {_scalar(build, form.right)} for p in {build.parts(left.target)}]", of_several(kind)
     result = _COMBINED[form.operation].format(_scalar(build, left), _scalar(build, form.right))
-    return result, AnswerType.NUMBER if form.operation in ("ratio", "share") else kind
+    return result, _kind(form)
 
 
 def _which(build: Builder, form: forms.Which) -> str:
@@ -332,6 +336,6 @@ def _check(build: Builder, form: forms.Check) -> str:
     if not isinstance(form.low, float):
         build.compared.append(Compared(form.low, low, _kind(form.low)))
     share = abs(form.low) * 1e-3 + 1e-12 if isinstance(form.low, float) else 1e-9
-    length = isinstance(form.left, Count | Distance) or is_length(form.left.measures[0])
+    length = kind in (AnswerType.COUNT, AnswerType.LENGTH)
     compared = _COMPARED[form.relation].format(low=low, high=repr(form.high), slack="5e-05" if length else f"{share:g}")
     return f"all({compared} for v in values)"

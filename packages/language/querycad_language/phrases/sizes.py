@@ -48,6 +48,7 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         if token.kind is Kind.QUANTITY and token.power in _POWERS:
             return _sized(text, at, measure or token.measure or _POWERS[token.power], relation)
         bare = token.kind is Kind.NUMBER and (measure or relation in COMPARISONS.values())
+        bare = bare and not text.is_word(at + 1, "time")  # '2 times the width'
         if bare and not noun_follows(text, at + 1) and not text.is_word(at - 2, "more", "less", "fewer"):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
         wide = text.find(at + 1, "scale") if token.kind is Kind.NUMBER else None

@@ -84,7 +84,7 @@ def _asked_at(question: Question, at: int, taken: set[int]) -> Requested | None:
     text = question.text
     if text.is_word(at, "how"):
         unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
-        return _how_many(text, at, *unit) if unit is not None else _how(text, at)
+        return _how_many(text, at, *unit) if unit is not None else _how(text, at, taken)
     return _said(text, at, taken) or _named(text, at, taken)
 
 
@@ -96,7 +96,7 @@ def _how_many(text: Text, at: int, end: int, power: int) -> Requested | None:
     return Requested(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
 
 
-def _how(text: Text, at: int) -> Requested | None:
+def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
     """'How deep is …?', 'How far does … stick out?'"""
     stuff = text.stuff(at) if text.is_word(at + 1, "much") else None
     if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
@@ -109,7 +109,8 @@ def _how(text: Text, at: int) -> Requested | None:
         if scale.value.measure is Measure.MAGNITUDE and of and not text.find(of.start, "noun"):  # 'how big is a radius'
             return Requested(at, of.end, (of.value,), "noun", used=frozenset(range(at, of.end)))
         return _joined_scales(text, at, scale)
-    ahead = (text.find(i, "reach") for i in range(at + 2, at + 14) if text.is_word(at + 1, "far", "much"))
+    free = (i for i in range(at + 2, at + 14) if i not in taken)  # a recess is not recessed
+    ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
         return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
     return None

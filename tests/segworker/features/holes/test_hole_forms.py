@@ -172,3 +172,11 @@ def test_grooves_that_are_far_apart_in_a_bore_are_no_thread() -> None:
     assert "threaded" not in bore.tags
     assert bore.diameter == pytest.approx(24 * MM)
     assert [groove.diameter for groove in found.of("groove")] == pytest.approx([26 * MM] * 3)
+
+
+def test_a_clamping_collar_with_two_slits_keeps_its_bore() -> None:
+    ring = cut(cylinder(27, 16), cylinder(12, 16))
+    collar = cut(ring, box((30, 3, 16), (0, -1.5, 0)), box((20, 1.5, 16), (-20, -0.75, 0)))
+    (bore,) = find(collar).of("hole")
+    assert bore.diameter == pytest.approx(24 * MM)
+    assert "through" in bore.tags

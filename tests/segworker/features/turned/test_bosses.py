@@ -146,3 +146,17 @@ def test_lands_are_wider_than_what_stands_beside_them() -> None:
     assert sorted(boss.height or 0.0 for boss in lands) == near(10, 12)
     pin = fuse(cylinder(8, 10), cylinder(5, 20, (0, 0, 10)))
     assert not any("land" in boss.tags for boss in find(pin).of("boss"))
+
+
+def test_a_screw_boss_grows_out_of_the_corner_of_a_box() -> None:
+    tray = cut(box((80, 60, 30), (-40, -30, 0)), box((76, 56, 30), (-38, -28, 2)))
+    for x, y in ((-35, -25), (35, -25), (35, 25), (-35, 25)):
+        tray = cut(fuse(tray, cylinder(4, 20, (x, y, 2))), cylinder(1.25, 12, (x, y, 10)))
+    bosses = find(tray).of("boss")
+    assert [value for boss in bosses for value in (boss.diameter, boss.height)] == near(*[8, 20] * 4)
+    assert all("hollow" in boss.tags for boss in bosses)
+
+
+def test_the_round_end_of_an_arm_is_no_boss() -> None:
+    arm = fuse(box((40, 16, 10), (0, -8, 0)), cylinder(8, 10))
+    assert not find(cut(arm, cylinder(3, 10))).of("boss")

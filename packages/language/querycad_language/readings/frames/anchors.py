@@ -78,8 +78,12 @@ def floored(query: PartQuery) -> PartQuery | None:
 
 def rimmed(query: PartQuery) -> PartQuery | None:
     """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    named = query.noun in ("rim", "edge", "border", "wall", "outline", "flank", "side")
-    return next((cut for _, cut in places_of(query, "of") if named), None)
+    cut, _, last = query.noun.rpartition(" ")
+    if last not in ("rim", "edge", "border", "wall", "outline", "flank", "side"):
+        return None
+    if cut and query.noun not in lexicon().nouns:  # 'the slot edge'
+        return replace_fields(query, noun=cut, words=tuple(cut.split()))
+    return next((cut for _, cut in places_of(query, "of")), None)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
+from typing import cast
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
@@ -52,11 +53,17 @@ def _compared(question: Question) -> Iterator[Parse]:
     left, right = before[0], (before if own and itself else behind)[0]
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, measure, used)
+    times = comparative.start - 1 - text.is_word(comparative.start - 1, "as")  # '2 times as wide', 'many times wider'
+    ratio = times if text.is_word(times, "time") else None
+    factor = text.tokens[times - 1].value if ratio is not None and text.tokens[times - 1].kind is Kind.NUMBER else None
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide', 'as long as the block is deep'
-    if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
+    if ratio is not None and factor is not None:
+        used.update(range(times - 1, comparative.start))
+        yield Parse(Check(Combine("ratio", a, b), Relation.EQUAL, factor), {"check": 1.0}, used | {start})
+    elif any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
-        yield Parse(Combine("apart", a, b), {"combined": 1.0}, used)
+        yield Parse(Combine("apart" if ratio is None else "ratio", a, b), {"combined": 1.0}, used)
         if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # how much higher it ends
             tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
             yield Parse(tops, {"combined": 1.0, "level_top": 1.0}, used)
@@ -108,7 +115,8 @@ def _combined(question: Question) -> Iterator[Parse]:
     text, owners = question.text, [m for m in question.mentions if not m.pronoun][:2]
     two = len(owners) > 1 and text.is_word(owners[0].end, "and")  # 'the total width of A and B'
     spans = text.all("operation", *["total"] * two)
-    span = next((one for one in spans if one.value != "share"), None)
+    more = text.find(min(text.at_words("exceed"), default=0), "relation") if text.has("much") else None
+    span = next((one for one in spans if one.value != "share"), more)  # 'by how much does A exceed that of B'
     if span is None:
         return
     asked = [one for one in asked_in(question) if one.start >= span.start][:2]
@@ -117,17 +125,24 @@ def _combined(question: Question) -> Iterator[Parse]:
         asked = [*before[-2 + len(asked) :], *asked]
     measures = [measure for one in asked for measure in one.measures]
     targets: list[Target] = [m.query for m in owners] or [None]
+    several = owners[0].query if len(owners) == 1 else None
+    if span.value == "apart" and len(measures) == 1 and several is not None and several.plural:
+        target = replace_fields(several, count=None)  # 'the difference in width between the two lugs'
+        ends = (Get((measures[0],), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
+        used = {*span.tokens, *owners[0].used, *asked[0].used, *text.at_words("between")}
+        yield Parse(Combine("apart", *ends), {"combined": 1.0}, used)
     if measures and len(measures) + len(targets) > 2:
         left = Get((measures[0],), targets[0])
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
-        yield Parse(Combine("plus" if span.category == "total" else span.value, left, right), {"combined": 1.0}, used)
+        operation = {"total": "plus", "relation": "apart"}.get(span.category, span.value)
+        yield Parse(Combine(operation, left, right), {"combined": 1.0}, used)
 
 
 def _times(question: Question) -> Iterator[Parse]:
-    """'How many times its width is the slot long?'"""
+    """'How many times its width is the slot long?', 'Is the slot 2 times the width of the groove?'"""
     text = question.text
-    times = next((i for i in text.at_words("time") if text.is_word(i - 1, "many")), None)
+    times = next((i for i in sorted(text.at_words("time")) if text.is_word(i - 1, "many")), None)
     scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
     size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
     if times is not None and scale is not None and size is not None:
@@ -135,6 +150,13 @@ def _times(question: Question) -> Iterator[Parse]:
         target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
         form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
         yield Parse(form, {"combined": 1.0}, {*range(times, size.end), *scale.tokens, *named})
+    asked, owners = asked_in(question)[:2], [m for m in question.mentions if m.query is not None][:2]
+    for at in sorted(text.at_words("time")) if asked and len(owners) == TWO and question.closed else ():
+        factor, between = text.tokens[at - 1], owners[0].end <= at < owners[1].start
+        if factor.kind is Kind.NUMBER and isinstance(factor.value, float) and between:  # '… width 2 times that of B'
+            left, right = (Get(one.measures[:1], m.query) for one, m in zip((asked * TWO)[:TWO], owners, strict=True))
+            used = {at - 1, at}.union(*(one.used for one in asked), *(m.used for m in owners))
+            yield Parse(Check(Combine("ratio", left, right), Relation.EQUAL, factor.value), {"check": 1.0}, used)
 
 
 def _shares(question: Question) -> Iterator[Parse]:
@@ -191,14 +213,25 @@ def _more_of(question: Question) -> Iterator[Parse]:
 
 
 def _of_two(question: Question) -> Iterator[Parse]:
-    """'By how much is one lug thicker than the other?': what the larger of two has more."""
+    """'Is one lug thicker than the other, and by how much?', 'Which of the two is thicker, and by how much?'"""
     text = question.text
     scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
     one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
     than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
-    if scale is None or one is None or than is None or not text.has("much", "many"):
+    much = next((at for at in sorted(text.at_words("much", "many")) if text.is_word(at - 1, "how")), None)
+    two = (m for m in question.parts if text.is_word(m.start - 1, "which") or m.part.count == TWO)
+    both = next((m for m in two if text.is_word(m.start - 1, "of", "which")), None)
+    if scale is None or ((one is None or than is None) and (both is None or much is None)):
         return
-    measure, used = _of_noun(question, scale.value.measure, {*scale.tokens, *one.used, *range(than, len(text))})
-    target = replace_fields(one.part, plural=True, definite=False, count=None, sample=False)
+    named = cast("Mention", one if than is not None and one is not None else both)
+    said = {*scale.tokens, *named.used, *range(than or much or 0, len(text))}
+    measure, used = _of_noun(question, scale.value.measure, said)
+    target = replace_fields(named.part, plural=True, definite=False, count=None, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    yield Parse(Combine("apart", most, least), {"combined": 1.0}, used | set(range(question.asking[0], one.start)))
+    form: Check | Combine = Combine("apart", most, least)
+    form = form if much is not None else Check(form, Relation.MORE, 0.0)
+    yield Parse(form, {"combined": 1.0}, used | set(range(question.asking[0], scale.start)))
+
+
+TWO = 2
+"""Parts of which one can be more than the other."""

@@ -35,6 +35,8 @@ _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPT
 """Measures that between two parts are distances: 'the height of A above B'."""
 _OFF = 4
 """Words from 'off' to the middle that something is off."""
+_DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
+"""Words that say of parts that they are the corners of a figure."""
 _WEBS = ("web", "bridge", "land", "ligament", "partition")
 """What is left between two cuts."""
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
@@ -65,6 +67,7 @@ def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
     yield from _behind_end(question)
     yield from _off_middle(question)
+    yield from _rectangle(question)
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
@@ -111,6 +114,21 @@ def _behind_end(question: Question) -> Iterator[Parse]:
             used = used.union(*(other.used for other in spots if opposite & other.used))
             left = Get((Measure.BOTTOM_THICKNESS,), cut)
             yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
+
+
+def _rectangle(question: Question) -> Iterator[Parse]:
+    """'The lugs form a square. What is its side?', 'Side lengths of the rectangle that the pins lie on?'"""
+    text = question.text
+    drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}
+    drawn |= {at for at in text.at_words("pattern", "array") if text.is_word(at - 1, "square", "rectangular")}
+    sides = text.at_words("side")
+    for mention in question.parts if drawn and sides else ():
+        if mention.part.plural and drawn.isdisjoint(mention.used):
+            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *text.at_words(*_DRAWN)}
+            form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
+            yield Parse(
+                form, {"distance": 1.0, "each_other": 1.0}, used | text.at_phrases("center_to_center", "measure")
+            )
 
 
 def _off_middle(question: Question) -> Iterator[Parse]:
@@ -176,6 +194,15 @@ def _left_between(question: Question) -> Iterator[_Words]:
     for at in text.at_words(*_WEBS):
         if text.is_word(at + 1, "between") and question.in_question(at):
             yield _Words(at, at + 1, "surfaces", {at, at + 1})
+    for between in text.at_words("between"):  # 'what web is left between', 'how much land remains between'
+        begin = between
+        while begin > 0 and (
+            text.find(begin - 1, "remaining", "be", "do", "modal") or text.is_word(begin - 1, "there")
+        ):
+            begin -= 1
+        stuff = next((m for m in question.parts if m.end == begin and not m.part.plural), None)
+        if stuff is not None and text.is_word(stuff.start - 1, "what", "which", "much") and begin < between:
+            yield _Words(stuff.start, between, "surfaces", set(range(stuff.start - 1, between + 1)))
 
 
 def _unnamed(question: Question) -> Iterator[_Words]:

@@ -135,7 +135,9 @@ def _is_notched(brep: Brep, pieces: Sequence[Wall]) -> bool:
     ]
     angles = sorted(axis.angle_of(edge.mid) for edge, _ in ends)
     gaps = [b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * math.pi], strict=True)] if angles else []
-    return bool(ends) and max(gaps) < WIDEST_NOTCH and all(_is_steep(axis, edge, face) for edge, face in ends)
+    left = 2 * math.pi - sum(piece.sweep for piece in pieces)  # two slits leave two wide pieces, and narrow gaps
+    narrow = min(left, max(gaps, default=0.0)) < WIDEST_NOTCH
+    return bool(ends) and narrow and all(_is_steep(axis, edge, face) for edge, face in ends)
 
 
 def _is_steep(axis: Axis, edge: EdgeRecord, face: FaceRecord) -> bool:

@@ -20,7 +20,7 @@ from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.shaft_steps import ALIKE, FLAT, goes_on, is_clasped, is_collar
 from querycad_segworker.features.shared.walls import Axis, Wall
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import Brep
+from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind
 from querycad_segworker.vectors import parallel, points_up, scale
 
 WIDER = 1.05
@@ -39,6 +39,8 @@ LEANS = 0.5
 some 30 degrees."""
 BALL = 0.1
 """A sphere whose middle lies beyond the end of a step by more than this share of its radius is no cap on it."""
+LEAST_SWEEP = math.radians(80.0)
+"""A boss in the corner of a box shows a quarter of its wall, but for what fillets take."""
 DRAFT_RAD = math.radians(5.0)
 """A boss that leans no more is a cylinder with draft, and still called one: cast and moulded bosses lean by 1 to 5
 degrees (Machinery's Handbook, draft in patterns and forging dies)."""
@@ -79,17 +81,52 @@ _CYLINDRICAL = (SectionKind.BORE, SectionKind.COUNTERBORE, SectionKind.SPOTFACE)
 def recognise_bosses(brep: Brep, walls: Sequence[Wall], holes: Sequence[Hole], tolerances: Tolerances) -> list[Boss]:
     """Which round protrusions does the model have? One record a step, sorted by lowest face id.
 
-    A step is a convex cylinder or cone that encloses its axis; roundings and chamfers at its ends belong to it, and the
-    two sides of a groove turned into it are one step.
+    A step is a convex cylinder or cone that encloses its axis, or one with a hole that grows out of walls beside it;
+    roundings and chamfers at its ends belong to it, and the two sides of a groove turned into it are one step.
     """
     found: list[Boss] = []
-    for stack in stacks(brep, walls, tolerances, lambda wall: wall.outward > 0 and wall.encloses, over_roundings=True):
+    grown = {wall.faces for wall in walls if _grows_out(brep, wall, holes, tolerances)}
+
+    def stands(wall: Wall) -> bool:
+        return wall.outward > 0 and (wall.encloses or wall.faces in grown)
+
+    for stack in stacks(brep, walls, tolerances, stands, over_roundings=True):
         steps = _steps(stack, tolerances)
         found.extend(_boss(brep, stack, steps, step, holes, tolerances) for step in steps)
     for wall in walls:
-        if wall.kind is SurfaceKind.CYLINDER and wall.outward > 0 and not wall.encloses and wall.sweep > math.pi / 2:
+        stood = stands(wall) or wall.outward < 0
+        if wall.kind is SurfaceKind.CYLINDER and not stood and wall.sweep > math.pi / 2:
             refuse("boss", wall.faces, f"its wall covers {math.degrees(wall.sweep):.0f} of 360 degrees")
     return sorted(found, key=lambda boss: boss.faces[0])
+
+
+def _grows_out(brep: Brep, wall: Wall, holes: Sequence[Hole], tolerances: Tolerances) -> bool:
+    """Is it the wall of a screw boss in the corner of a box, or at its side? Around a hole, and walls begin beside it.
+
+    The hole opens at one end of it, and along its sides the walls meet it in concave edges, or fillets.
+    """
+    if wall.kind is not SurfaceKind.CYLINDER or wall.outward < 0 or wall.encloses or wall.sweep < LEAST_SWEEP:
+        return False
+    near = 10 * tolerances.length
+    opens = (
+        hole.body == wall.body and hole.radius < wall.radius and parallel(hole.normal, wall.axis.direction, 1e-3)
+        and wall.axis.radius_of(hole.opening) <= near
+        and any(abs(wall.axis.position(hole.opening) - end) <= near for end in (wall.low, wall.high))
+        for hole in holes
+    )  # fmt: skip
+    sides = [
+        (edge, brep.faces[other])
+        for face in wall.faces
+        for edge, other in brep.neighbours(face)
+        if edge.kind is EdgeKind.LINE
+        and parallel(edge.direction, wall.axis.direction, 1e-3)
+        and other not in wall.faces
+    ]
+    return any(opens) and bool(sides) and all(
+        edge.convexity is EdgeConvexity.CONCAVE
+        or (edge.convexity is EdgeConvexity.SMOOTH and beside.kind is SurfaceKind.CYLINDER and beside.outward < 0)
+        for edge, beside in sides
+    )  # fmt: skip
 
 
 def _steps(stack: Stack, tolerances: Tolerances) -> list[tuple[Wall, ...]]:
