@@ -22,6 +22,7 @@ from querycad_language.forms import (
     Distance,
     Every,
     Exists,
+    Facing,
     Form,
     Get,
     MassCentre,
@@ -80,6 +81,9 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Angle(HOLES, OTHERS), AnswerType.ANGLE),
     (Combine("ratio", DEPTH, Get((Measure.DIAMETER,), HOLES)), AnswerType.NUMBER),
     (Combine("apart", DEPTH, Get((Measure.DEPTH,), OTHERS)), AnswerType.LENGTH),
+    (Check(Combine("ratio", DEPTH, Get((Measure.DEPTH,), OTHERS)), Relation.EQUAL, 2.0), AnswerType.BOOLEAN),
+    (Facing(HOLES, None, "across"), AnswerType.BOOLEAN),
+    (Facing(HOLES, OTHERS, "opposite"), AnswerType.BOOLEAN),
     (Parallel(HOLES, OTHERS, in_line="axis"), AnswerType.BOOLEAN),
     (Parallel(HOLES, OTHERS, in_line="row"), AnswerType.BOOLEAN),
     (Check(Distance(Plane(None, PINS), Plane(None, LEVERS), "beyond both"), Relation.MORE, 0.0), AnswerType.BOOLEAN),
@@ -111,6 +115,14 @@ def test_a_form_becomes_a_program_that_passes_the_type_check(
     assert written.expects is kind
     assert "solution = " in written.code
     assert checker.problems(written.code) == ()
+
+
+def test_a_rectangle_has_four_corners() -> None:
+    sides = Distance(HOLES, "each other", "centers", reduce=Reduce.SIDES)
+    written = write(sides, {HOLES: (tuple(hole(i, 20 * i) for i in range(1, 5)), 0)}, whole())
+    assert written.expects is AnswerType.LENGTHS
+    with pytest.raises(Unwritable):
+        write(sides, {HOLES: (TWO, 0)}, whole())
 
 
 def test_a_measure_of_no_part_is_not_written() -> None:

@@ -88,11 +88,35 @@ COMPARISONS = {
     "Total width of {a} and {b}?": "Combine",
     "How wide are the {a} and the {b} together?": "Combine",
     "How many more {aa} than {bb} are there?": "Combine",
+    "By how much does the width of the {a} exceed that of the {b}?": "Combine",
+    "By how much do the {a} and the {b} differ in width?": "Combine",
+    "By how much is the {a} bigger in diameter than the {b}?": "Combine",
+    "How many times wider is the {a} than the {b}?": "Combine",
+    "Is the {a} twice as wide as the {b}?": "Check",
+    "Is the {a} half as wide as the {b}?": "Check",
+    "Is the width of the {a} three times that of the {b}?": "Check",
+    "Is the {a} flush with the {b}?": "Check",
+    "Are the {a} and the {b} on the same side?": "Facing",
+    "Does the {a} stand on the same side as the {b}?": "Facing",
+    "Do the {a} and the {b} point to opposite sides?": "Facing",
     "Are the {a} and the {b} coaxial?": "Parallel",
     "Does the {a} line up with the {b}?": "Parallel",
     "Is the {a} parallel to the {b}?": "Parallel",
     "What is the angle between the {a} and the {b}?": "Angle",
 }
+OF_SEVERAL = {
+    "Is one {a} taller than the other?": "Check",
+    "Is one of the two {aa} taller than the other?": "Check",
+    "By how much is one {a} taller than the other?": "Combine",
+    "Which of the two {aa} is taller, and by how much?": "Combine",
+    "What is the difference in height between the two {aa}?": "Combine",
+    "By how much do the two {aa} differ in height?": "Combine",
+    "The four {aa} form a square. What is its side?": "Distance",
+    "What are the sides of the rectangle on which the {aa} lie?": "Distance",
+    "Are the two {aa} diametrically opposite each other?": "Facing",
+    "Are all {aa} on the same side?": "Facing",
+}
+WEBS = ("What web is left between the {a} and the {b}?", "What wall remains between the {a} and the {b}?")
 RELATIONS = (
     *("carries", "contains", "touches", "adjoins", "crosses", "pierces", "surrounds", "encloses"),
     *("faces", "stands on", "rises from", "ends at", "runs into", "borders", "flanks", "lies on", "is next to"),
@@ -178,6 +202,20 @@ def test_what_two_parts_have_together_or_apart(template: str, form: str) -> None
     for question, a, b in filled(template):
         said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == form]
         assert any(f"noun='{a}'" in one and f"noun='{b}'" in one for one in said), question
+
+
+@pytest.mark.parametrize(("template", "form"), OF_SEVERAL.items())
+def test_what_one_of_several_has_more(template: str, form: str) -> None:
+    for question, a, _ in filled(template):
+        first = [repr(one.form) for one in readings(question)[:2] if type(one.form).__name__ == form]
+        assert any(f"noun='{a}'" in said for said in first), question
+
+
+@pytest.mark.parametrize("template", WEBS)
+def test_what_is_left_between_two_parts_is_none_of_them(template: str) -> None:
+    for question, a, b in filled(template):
+        found = [one for one in readings(question) if type(one.form).__name__ == "Distance" and not one.skipped]
+        assert any(f"noun='{a}'" in repr(one.form) and f"noun='{b}'" in repr(one.form) for one in found), question
 
 
 @pytest.mark.parametrize("relation", RELATIONS)

@@ -67,11 +67,35 @@ def gib() -> Solid:
     return made.part.solid()
 
 
+def bossed() -> Solid:
+    """A plate of 80 x 60 x 10 with bosses of 16 x 8 and 12 x 12 on top, one of 10 x 10 below, and two rows of holes."""
+    with BuildPart() as made:
+        Box(80, 60, 10, align=FROM_BELOW)
+        for x, radius, height in ((20, 8, 8), (-20, 6, 12)):
+            with Locations((x, 0, 10)):
+                Cylinder(radius, height, align=FROM_BELOW)
+        with Locations((0, 15, -10)):
+            Cylinder(5, 10, align=FROM_BELOW)
+        with Locations((-30, -20, 10), (30, -20, 10), (30, 20, 10), (-30, 20, 10)):
+            Hole(2)
+    return made.part.solid()
+
+
+def collar() -> Solid:
+    """A shaft of 20 with a collar of 35, 8 wide."""
+    with BuildPart() as made:
+        Cylinder(10, 60, align=FROM_BELOW)
+        with Locations((0, 0, 20)):
+            Cylinder(17.5, 8, align=FROM_BELOW)
+    return made.part.solid()
+
+
 @pytest.fixture(scope="module")
 def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Model]:
     folder = tmp_path_factory.mktemp("predicates")
-    for name, shape in {"block": block(), "pulley": pulley(), "gib": gib()}.items():
-        export_step(shape, folder / f"{name}.step")
+    made = {"block": block, "pulley": pulley, "gib": gib, "bossed": bossed, "collar": collar}
+    for name, shape in made.items():
+        export_step(shape(), folder / f"{name}.step")
     return {path.stem: runtime.open(path) for path in Path(folder).glob("*.step")}
 
 
@@ -86,6 +110,13 @@ def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -
         ("block", "Does the slot run the full length of the block?", True),
         ("pulley", "Does the hub reach beyond the rim?", True),
         ("pulley", "Does the hub reach beyond the rim at both ends?", False),
+        ("pulley", "Is the hub flush with the rim?", False),
+        ("bossed", "Are the 16 mm boss and the 12 mm boss on the same side?", True),
+        ("bossed", "Are the 16 mm boss and the 10 mm boss on the same side?", False),
+        ("bossed", "Do the bosses stand on opposite sides?", True),
+        ("bossed", "Is the 12 mm boss 1.5 times as tall as the 16 mm boss?", True),
+        ("bossed", "Is the 16 mm boss twice as tall as the 12 mm boss?", False),
+        ("bossed", "Is one boss taller than the other?", True),
     ],
 )
 def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, question: str, holds: bool) -> None:
@@ -100,9 +131,16 @@ def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, quest
         ("block", "How far is the 6 mm hole off the middle of the block in x?", 30.0),
         ("pulley", "What is the radius where the hub meets the rim?", 2.0),
         ("gib", "What thickness has the lip of this gib?", 14.0),
+        ("bossed", "By how much do the bosses differ in height?", 4.0),
+        ("collar", "How high is the shoulder, measured radially?", 7.5),
     ],
 )
 def test_pieces_ends_and_middles_have_their_measures(
     models: dict[str, Model], model: str, question: str, millimetres: float
 ) -> None:
     assert models[model].ask(question).value == pytest.approx(millimetres * MM)
+
+
+def test_four_holes_have_the_sides_of_their_rectangle(models: dict[str, Model]) -> None:
+    found = models["bossed"].ask("The four holes form a rectangle. What are its sides?").value
+    assert sorted(found) == pytest.approx([40 * MM, 60 * MM])

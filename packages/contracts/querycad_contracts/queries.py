@@ -39,6 +39,8 @@ class Measure(StrEnum):
     LENGTH = "length"
     THICKNESS = "thickness"
     WALL_THICKNESS = "wall_thickness"
+    RADIAL_WIDTH = "radial_width"
+    """Of a ring, a shoulder or a ledge: square to its axis."""
     MAGNITUDE = "magnitude"
     """How big something is, where no dimension is named."""
     SIZE = "size"

@@ -217,6 +217,15 @@ class Parallel:
 
 
 @dataclass(frozen=True, slots=True)
+class Facing:
+    """Do all parts look to the 'same' side, some to 'opposite' ones, or lie two 'across' the middle from each other?"""
+
+    first: PartQuery
+    second: PartQuery | None
+    how: Literal["same", "opposite", "across"]
+
+
+@dataclass(frozen=True, slots=True)
 class Parts:
     """Which parts are they?"""
 
@@ -234,7 +243,7 @@ class Towards:
 
 Form: TypeAlias = (
     Get | Count | Distance | Several | Angle | Combine | Check | Exists | Every | Uniform | Parallel | Parts | Towards
-    | Which | Either | AtBothEnds
+    | Facing | Which | Either | AtBothEnds
 )  # fmt: skip
 
 

@@ -44,4 +44,4 @@ def _numbers() -> re.Pattern[str]:
 def _unit() -> re.Pattern[str]:
     parts = {"in", "foot", "feet"}  # 'the two feet' are parts
     names = sorted(name for name in lexicon().units if name.isalpha() and len(name) > 1 and name not in parts)
-    return re.compile(rf"[ -](?:square |cubic )?(?:{'|'.join(names)})\b", re.IGNORECASE)
+    return re.compile(rf"[ -](?:square |cubic )?(?:{'|'.join(names)}|times)\b", re.IGNORECASE)

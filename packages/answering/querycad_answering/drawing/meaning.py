@@ -16,6 +16,9 @@ _OPERATIONS = {
     "minus": "less", "ratio": "over", "share": "in percent of", "plus": "plus", "apart": "compared with",
     "per": "for each of the",
 }  # fmt: skip
+_FACING = {
+    "same": "look to the same side", "opposite": "look to opposite sides", "across": "lie opposite each other",
+}  # fmt: skip
 _MODES = {
     "centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides ",
     "beyond": "beyond, ", "on diameter": "on diameter ", "on radius": "on radius ",
@@ -45,6 +48,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"how far {_anchor(first)} reaches into {_anchor(second)}"
         case Distance(first, second, "across"):
             return f"distance from the floor of {_anchor(first)} to the opposite side of {_anchor(second)}"
+        case Distance(first, reduce=Reduce.SIDES):
+            return f"sides of the rectangle of {_anchor(first)}"
         case Distance(first, second, mode, axis, reduce):
             both = f"from {_anchor(first)} to {_anchor(second)}"
             if second == "each other":
@@ -61,7 +66,7 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             ends = " on both sides" if mode == "beyond both" else ""
             return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"
         case forms.Check(left, relation, low, high):
-            counted = isinstance(left, forms.Count) and isinstance(low, float)
+            counted = isinstance(left, forms.Count) or getattr(left, "operation", "") == "ratio"
             measure = left.measures[0] if isinstance(left, Get) else None
             value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else stated(low, measure)
             value = f"{value} to {stated(high, measure)}" if high is not None else value
@@ -85,6 +90,9 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             other = f" and {noun_phrase(second)}" if second else ""
             said = "on one line" if in_line else "square to each other" if square else "parallel"
             return f"whether {noun_phrase(first)}{other} are {said}"
+        case forms.Facing(first, second, how):
+            other = f" and {noun_phrase(second)}" if second else ""
+            return f"whether {noun_phrase(first)}{other} {_FACING[how]}"
         case forms.Parts(target):
             return noun_phrase(target)
         case forms.Towards(target, sides, seen):

@@ -37,6 +37,8 @@ _LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs(
 """Of an axis: to the z axis, and to the horizontal plane."""
 _LEVEL = 'find_parts("hole") if abs(p.axis[2]) < 0.5'
 """Holes within 60 degrees of level."""
+_SHOULDER = "min({0}.radius - q.radius for q in find_parts('section') if {0}.radius - q.radius > 1e-06)"
+"""By how much is a step wider than the next narrower one?"""
 _BOX = "({0}.extents[0] * {0}.extents[1] * {0}.extents[2])"
 
 _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
@@ -109,6 +111,12 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "CUT": "wall_distance; ~edge_distance(); ?thickness",  # what is left around it
         "TUBE": "max(radii) - min(radii); thickness",
         "": "thickness",
+    },
+    Measure.RADIAL_WIDTH: {
+        "STEPPED TUBE": f"max(radii) - min(radii); ~{_SHOULDER}; ~wall_distance",
+        "ROUND+STANDING": f"{_SHOULDER}; ~thickness",
+        "CUT": "wall_distance; ~width",
+        "": "thickness; ~width",
     },
     Measure.MINIMUM_THICKNESS: "minimum_thickness; ~thickness",
     Measure.MAGNITUDE: {

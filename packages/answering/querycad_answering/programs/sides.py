@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from querycad_contracts import AnswerType, Part, PartQuery
 from querycad_contracts.vectors import coordinate_axis
-from querycad_language.forms import Reduce, Target, Towards
+from querycad_language.forms import Facing, Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
 from .distances import kinds, pairwise, side_axis, turned
@@ -35,6 +35,32 @@ def _between(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
         meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
     return meanings
+
+
+def facing(build: Builder, form: Facing) -> str:
+    """Do parts look to the same side, or to opposite ones; do two lie across the middle of the model?
+
+    Cuts look to the sides that they open to. Raises Unwritable: fewer than two, or no direction.
+    """
+    found = build.all_of(form.first, form.second)
+    queries = [query for query in (form.first, form.second) if query is not None]
+    build.lines.append(f"found = {' + '.join(f'list({build.parts(query)})' for query in queries)}")
+    if len(found) < 2 or (form.how == "across" and len(found) > 2):
+        raise Unwritable
+    if form.how == "across":  # their middle is that of the model, but for the way along which they are alike
+        build.lines += [
+            "a, b = found",
+            "off = [abs((x + y) / 2 - m) for x, y, m in zip(a.center, b.center, shape.center)]",
+        ]
+        beside = f"abs(a.center[k] - b.center[k]) < {ASIDE} and sum(off) - off[k] < {ASIDE}"
+        return f"any({beside} for k in range(3))"
+    same = form.how == "same"
+    if all(part.kind.cuts_in for part in found):
+        return f"{'' if same else 'not '}any(all(s in p.sides for p in found) for s in found[0].sides)"
+    if any(part.normal is None for part in found):
+        raise Unwritable
+    cosine = "sum(x * y for x, y in zip(p.normal, q.normal))"
+    return f"{'all' if same else 'any'}({cosine} {'> ' if same else '< -'}{_TOWARDS} for p in found for q in found)"
 
 
 def in_line(build: Builder, first: PartQuery, second: Target, row: bool) -> str:

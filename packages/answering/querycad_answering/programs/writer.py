@@ -13,7 +13,7 @@ from querycad_language.measures import SCALARS, answer_type, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
 from .distances import SLACK, distance, overlapping, side_axis
-from .sides import angle_between, at_both_ends, directions, in_line, towards
+from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
 _OF_SHAPE = {
     "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "half_extents", "volume", "area",
@@ -96,6 +96,8 @@ def _decided(build: Builder, form: Form) -> str:
             different = f"different({_values(build, get.measures[0], get.target)}, 5e-05)"
             build.compared.append(Compared(get, different, answer_type(get.measures[0])))
             return f"len({different}) == 1"
+        case forms.Facing():
+            return facing(build, form)
         case forms.Parallel(first, second, in_line=line) if line:
             return in_line(build, first, second, row=line == "row")
         case forms.Parallel(first, second, square):

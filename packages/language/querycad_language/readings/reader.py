@@ -14,6 +14,7 @@ from querycad_language.weights import weights
 from .frames.comparisons import comparisons
 from .frames.counts import counts, exists
 from .frames.distances import angles, distances, insertions, opposites, overhangs
+from .frames.named_distances import named_distances
 from .frames.parts import bare, holders, mating, parts
 from .frames.predicates import predicates
 from .frames.values import values
@@ -30,8 +31,8 @@ MAX_READINGS = 14
 MAX_DRAFTS = 150
 """Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
-    counts, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates, values, wholes,
-    mating, parts, holders, exists,
+    counts, named_distances, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates,
+    values, wholes, mating, parts, holders, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

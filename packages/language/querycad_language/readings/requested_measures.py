@@ -51,10 +51,26 @@ def asked_in(question: Question) -> list[Requested]:
     at = 0
     while at < len(question.text):
         asked = _asked_at(question, at, taken)
-        if asked is not None:
+        if asked is not None and not _bounds(question.text, asked):
             found.append(_of_unit(question, asked))
         at = asked.end if asked is not None else at + 1
-    return found or _by_density(question.text) or _by_rest(question.text)
+    return [_radial(question.text, one) for one in found] or _by_density(question.text) or _by_rest(question.text)
+
+
+def _radial(text: Text, asked: Requested) -> Requested:
+    """'How wide is the ledge, measured radially?'"""
+    said = text.covered("radially")
+    across = (Measure.WIDTH, Measure.THICKNESS, Measure.HEIGHT, Measure.WALL_THICKNESS)
+    if not said or asked.measures[0] not in across or len(asked.measures) > 1:
+        return asked
+    return replace(asked, measures=(Measure.RADIAL_WIDTH,), used=asked.used | said)
+
+
+def _bounds(text: Text, asked: Requested) -> bool:
+    """Is it said where something ends: 'wall between the bore and the hub OD'?"""
+    between = min(text.at_words("between"), default=asked.start)
+    stuff = any(span.start < between for span in text.all("stuff", "gap"))
+    return stuff and between < asked.start and asked.measures[0] in (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER)
 
 
 def _of_unit(question: Question, asked: Requested) -> Requested:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Parallel, Uniform, Which
+from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Facing, Parallel, Uniform, Which
 from querycad_language.tokens import Kind
 
 from .parses import Parse, Reading
@@ -17,13 +17,13 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("measure", {"measure", "distance", "gap", "engagement"}),
     ("comparison", {"scale", "same", "most", "least", "different", "operation", "comparing", "emerging"}),
     ("function", {"function", "be", "side_preposition"}),
-    ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each"}),
+    ("chatter", {"chatter", "imperative", "have", "relation", "place", "quantifier", "each", "radially"}),
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
 )  # fmt: skip
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
-CLOSED = AtBothEnds | Check | Either | Every | Exists | Parallel | Uniform | Which
+CLOSED = AtBothEnds | Check | Either | Every | Exists | Facing | Parallel | Uniform | Which
 """Forms whose answer is yes or no, or the one of two."""
 
 

@@ -43,6 +43,8 @@ class Spot(NamedTuple):
     anchor: Anchor
     used: set[int]
     plural: bool = False
+    mate: bool = False
+    """Is it the bore for what is named: 'the motor axis' of a mount?"""
 
 
 def anchors_of(question: Question) -> list[Spot]:
@@ -58,6 +60,10 @@ def anchors_of(question: Question) -> list[Spot]:
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
                 found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
+        body = noun is not None and (noun.product or "body" in noun.senses[0].kind)
+        if body and text.is_word(mention.end, "axis", "center", "centerline") and not (query.places or query.sizes):
+            bore = PartQuery(noun="bore", words=("bore",), definite=True)
+            found.append(Spot(mention.head, bore, {*used, mention.end}, mate=True))
         ground = text.find(mention.head, "ground")
         if ground is not None and not (query.places or query.adjectives):  # 'how high above the floor'
             found.append(Spot(mention.head, Boundary(ground.value), used))
@@ -147,6 +153,8 @@ def _outsides(question: Question) -> Iterator[Spot]:
     for span in (one for one in text.all("measure") if one.value in _ROUND_WALLS):
         behind = question.phrases.at(span.end + 1, 1) if text.is_word(span.end, "of") else None
         owner = behind or next((m for m in question.parts if m.head < span.start <= m.end + 1), None)
+        inner = question.phrases.at(span.start - 1, 1, joined=False) if owner is not behind else None
+        owner = inner if inner is not None and inner.end == span.start and inner.query is not None else owner
         if owner is not None and owner.query is not None:
             names = tuple(name for name in owner.part.adjectives if name not in ("outer", "inner"))
             holder = replace_fields(owner.part, adjectives=names)
@@ -154,6 +162,13 @@ def _outsides(question: Question) -> Iterator[Spot]:
             place = Place(relation="of", what=holder)
             wall = PartQuery(noun=noun, words=tuple(noun.split()), definite=True, places=(place,))
             yield Spot(span.start, wall, set(range(min(owner.start, span.start), max(owner.end, span.end))))
+
+
+def outside_walls(question: Question, holder: End) -> Iterator[tuple[PartQuery, set[int]]]:
+    """The round walls of a part that its diameters name, with their words."""
+    for spot in _outsides(question):
+        if isinstance(spot.anchor, PartQuery) and holder in (place.what for place in spot.anchor.places):
+            yield spot.anchor, spot.used
 
 
 def _nearer_ends(question: Question) -> Iterator[Spot]:

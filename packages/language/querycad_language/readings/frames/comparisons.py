@@ -8,6 +8,7 @@ from typing import cast
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
+from querycad_language.lexicon import Span
 from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, bare_of, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
@@ -64,7 +65,7 @@ def _compared(question: Question) -> Iterator[Parse]:
     elif any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Parse(Combine("apart" if ratio is None else "ratio", a, b), {"combined": 1.0}, used)
-        if measure is Measure.HEIGHT and left.query is not None and right.query is not None:  # how much higher it ends
+        if ratio is None and measure is Measure.HEIGHT and left.query and right.query:  # how much higher it ends
             tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
             yield Parse(tops, {"combined": 1.0, "level_top": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which") or question.closed:
@@ -115,8 +116,10 @@ def _combined(question: Question) -> Iterator[Parse]:
     text, owners = question.text, [m for m in question.mentions if not m.pronoun][:2]
     two = len(owners) > 1 and text.is_word(owners[0].end, "and")  # 'the total width of A and B'
     spans = text.all("operation", *["total"] * two)
-    more = text.find(min(text.at_words("exceed"), default=0), "relation") if text.has("much") else None
-    span = next((one for one in spans if one.value != "share"), more)  # 'by how much does A exceed that of B'
+    numbers = [i for i in sorted(text.at_words("time")) if text.tokens[i - 1].kind is Kind.NUMBER and question.closed]
+    other = [Span(i - 1, i + 1, "times", "ratio") for i in numbers]  # 'is the width of A 2 times that of B'
+    other += [Span(i, i + 1, "exceed", "apart") for i in text.at_words("exceed") if text.has("much")]
+    span = next((one for one in (*spans, *other) if one.value != "share"), None)
     if span is None:
         return
     asked = [one for one in asked_in(question) if one.start >= span.start][:2]
@@ -135,12 +138,15 @@ def _combined(question: Question) -> Iterator[Parse]:
         left = Get((measures[0],), targets[0])
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
-        operation = {"total": "plus", "relation": "apart"}.get(span.category, span.value)
-        yield Parse(Combine(operation, left, right), {"combined": 1.0}, used)
+        form = Combine("plus" if span.category == "total" else span.value, left, right)
+        if span.category == "times":
+            yield Parse(Check(form, Relation.EQUAL, text.tokens[span.start].value), {"check": 1.0}, used)
+        else:
+            yield Parse(form, {"combined": 1.0}, used)
 
 
 def _times(question: Question) -> Iterator[Parse]:
-    """'How many times its width is the slot long?', 'Is the slot 2 times the width of the groove?'"""
+    """'How many times its width is the slot long?'"""
     text = question.text
     times = next((i for i in sorted(text.at_words("time")) if text.is_word(i - 1, "many")), None)
     scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
@@ -150,13 +156,6 @@ def _times(question: Question) -> Iterator[Parse]:
         target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
         form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
         yield Parse(form, {"combined": 1.0}, {*range(times, size.end), *scale.tokens, *named})
-    asked, owners = asked_in(question)[:2], [m for m in question.mentions if m.query is not None][:2]
-    for at in sorted(text.at_words("time")) if asked and len(owners) == TWO and question.closed else ():
-        factor, between = text.tokens[at - 1], owners[0].end <= at < owners[1].start
-        if factor.kind is Kind.NUMBER and isinstance(factor.value, float) and between:  # '… width 2 times that of B'
-            left, right = (Get(one.measures[:1], m.query) for one, m in zip((asked * TWO)[:TWO], owners, strict=True))
-            used = {at - 1, at}.union(*(one.used for one in asked), *(m.used for m in owners))
-            yield Parse(Check(Combine("ratio", left, right), Relation.EQUAL, factor.value), {"check": 1.0}, used)
 
 
 def _shares(question: Question) -> Iterator[Parse]:
@@ -228,9 +227,12 @@ def _of_two(question: Question) -> Iterator[Parse]:
     measure, used = _of_noun(question, scale.value.measure, said)
     target = replace_fields(named.part, plural=True, definite=False, count=None, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    form: Check | Combine = Combine("apart", most, least)
-    form = form if much is not None else Check(form, Relation.MORE, 0.0)
-    yield Parse(form, {"combined": 1.0}, used | set(range(question.asking[0], scale.start)))
+    apart = Combine("apart", most, least)
+    yield Parse(
+        apart if much is not None else Check(apart, Relation.MORE, 0.0),
+        {"combined": 1.0},
+        used | set(range(question.asking[0], scale.start)),
+    )
 
 
 TWO = 2

@@ -8,7 +8,7 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, Get, MassCentre, Plane, Reduce, Several
+from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, MassCentre, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
@@ -17,8 +17,19 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .anchors import NEAREST, Spot, anchors_of, ends_between, floored, pairs_named, plane_of, planes_of, rimmed
-from .axes import ALONG, axes_listed, axis_named
+from .anchors import (
+    NEAREST,
+    Spot,
+    anchors_of,
+    ends_between,
+    floored,
+    outside_walls,
+    pairs_named,
+    plane_of,
+    planes_of,
+    rimmed,
+)  # fmt: skip
+from .axes import axes_listed, axis_named
 from .related_parts import is_cut
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
@@ -27,18 +38,16 @@ NEAR = 3
 _CLOSE = ("closest", "nearest")
 _ROUND = frozenset((PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY))
 _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
-_BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
+BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _HIGH = (Measure.HEIGHT, Measure.CENTER_HEIGHT, Measure.Z)
 _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
-_OFF = 4
-"""Words from 'off' to the middle that something is off."""
-_DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
-"""Words that say of parts that they are the corners of a figure."""
 _WEBS = ("web", "bridge", "land", "ligament", "partition")
 """What is left between two cuts."""
+FROM = 6
+"""Words from 'from' to the part: 'from the far end of the lug'."""
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -65,9 +74,6 @@ class _Pair(NamedTuple):
 
 def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
-    yield from _behind_end(question)
-    yield from _off_middle(question)
-    yield from _rectangle(question)
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
@@ -98,65 +104,6 @@ def distances(question: Question) -> Iterator[Parse]:
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
-
-
-def _behind_end(question: Question) -> Iterator[Parse]:
-    """'How much is left between the end of the blind bore and the opposite face?': what is left below its bottom."""
-    text = question.text
-    opposite = {i for i in text.at_words("opposite", "other", "far") if text.is_word(i + 1, *_BORDERS, "outside")}
-    spots = anchors_of(question) if opposite else []
-    for spot in spots:
-        cut = spot.anchor.of if isinstance(spot.anchor, Plane) else None
-        if cut is None and isinstance(spot.anchor, PartQuery) and spot.anchor.noun == "end":
-            cut = next((what for _, what in places_of(spot.anchor, "of")), None)
-        if cut is not None and is_cut(cut) and spot.at < min(opposite):
-            used = {*spot.used, *opposite, *(i + 1 for i in opposite), *range(question.asking[0], spot.at)}
-            used = used.union(*(other.used for other in spots if opposite & other.used))
-            left = Get((Measure.BOTTOM_THICKNESS,), cut)
-            yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
-
-
-def _rectangle(question: Question) -> Iterator[Parse]:
-    """'The lugs form a square. What is its side?', 'Side lengths of the rectangle that the pins lie on?'"""
-    text = question.text
-    drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}
-    drawn |= {at for at in text.at_words("pattern", "array") if text.is_word(at - 1, "square", "rectangular")}
-    sides = text.at_words("side")
-    for mention in question.parts if drawn and sides else ():
-        if mention.part.plural and drawn.isdisjoint(mention.used):
-            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *text.at_words(*_DRAWN)}
-            form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
-            yield Parse(
-                form, {"distance": 1.0, "each_other": 1.0}, used | text.at_phrases("center_to_center", "measure")
-            )
-
-
-def _off_middle(question: Question) -> Iterator[Parse]:
-    """'How far is the hole off the middle of the plate's width?', 'By how much is it offset from the centre?'"""
-    text = question.text
-    off = next((at for at in sorted(text.at_words("off", "offset")) if question.in_question(at)), None)
-    middles = text.at_words("middle", "center", "centerline", "midline", "midplane")
-    at = next((i for i in sorted(middles) if off is not None and off < i <= off + _OFF), None)
-    if off is None or at is None:
-        return
-    moved = next((m for m in reversed(question.parts) if m.head < off), None)
-    moved = moved or next((m for m in question.parts if m.start > at), None)
-    owner = next((m for m in (question.phrases.at(i, 1) for i in (at + 2, at + 3)) if m is not None), None)
-    owner = owner if text.is_word(at + 1, "of") else None
-    measure = next((one for i in range(at + 1, min(at + 7, len(text))) if (one := text.find(i, "measure"))), None)
-    axis, along = axis_named(question, set())
-    if measure is not None and measure.value in ALONG:
-        axis, along = ALONG[measure.value], set(measure.tokens)
-    if moved is None:
-        return
-    middle = owner.query if owner is not None else None
-    noun = lexicon().nouns.get(middle.noun) if middle is not None else None
-    used = {*range(off, at + 1), *moved.used, *along, *(owner.used if owner is not None else ())}
-    used |= text.at_words("how", "far", "much", "by", "sideways")
-    if middle is None or (noun is not None and noun.product):
-        yield Parse(Distance(moved.part, None, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
-    if middle is not None:
-        yield Parse(Distance(moved.part, middle, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:
@@ -257,7 +204,7 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     if centred := _centred(text):
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
-    near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *_BORDERS)}
+    near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *BORDERS)}
     near |= {at for at in text.at_words("beginning", "start") if text.is_word(at + 1, "of")}
     near |= {at for at in text.at_words("begin", "begins", "start", "starts") if at > 0 and text.find(0, "ask")}
     left = text.at_phrases("remaining") if text.has("between") else frozenset[int]()
@@ -296,6 +243,8 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     for spot in chain.from_iterable(named):
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
+            for wall, used in outside_walls(question, second):  # 'the wall between the bore and the hub OD'
+                yield _Pair(first, wall, spot.used | used, {"place_between": 1.0})
             if second == "each other":
                 yield from _with_next(question, named, spot, first)
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
@@ -304,8 +253,8 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     joined = _joined(question, ends)
     neighbors = question.text.at_phrases("neighbor")
     for spots in [*after[:3], *before[-2:]]:
-        for at, anchor, used, plural in spots:
-            if isinstance(anchor, PartQuery):
+        for at, anchor, used, plural, mate in spots:
+            if isinstance(anchor, PartQuery) and not mate:
                 features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
                 features["count_two"] = float(anchor.count == 2)
                 features["each_other_passes"] = float(joined)
@@ -350,7 +299,7 @@ def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
     return (
         len(ends) > 1
         and not text.at_phrases("neighbor")
-        and any(at < begin <= at + 3 for at in text.at_words("from") for begin in begins)
+        and any(at < begin <= at + FROM for at in text.at_words("from") for begin in begins)
     )
 
 
@@ -362,7 +311,8 @@ def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[
         for one, two in product(ones, others):
             placed = (PartQuery, Plane, MassCentre)
             if isinstance(one.anchor, placed) or isinstance(two.anchor, placed):
-                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0})
+                mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
+                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate})
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Get, Parallel
+from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Facing, Get, Parallel, Plane
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, Phrases, placed_in, replace_fields, without
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+from .anchors import planes_of
 from .axes import ALONG, axis_named
 
 _SAYS = {"predicate": 1.0}
@@ -24,7 +26,7 @@ def predicates(question: Question) -> Iterator[Parse]:
     start = verb_start(question)
     if start is None:
         return
-    for says in (_openings, _full_extents, _middles, _in_line, _both):
+    for says in (_openings, _full_extents, _middles, _in_line, _facing, _flush, _both):
         yield from (parse.with_more({"check": 1.0}, {start}) for parse in says(question, start))
 
 
@@ -143,6 +145,45 @@ def _in_line(question: Question, start: int) -> Iterator[Parse]:
     strict = any(text.is_word(i, "axis", "coaxial", "concentric") for i in range(cue.start, len(text)))
     second = other.query if other is not None else None
     yield Parse(Parallel(subject.part, second, in_line="axis" if strict else "row"), _SAYS, used)
+
+
+def _facing(question: Question, start: int) -> Iterator[Parse]:
+    """'Are the hub and the pin on the same side?', 'Are the two lugs opposite each other?'"""
+    text = question.text
+    for at in sorted(text.at_words("same", "opposite")):
+        sided = text.is_word(at + 1, "side", "face", "direction")
+        subject = _subject(question, start, at)
+        if subject is None or not (sided or text.is_word(at + 1, "each", "one")):
+            continue
+        joined = next((m for m in _behind(question, subject.end + 1) if m.start < at), None)
+        other = joined if text.is_word(subject.end, "and") else None
+        if other is None and sided and not subject.plural:  # '… on the same side as the pin'
+            other = next(iter(_behind(question, at + 3)), None)
+        second = None
+        if other is not None:
+            kept = (p for p in other.part.places if p.what is None or "same" not in p.what.adjectives)
+            second = replace_fields(other.part, places=tuple(kept))
+        used = {*subject.used, *range(subject.end, at + 3 - sided), *(other.used if other is not None else ())}
+        used |= {i for m in question.parts if m.start > at for i in m.used} if sided else set()  # '… of the web'
+        ways: tuple[Literal["same", "opposite"], ...] = ("same", "opposite")
+        how = ways[text.is_word(at, "opposite")] if sided else "across"
+        yield Parse(Facing(subject.part, second, how), _SAYS, used)
+
+
+def _flush(question: Question, start: int) -> Iterator[Parse]:
+    """'Is the lug flush with the top face of the block?', 'Is the stud level with the shoulder?'"""
+    text = question.text
+    at = next((i for i in sorted(text.at_words("flush", "level")) if text.is_word(i + 1, "with")), None)
+    subject = _subject(question, start, at) if at is not None else None
+    if at is None or subject is None:
+        return
+    plane = next((one for one in planes_of(question) if one.at > at and isinstance(one.anchor, Plane)), None)
+    other = next(iter(_behind(question, at + 2)), None)
+    anchor = plane.anchor if plane is not None else Plane(None, other.part) if other is not None else None
+    named = plane.used if plane is not None else set(other.used) if other is not None else set()
+    if isinstance(anchor, Plane):
+        apart = Distance(Plane(anchor.side, subject.part), anchor)
+        yield Parse(Check(apart, Relation.EQUAL, 0.0), _SAYS, {*subject.used, *named, at, at + 1})
 
 
 def _both(question: Question, start: int) -> Iterator[Parse]:

@@ -1,0 +1,105 @@
+"""Distances that a set phrase asks for: between round ends, off the middle, sides of a figure, what is left behind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from querycad_contracts import Measure, PartQuery
+from querycad_language.forms import Distance, Get, Plane, Reduce
+from querycad_language.lexicon import lexicon
+from querycad_language.phrases import places_of, replace_fields
+from querycad_language.readings.parses import Parse
+from querycad_language.readings.question import Question
+
+from .anchors import anchors_of
+from .axes import ALONG, axis_named
+from .distances import BORDERS
+from .related_parts import is_cut
+
+_OFF = 4
+"""Words from 'off' to the middle that something is off."""
+_ROUND_ENDS = ("rounded end", "end radius")
+_DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
+"""Words that say of parts that they are the corners of a figure."""
+
+
+def named_distances(question: Question) -> Iterator[Parse]:
+    """'The lugs form a square. What is its side?', 'How far is the hole off the middle of the plate's width?'"""
+    yield from _behind_end(question)
+    yield from _off_middle(question)
+    yield from _rectangle(question)
+    yield from _round_ends(question)
+
+
+def _behind_end(question: Question) -> Iterator[Parse]:
+    """'How much is left between the end of the blind bore and the opposite face?': what is left below its bottom."""
+    text = question.text
+    opposite = {i for i in text.at_words("opposite", "other", "far") if text.is_word(i + 1, *BORDERS, "outside")}
+    spots = anchors_of(question) if opposite else []
+    for spot in spots:
+        cut = spot.anchor.of if isinstance(spot.anchor, Plane) else None
+        if cut is None and isinstance(spot.anchor, PartQuery) and spot.anchor.noun == "end":
+            cut = next((what for _, what in places_of(spot.anchor, "of")), None)
+        if cut is not None and is_cut(cut) and spot.at < min(opposite):
+            used = {*spot.used, *opposite, *(i + 1 for i in opposite), *range(question.asking[0], spot.at)}
+            used = used.union(*(other.used for other in spots if opposite & other.used))
+            left = Get((Measure.BOTTOM_THICKNESS,), cut)
+            yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
+
+
+def _rectangle(question: Question) -> Iterator[Parse]:
+    """'The lugs form a square. What is its side?', 'Side lengths of the rectangle that the pins lie on?'"""
+    text = question.text
+    drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}
+    drawn |= {at for at in text.at_words("pattern", "array") if text.is_word(at - 1, "square", "rectangular")}
+    sides = text.at_words("side")
+    for mention in question.parts if drawn and sides else ():
+        if mention.part.plural and drawn.isdisjoint(mention.used):
+            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *text.at_words(*_DRAWN)}
+            form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
+            yield Parse(
+                form, {"distance": 1.0, "each_other": 1.0}, used | text.at_phrases("center_to_center", "measure")
+            )
+
+
+def _round_ends(question: Question) -> Iterator[Parse]:
+    """'How far apart are the centres of the slot's rounded ends?': how long it is from centre to centre."""
+    text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
+    middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
+    known = lexicon().nouns
+    several = (m for m in question.parts if m.part.plural and m.part.noun in known and middles)
+    for ends in (m for m in several if known[m.part.noun].name in _ROUND_ENDS):
+        inside = next((what for _, what in places_of(ends.part, "of", "") if is_cut(what)), None)
+        cut = inside or next((m.part for m in slots if not m.plural), None)
+        if cut is not None:
+            used = {*range(*question.asking)} if inside is not None else {i for m in slots for i in m.used}
+            length = Get((Measure.CENTRE_LENGTH,), cut)
+            yield Parse(length, {"distance": 1.0}, {*used, *ends.used, *middles, *text.at_phrases("distance")})
+
+
+def _off_middle(question: Question) -> Iterator[Parse]:
+    """'How far is the hole off the middle of the plate's width?', 'By how much is it offset from the centre?'"""
+    text = question.text
+    off = next((at for at in sorted(text.at_words("off", "offset")) if question.in_question(at)), None)
+    middles = text.at_words("middle", "center", "centerline", "midline", "midplane")
+    at = next((i for i in sorted(middles) if off is not None and off < i <= off + _OFF), None)
+    if off is None or at is None:
+        return
+    moved = next((m for m in reversed(question.parts) if m.head < off), None)
+    moved = moved or next((m for m in question.parts if m.start > at), None)
+    owner = next((m for m in (question.phrases.at(i, 1) for i in (at + 2, at + 3)) if m is not None), None)
+    owner = owner if text.is_word(at + 1, "of") else None
+    measure = next((one for i in range(at + 1, min(at + 7, len(text))) if (one := text.find(i, "measure"))), None)
+    axis, along = axis_named(question, set())
+    if measure is not None and measure.value in ALONG:
+        axis, along = ALONG[measure.value], set(measure.tokens)
+    if moved is None:
+        return
+    middle = owner.query if owner is not None else None
+    noun = lexicon().nouns.get(middle.noun) if middle is not None else None
+    used = {*range(off, at + 1), *moved.used, *along, *(owner.used if owner is not None else ())}
+    used |= text.at_words("how", "far", "much", "by", "sideways")
+    if middle is None or (noun is not None and noun.product):
+        yield Parse(Distance(moved.part, None, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
+    if middle is not None:
+        yield Parse(Distance(moved.part, middle, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
