@@ -91,6 +91,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (_ECHO, "?"),
     (re.compile(r"\b(?:twice|double(?= the\b))", re.I), "2 times"),
     (re.compile(r"\bhalf (?=as [a-z]+ as\b)", re.I), "0.5 times "),
+    (re.compile(r"\b(what|which)(?: bolt| pitch| hole)? circle(?= (?:do|are)\b)", re.I), r"\1 diameter circle"),
     (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
     (re.compile(r"\b([xyz])([+−-])(?=[ -](?:side|face|end|half|wall)\b)", re.I), r"\2\1"),
     *((re.compile(rf"(?<![\w+-]){axis}(?=[ -]([a-z]+))", re.I), partial(_sided, to)) for to, axis in _OUTWARD.items()),

@@ -116,6 +116,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "STEPPED TUBE": f"max(radii) - min(radii); ~{_SHOULDER}; ~wall_distance",
         "ROUND+STANDING": f"{_SHOULDER}; ~thickness",
         "CUT": "wall_distance; ~width",
+        "face": "(outer_diameter - inner_diameter) / 2; ~width",
         "": "thickness; ~width",
     },
     Measure.MINIMUM_THICKNESS: "minimum_thickness; ~thickness",

@@ -124,6 +124,10 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
         of = text.find(text.skip(scale.end, "be", "article"), "measure")
         if scale.value.measure is Measure.MAGNITUDE and of and not text.find(of.start, "noun"):  # 'how big is a radius'
             return Requested(at, of.end, (of.value,), "noun", used=frozenset(range(at, of.end)))
+        lies = text.at_words("sit", "lie") | ({scale.end} if text.is_word(scale.end, "up") else set())
+        if scale.value.measure is Measure.HEIGHT and lies and not text.has("above", "over", "from"):  # where it is
+            used = frozenset({*range(at, scale.end), *lies})
+            return Requested(at, scale.end, (Measure.CENTER_HEIGHT,), "how", used=used)
         return _joined_scales(text, at, scale)
     free = (i for i in range(at + 2, at + 14) if i not in taken)  # a recess is not recessed
     ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))

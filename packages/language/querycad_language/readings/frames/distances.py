@@ -182,6 +182,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
     if text.is_word(at + 1, "far", "close") or (text.is_word(at + 1, "much") and gap):
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
+            apart |= {at + 2} if text.is_word(at + 2, "in", "inwards", "up", "down", "along") else set()
             yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
     elif (scale := text.find(at + 1, "scale")) and scale.value.measure is Measure.HEIGHT:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):

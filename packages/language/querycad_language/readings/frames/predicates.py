@@ -26,7 +26,7 @@ def predicates(question: Question) -> Iterator[Parse]:
     start = verb_start(question)
     if start is None:
         return
-    for says in (_openings, _full_extents, _middles, _in_line, _facing, _flush, _both):
+    for says in (_openings, _full_extents, _middles, _in_line, _facing, _flush, _traits, _both):
         yield from (parse.with_more({"check": 1.0}, {start}) for parse in says(question, start))
 
 
@@ -186,6 +186,16 @@ def _flush(question: Question, start: int) -> Iterator[Parse]:
         yield Parse(Check(apart, Relation.EQUAL, 0.0), _SAYS, {*subject.used, *named, at, at + 1})
 
 
+def _traits(question: Question, start: int) -> Iterator[Parse]:
+    """'Is the boss hollow?', 'Is the bottom of the pocket flat?': nouns that are adjectives here."""
+    text, end = question.text, question.asking[1]
+    said = next((span for span in text.all("adjective") if span.end == end and text.find(span.start, "noun")), None)
+    subject = _subject(question, start, said.start) if said is not None else None
+    if said is not None and subject is not None and said.value.tags and text.find(start, "be"):
+        such = replace_fields(subject.part, adjectives=(*subject.part.adjectives, said.value.name))
+        yield Parse(Every(subject.part, all_such(such)), _SAYS, {*subject.used, *said.tokens})
+
+
 def _both(question: Question, start: int) -> Iterator[Parse]:
     """'Is there a slot in both flanges?', 'Does each lug have a hole?', 'Are there chamfers at both ends?'"""
     text = question.text
@@ -231,7 +241,7 @@ def _first(text: Text, start: int, *categories: str) -> Span | None:
 
 def _subject(question: Question, start: int, end: int) -> Mention | None:
     """The parts that are named from a clause's verb to another token, whatever is said of them behind it."""
-    at = next((m.start for m in question.parts if start <= m.start and m.head < end), None)
+    at = next((m.start for m in question.parts if start <= m.start and (m.head < end or m.start < end < m.end)), None)
     if at is None:
         return None
     clipped = Text(" ".join(token.raw for token in question.text.tokens[:end]))
