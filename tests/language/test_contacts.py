@@ -31,17 +31,6 @@ def test_a_sum_is_of_any_measure_and_a_total_of_what_adds_up() -> None:
     assert totals.reduce == "each"
 
 
-def test_a_body_is_named_by_what_it_has() -> None:
-    for question in ("Which body has the keyway?", "Which part carries the keyway?"):
-        named = [form for form in (one.form for one in read(question)) if isinstance(form, Get)]
-        placed = [form.target.places for form in named if form.measures == (Measure.NAME,) and form.target is not None]
-        assert any(
-            place.relation == "with" and place.what and place.what.noun == "keyway" for (place,) in filter(None, placed)
-        )
-    walls = [one.form for one in read("Which wall carries the window?") if isinstance(one.form, Get)]
-    assert not any(form.target and form.target.places for form in walls)  # a side is asked for
-
-
 def test_degrees_are_compared_with_an_angle() -> None:
     form = next(r.form for r in read("Is every bend 90 degrees?") if isinstance(r.form, Check))
     assert isinstance(form.left, Get)

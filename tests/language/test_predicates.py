@@ -64,11 +64,6 @@ def test_parts_in_line(question: str, line: str) -> None:
     assert any(isinstance(form, Parallel) and form.in_line == line for form in forms(question))
 
 
-def test_half_way_between_two_is_as_far_from_both() -> None:
-    checks = [form for form in forms("Is the hole midway between the rib and the slot?") if isinstance(form, Check)]
-    assert any(isinstance(one.left, Distance) and isinstance(one.low, Distance) for one in checks)
-
-
 def test_both_sides_are_asked_of_both() -> None:
     checks = [form for form in forms("Does the pin stand proud of the lever on both sides?") if isinstance(form, Check)]
     assert any(isinstance(check.left, Distance) and check.left.mode == "beyond both" for check in checks)

@@ -117,6 +117,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "ROUND+STANDING": f"{_SHOULDER}; ~thickness",
         "CUT": "wall_distance; ~width",
         "face": "(outer_diameter - inner_diameter) / 2; ~width",
+        "tooth groove": "depth; height",
         "": "thickness; ~width",
     },
     Measure.MINIMUM_THICKNESS: "minimum_thickness; ~thickness",

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields, without
+from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields
 from querycad_language.text import Text
 
 from .parses import Features
@@ -88,10 +88,6 @@ def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
         for _, holder in places_of(query, relation) if query.noun in _SECTIONS else ():
             if (noun := lexicon().nouns.get(holder.noun)) is not None and ends.issuperset(noun.senses[0].kind):
                 yield replace_fields(holder, adjectives=(*holder.adjectives, *query.adjectives))
-    noun = lexicon().nouns.get(query.noun)
-    for place, end in places_of(query, "on") if noun is not None and "cone" in noun.senses[0].kind else ():
-        if end.noun == "end" and end.adjectives:
-            yield replace_fields(without(query, place), adjectives=(*query.adjectives, *end.adjectives))
 
 
 def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Requested) -> Iterator[Owner]:

@@ -15,7 +15,7 @@ from .frames.comparisons import comparisons
 from .frames.counts import counts, exists
 from .frames.distances import angles, distances, insertions, opposites, overhangs
 from .frames.named_distances import named_distances
-from .frames.parts import bare, holders, mating, parts
+from .frames.parts import bare, mating, parts
 from .frames.predicates import predicates
 from .frames.values import values
 from .frames.wholes import wholes
@@ -32,7 +32,7 @@ MAX_DRAFTS = 150
 """Parses of one frame: twice as many as any question that was collected has."""
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
     counts, named_distances, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates,
-    values, wholes, mating, parts, holders, exists,
+    values, wholes, mating, parts, exists,
 )  # fmt: skip
 """Of two readings with one form and equal priors that of the earlier frame is kept."""
 

@@ -129,7 +129,7 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
             used = frozenset({*range(at, scale.end), *lies})
             return Requested(at, scale.end, (Measure.CENTER_HEIGHT,), "how", used=used)
         return _joined_scales(text, at, scale)
-    free = (i for i in range(at + 2, at + 14) if i not in taken)  # a recess is not recessed
+    free = (i for i in range(at + 2, at + 14) if i not in taken or not text.find(i, "noun"))  # a recess is not recessed
     ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
         return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))

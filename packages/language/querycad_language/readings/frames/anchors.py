@@ -84,12 +84,8 @@ def floored(query: PartQuery) -> PartQuery | None:
 
 def rimmed(query: PartQuery) -> PartQuery | None:
     """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    cut, _, last = query.noun.rpartition(" ")
-    if last not in ("rim", "edge", "border", "wall", "outline", "flank", "side"):
-        return None
-    if cut and query.noun not in lexicon().nouns:  # 'the slot edge'
-        return replace_fields(query, noun=cut, words=tuple(cut.split()))
-    return next((cut for _, cut in places_of(query, "of")), None)
+    named = query.noun in ("rim", "edge", "border", "wall", "outline", "flank", "side")
+    return next((cut for _, cut in places_of(query, "of") if named), None)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
@@ -166,8 +162,9 @@ def _outsides(question: Question) -> Iterator[Spot]:
 
 def outside_walls(question: Question, holder: End) -> Iterator[tuple[PartQuery, set[int]]]:
     """The round walls of a part that its diameters name, with their words."""
+    noun = holder.noun if isinstance(holder, PartQuery) else None
     for spot in _outsides(question):
-        if isinstance(spot.anchor, PartQuery) and holder in (place.what for place in spot.anchor.places):
+        if isinstance(spot.anchor, PartQuery) and any(what.noun == noun for _, what in places_of(spot.anchor)):
             yield spot.anchor, spot.used
 
 

@@ -106,8 +106,5 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'
         if (text.is_word(at + 1, "direction", "way", "axis") or text.find(at + 1, "distance")) and not spans:
             return (LONGEST, SHORTER), {at - 1, at, at + 1}
-    upright = text.at_words("horizontal", "horizontally", "vertical", "vertically")
-    if len(upright) == 2 and not spans and max(upright) - min(upright) == 2:  # 'horizontal and vertical pitch'
-        return (LONGEST, SHORTER), {*upright, min(upright) + 1}
     axes = tuple(dict.fromkeys(spans[at] for at in sorted(spans)))
     return (axes, {i for at in spans for i in (at - 1, at)}) if len(axes) > 1 else ((), set())

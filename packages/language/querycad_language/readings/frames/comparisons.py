@@ -28,7 +28,6 @@ def comparisons(question: Question) -> Iterator[Parse]:
     yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
-    yield from _times(question)
     yield from _shares(question)
     yield from _clearances(question)
     yield from _more_of(question)
@@ -145,19 +144,6 @@ def _combined(question: Question) -> Iterator[Parse]:
             yield Parse(form, {"combined": 1.0}, used)
 
 
-def _times(question: Question) -> Iterator[Parse]:
-    """'How many times its width is the slot long?'"""
-    text = question.text
-    times = next((i for i in sorted(text.at_words("time")) if text.is_word(i - 1, "many")), None)
-    scale = next((one for one in text.all("scale") if one.value.degree == "positive"), None)
-    size = next((one for one in asked_in(question) if times is not None and one.start > times), None)
-    if times is not None and scale is not None and size is not None:
-        owner = next((m for m in question.mentions if not m.pronoun), None)
-        target, named = (owner.query, owner.used) if owner is not None else (None, frozenset())
-        form = Combine("ratio", Get((scale.value.measure,), target), Get(size.measures[:1], target))
-        yield Parse(form, {"combined": 1.0}, {*range(times, size.end), *scale.tokens, *named})
-
-
 def _shares(question: Question) -> Iterator[Parse]:
     """'What percentage of the lugs are drilled?': of the ones that only their noun names."""
     text = question.text
@@ -214,11 +200,13 @@ def _more_of(question: Question) -> Iterator[Parse]:
 def _of_two(question: Question) -> Iterator[Parse]:
     """'Is one lug thicker than the other, and by how much?', 'Which of the two is thicker, and by how much?'"""
     text = question.text
-    scale = next((span for span in text.all("scale") if span.value.degree in ("more", "less")), None)
+    scales = (span for span in text.all("scale") if question.in_question(span.start))
+    scale = next((span for span in scales if span.value.degree in ("more", "less")), None)
     one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
-    than = next((at for at in text.at_words("than") if text.is_word(text.skip(at + 1, "article"), "other")), None)
+    thans = (at for at in text.at_words("than") if question.in_question(at))
+    than = next((at for at in thans if text.is_word(text.skip(at + 1, "article"), "other")), None)
     much = next((at for at in sorted(text.at_words("much", "many")) if text.is_word(at - 1, "how")), None)
-    two = (m for m in question.parts if text.is_word(m.start - 1, "which") or m.part.count == TWO)
+    two = (m for m in question.parts if text.is_word(m.start - 1, "which") or m.part.count == 2)
     both = next((m for m in two if text.is_word(m.start - 1, "of", "which")), None)
     if scale is None or ((one is None or than is None) and (both is None or much is None)):
         return
@@ -233,7 +221,3 @@ def _of_two(question: Question) -> Iterator[Parse]:
         {"combined": 1.0},
         used | set(range(question.asking[0], scale.start)),
     )
-
-
-TWO = 2
-"""Parts of which one can be more than the other."""

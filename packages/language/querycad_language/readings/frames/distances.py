@@ -123,8 +123,6 @@ def _distance_words(question: Question) -> Iterator[_Words]:
     for at in range(*question.asking):
         if text.is_word(at, "how"):
             yield from _how(question, at)
-        elif text.is_word(at, "dimension", "measurement") and text.has("from") and text.has("to"):
-            yield _Words(at, at + 1, "usual", {at, *text.at_words("from", "to")})
         elif (measure := text.find(at, "measure")) and measure.value in _APART:
             ahead = set(range(measure.end, len(text))) - text.covered("over_all")
             if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):

@@ -55,20 +55,18 @@ def _rectangle(question: Question) -> Iterator[Parse]:
     sides = text.at_words("side")
     for mention in question.parts if drawn and sides else ():
         if mention.part.plural and drawn.isdisjoint(mention.used):
-            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *text.at_words(*_DRAWN)}
+            said = text.at_words(*_DRAWN) | text.at_phrases("center_to_center", "measure")
+            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *said}
             form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
-            yield Parse(
-                form, {"distance": 1.0, "each_other": 1.0}, used | text.at_phrases("center_to_center", "measure")
-            )
+            yield Parse(form, {"distance": 1.0, "each_other": 1.0}, used)
 
 
 def _round_ends(question: Question) -> Iterator[Parse]:
     """'How far apart are the centres of the slot's rounded ends?': how long it is from centre to centre."""
     text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
     middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
-    known = lexicon().nouns
-    several = (m for m in question.parts if m.part.plural and m.part.noun in known and middles)
-    for ends in (m for m in several if known[m.part.noun].name in _ROUND_ENDS):
+    several = (m for m in question.parts if m.part.plural and m.part.known and middles)
+    for ends in (m for m in several if lexicon().nouns[m.part.noun].name in _ROUND_ENDS):
         inside = next((what for _, what in places_of(ends.part, "of", "") if is_cut(what)), None)
         cut = inside or next((m.part for m in slots if not m.plural), None)
         if cut is not None:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import placed_in, replace_fields
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -110,19 +110,6 @@ def mating(question: Question) -> Iterator[Parse]:
         used = {*range(asked, male.end), *verb.tokens}
         for query, more in fitted:
             yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
-
-
-def holders(question: Question) -> Iterator[Parse]:
-    """'Which body has the 24 mm bore in it?', 'Which piece carries the hole?'"""
-    text = question.text
-    asks = next((i for i in range(*question.asking) if text.is_word(i, "which", "what")), None)
-    for asked, other in pairwise(question.parts):
-        verb = asks is not None and asked.start == asks + 1 and text.find(asked.end, "have", "carry") is not None
-        noun = text.lexicon.nouns.get(asked.part.noun)
-        if verb and other.start == asked.end + 1 and noun is not None and noun.senses[0].kind in _WHOLE:
-            body = asked.part if noun.senses[0].kind == ("body",) else PartQuery(noun="body", words=("body",))
-            used = {asked.end, asked.start - 1, *asked.used, *other.used}
-            yield Parse(Get((Measure.NAME,), placed_in(body, "with", other.part)), {"asked_noun": 1.0}, used)
 
 
 def bare(question: Question) -> Iterator[Parse]:

@@ -107,7 +107,7 @@ def _full_extents(question: Question, start: int) -> Iterator[Parse]:
 
 
 def _middles(question: Question, start: int) -> Iterator[Parse]:
-    """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
+    """'Is the groove in the middle of the rim?', '… at mid-height?'"""
     text = question.text
     cue = _first(text, start + 1, "halfway")
     said = cue is not None and any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start))
@@ -116,12 +116,6 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         return
     others = _behind(question, cue.end)
     used = {*subject.used, *cue.tokens, *(others[0].used if others else ())}
-    first = others[0] if others and text.is_word(cue.end - 1, "between") and not others[0].plural else None
-    second = question.phrases.at(first.end + 1, 1) if first and text.is_word(first.end, "and") else None
-    if first is not None and second is not None and second.query is not None:
-        far, near = (Distance(subject.part, m.part, "centers") for m in (first, second))
-        yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
-        return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
     side = next((one for one in measures if one is not None and one.value in ALONG), None)
     axis, used = (ALONG[side.value], used | set(side.tokens)) if side is not None else (None, used)
@@ -165,8 +159,8 @@ def _facing(question: Question, start: int) -> Iterator[Parse]:
             second = replace_fields(other.part, places=tuple(kept))
         used = {*subject.used, *range(subject.end, at + 3 - sided), *(other.used if other is not None else ())}
         used |= {i for m in question.parts if m.start > at for i in m.used} if sided else set()  # '… of the web'
-        ways: tuple[Literal["same", "opposite"], ...] = ("same", "opposite")
-        how = ways[text.is_word(at, "opposite")] if sided else "across"
+        how: Literal["same", "opposite", "across"] = "opposite" if text.is_word(at, "opposite") else "same"
+        how = how if sided else "across"
         yield Parse(Facing(subject.part, second, how), _SAYS, used)
 
 

@@ -18,7 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .related_parts import is_cut, of_related, within
+from .related_parts import of_related, within
 from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -42,8 +42,6 @@ def values(question: Question) -> Iterator[Parse]:
     within = [one for one in asked_for if question.in_question(one.start)] or asked_for
     for asked in [*within, *_together(question, asked_for)]:
         for owner in owners_of(question, asked):
-            if asked.inside is False and is_cut(owner.target):
-                owner = owner._replace(target=None)  # 'the outer width of the channel'
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)

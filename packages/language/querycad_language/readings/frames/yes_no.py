@@ -40,7 +40,6 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
         return
     yield from _of_kind(text, parts[:2])
     yield from _fits(question, start)
-    yield from _enough(question)
     if not parts and asked and (found := _size_after(question, start, len(text))) is not None:  # 'width > 80 mm?'
         yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
@@ -116,19 +115,6 @@ def _fits(question: Question, start: int) -> Iterator[Parse]:
         wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
         check = Check(wide, Relation.AT_LEAST, sizes[0][1])
         yield Parse(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
-
-
-def _enough(question: Question) -> Iterator[Parse]:
-    """'The head is 6 mm high. Is the counterbore deep enough?': is the measure at least what is stated?"""
-    text = question.text
-    at = next((i for i in sorted(text.at_words("enough")) if question.in_question(i)), None)
-    scale = next((one for i in range(at - 1, at - 3, -1) if (one := text.find(i, "scale"))), None) if at else None
-    stated = [(i, token.value) for i, token in enumerate(text.tokens) if token.power == 1]
-    owners = [m for m in question.parts if at is not None and m.start < at and question.in_question(m.start)]
-    if at is not None and scale is not None and stated and owners:
-        check = Check(Get((scale.value.measure,), owners[-1].part), Relation.AT_LEAST, stated[-1][1])
-        named = {i for m in question.parts if m.start > at for i in m.used}
-        yield Parse(check, {"mating": 1.0}, {at, *scale.tokens, *owners[-1].used, stated[-1][0], *named})
 
 
 def _apart(question: Question, start: int) -> Iterator[Parse]:
