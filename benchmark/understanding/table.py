@@ -12,6 +12,8 @@ from .fit import Table
 FILE = Path("packages/language/querycad_language/data/weights.toml")
 LEAST = 0.1
 """Smaller weights are not written."""
+FAMILY = 3
+"""Of fewer features with one first word each stands alone."""
 GROUPS = ("of", "as")
 """Of each measure: how natural it is of a kind of part, and what it means there: 'depth of hole'."""
 
@@ -46,7 +48,7 @@ def families(table: dict[str, float]) -> dict[str, dict[str, float]]:
             first, _, rest = name.partition("_")
             found.setdefault(first, {})[rest] = weight
     for first, of in list(found.items()):
-        if len(of) == 1 and first != ALONE:
+        if len(of) < FAMILY and first != ALONE:
             found[ALONE] |= {"_".join(filter(None, (first, rest))): weight for rest, weight in found.pop(first).items()}
     return found
 

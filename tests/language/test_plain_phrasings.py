@@ -9,7 +9,7 @@ from tests.made import part
 
 from querycad_answering.programs.meanings import options
 from querycad_contracts import Measure, PartQuery, Side
-from querycad_language.forms import LONGEST, SHORTER, Boundary, Distance, Get, Plane
+from querycad_language.forms import LONGEST, SHORTER, Boundary, Combine, Count, Distance, Get, Plane
 from querycad_language.readings import Reading, read
 from querycad_language.tokens import tokenize
 
@@ -107,6 +107,12 @@ def test_a_vertical_distance_is_taken_along_z() -> None:
     assert any(isinstance(form, Distance) and form.axis == 2 for form in forms)
     lying = [r.form for r in read("Which spacing have the vertical drill holes?")]
     assert not any(isinstance(form, Distance) and form.axis == 2 for form in lying)
+
+
+def test_so_many_in_each_is_a_share() -> None:
+    forms = [reading.form for reading in read("How many lugs are on each lever?")]
+    assert any(isinstance(form, Combine) and form.operation == "per" for form in forms)
+    assert not any(isinstance(form, Count) and form.target.places for form in forms)
 
 
 def test_names_in_the_plural_are_no_measures() -> None:

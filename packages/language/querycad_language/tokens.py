@@ -77,6 +77,10 @@ _ECHO = re.compile(
     r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
 )
 """'…, and if so, which ones?': those that make it so are evidence of the answer."""
+_FRAME = re.compile(
+    r"[,(]?\s?(?:in )?(?:the )?\b(?:model|file|part)(?:['’]s)? coordinate(?:s| system)\b(?! of\b)\)?", re.I
+)
+"""'…, in model coordinates': there are no others."""
 _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
     (re.compile(r"^(?:\d+\)\s|[\"“])"), ""),
     (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
@@ -89,8 +93,11 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
     (_ECHO, "?"),
+    (_FRAME, " "),
+    (re.compile(r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", re.I), r"\1 "),
     (re.compile(r"\b(?:twice|double(?= the\b))", re.I), "2 times"),
     (re.compile(r"\bhalf (?=as [a-z]+ as\b)", re.I), "0.5 times "),
+    (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) overhang(?= (?:the|its|it)\b)", re.I), r"\1 project beyond"),
     (re.compile(r"\b(what|which)(?: bolt| pitch| hole)? circle(?= (?:do|are)\b)", re.I), r"\1 diameter circle"),
     (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
     (re.compile(r"\b([xyz])([+−-])(?=[ -](?:side|face|end|half|wall)\b)", re.I), r"\2\1"),

@@ -197,10 +197,11 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
     """'position of the center of mass', 'center of mass position': the narrower of two measures is asked for."""
     of = text.is_word(span.end, "of")
     other = text.find(text.skip(span.end + of, "article") if of else span.end, "measure")
-    if other is None or other.start in taken or span.value is other.value:
+    if other is None or other.start in taken:
         return None
     wide, narrow = (span, other) if of else (other, span)
-    if wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value):
+    same = wide.value is narrow.value is Measure.POSITION  # 'the coordinates of the centre of the bore'
+    if not same and (wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value)):
         return None
     return Requested(span.start, other.end, (narrow.value,), "noun", used=frozenset(range(span.start, other.end)))
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
-from querycad_language.phrases import Mention, bare_of, placed_in, replace_fields
+from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -105,7 +105,12 @@ def _count_of(
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
     noun = text.lexicon.nouns.get(query.noun)
     of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
-    yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
+    held = places_of(query, "in", "on", "of", "through") if each & set(range(mention.head + 1, mention.end)) else []
+    for _, holder in held[:1]:  # 'how many holes are in each flange'
+        shares = Combine("per", Count(query), Count(replace_fields(holder, plural=True)))
+        yield Parse(shares, {**features, "owner_placed": 1.0}, used | mention.used | each)
+    if not held:
+        yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
     if each and any(text.is_word(i + 1, "side", "face") for i in each):
         yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:

@@ -46,8 +46,6 @@ _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPT
 """Measures that between two parts are distances: 'the height of A above B'."""
 _WEBS = ("web", "bridge", "land", "ligament", "partition")
 """What is left between two cuts."""
-FROM = 6
-"""Words from 'from' to the part: 'from the far end of the lug'."""
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -298,7 +296,7 @@ def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
     return (
         len(ends) > 1
         and not text.at_phrases("neighbor")
-        and any(at < begin <= at + FROM for at in text.at_words("from") for begin in begins)
+        and any(at < begin <= at + 6 for at in text.at_words("from") for begin in begins)
     )
 
 
@@ -361,7 +359,7 @@ def overhangs(question: Question) -> Iterator[Parse]:
     elif other is not None:
         base, used = rimmed(other.part) or other.part, used | other.used
         yield Parse(Distance(Plane(None, first.part), Plane(None, base)), {"overhang": 1.0}, used)
-        around = {i for at in text.at_words("side") if text.find(at - 1, "each") for i in (at - 1, at)}
+        around = {i for at in text.at_words("side", "end") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Parse(form, {"overhang": 1.0}, used | around)

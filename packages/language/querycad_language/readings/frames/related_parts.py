@@ -82,6 +82,9 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
+    if get.measures == (Measure.PITCH_DIAMETER,) and get.target is not None and get.target.noun != "gear":
+        circle = placed_in(PartQuery(noun="bolt circle", definite=True), "", get.target)
+        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)

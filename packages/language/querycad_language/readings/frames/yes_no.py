@@ -70,6 +70,9 @@ def _overlapping(question: Question, start: int | None) -> Iterator[Parse]:
     bodies = PartQuery(noun="body", words=("body",), plural=True)
     for category in ("overlap", "contact"):
         said = question.text.at_phrases(category)
+        last = question.asking[1] - 1
+        if category == "contact" and question.text.is_word(last, "meet", "intersect", "cross"):  # 'do the bores meet?'
+            said |= {last}
         named = [m for m in question.mentions if m.start >= (start or 0) and m.used.isdisjoint(said)][:2]
         named = named[:1] if len(named) > 1 and named[1].pronoun else named  # 'do they touch one another'
         meant = [one.query or bodies for one in named] or [bodies]
