@@ -10,7 +10,7 @@ from querycad_language.weights import ALONE
 from .fit import Table
 
 FILE = Path("packages/language/querycad_language/data/weights.toml")
-LEAST = 0.1
+LEAST = 0.15
 """Smaller weights are not written."""
 FAMILY = 3
 """Of fewer features with one first word each stands alone."""

@@ -115,6 +115,12 @@ OF_SEVERAL = {
     "What are the sides of the rectangle on which the {aa} lie?": "Distance",
     "Are the two {aa} diametrically opposite each other?": "Facing",
     "Are all {aa} on the same side?": "Facing",
+    "Do the two {aa} meet?": "Check",
+    "Is the {a} hollow?": "Every",
+    "Which axis does the {a} run along?": "Get",
+    "Coordinates of the centre of the {a}, in model coordinates?": "Get",
+    "How far in from the left edge is the {a}?": "Distance",
+    "On what circle do the {aa} lie?": "Get",
 }
 WEBS = ("What web is left between the {a} and the {b}?", "What wall remains between the {a} and the {b}?")
 RELATIONS = (

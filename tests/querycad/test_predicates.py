@@ -108,6 +108,8 @@ def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -
         ("block", "Does the 6 mm hole break into the 10 mm bore?", False),
         ("block", "Is this slot open on both ends?", True),
         ("block", "Does the slot run the full length of the block?", True),
+        ("block", "Do the 10 mm bore and the 4 mm hole meet?", True),
+        ("block", "Do the 10 mm bore and the 6 mm hole meet?", False),
         ("pulley", "Does the hub reach beyond the rim?", True),
         ("pulley", "Does the hub reach beyond the rim at both ends?", False),
         ("pulley", "Is the hub flush with the rim?", False),
@@ -139,6 +141,11 @@ def test_pieces_ends_and_middles_have_their_measures(
     models: dict[str, Model], model: str, question: str, millimetres: float
 ) -> None:
     assert models[model].ask(question).value == pytest.approx(millimetres * MM)
+
+
+def test_an_axis_and_a_side_are_called_as_the_question_does(models: dict[str, Model]) -> None:
+    assert models["block"].ask("Which coordinate axis does the 10 mm bore run along?").value == "x"
+    assert models["block"].ask("On which side is the 6 mm hole? Answer with the axis direction.").value == "+z"
 
 
 def test_four_holes_have_the_sides_of_their_rectangle(models: dict[str, Model]) -> None:

@@ -239,6 +239,8 @@ class Towards:
     target: PartQuery
     sides: tuple[Side, ...]
     seen: Literal["", "most", "none", "each"] = ""
+    axes: bool = False
+    """Is a side called by the axis that it looks along: '+x'?"""
 
 
 Form: TypeAlias = (

@@ -175,7 +175,11 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.AREA: "area; ~opening_area",  # of a window the opening may be meant, of a hole its wall
     Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]",
     Measure.FILL: {"model": f"100 * {{0}}.volume / {_BOX}"},
-    Measure.LONG_AXIS: {"model": '"xyz"[list({0}.extents).index(max({0}.extents))]'},
+    Measure.LONG_AXIS: {
+        "model": '"xyz"[list({0}.extents).index(max({0}.extents))]',
+        "ROUND hole boss": '"xyz"[max(range(3), key=lambda i: abs({0}.axis[i]))]',
+        "": '"xyz"[list({0}.extents).index(max({0}.extents))]',
+    },
     Measure.REMOVED: {"model": f"{_BOX} - {{0}}.volume"},
     Measure.STANDING_AREA: {
         "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)'

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import AnswerType, Part, PartQuery
+from querycad_contracts import AnswerType, Part, PartQuery, Side
 from querycad_contracts.vectors import coordinate_axis
 from querycad_language.forms import Facing, Reduce, Target, Towards
 
@@ -137,6 +137,12 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None, 
     return f"min([angle for angle in angles if angle > {SLANT}] or angles)"
 
 
+def _axis_of(side: Side) -> str:
+    """The axis that a side looks along: '+x'."""
+    i, sign = side_axis(side)
+    return f"{'-' if '-' in sign else '+'}{'xyz'[i]}"
+
+
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
@@ -160,5 +166,5 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
         i, sign = side_axis(side)
         share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]"
         build.lines.append(f"{side.value} = {sign.strip('+')}sum({share} for p in {name})")
-    found = ", ".join(f'({side}, "{side}")' for side in sides)
+    found = ", ".join(f'({side.value}, "{_axis_of(side) if form.axes else side.value}")' for side in form.sides)
     return f"max({found})[1]", AnswerType.TEXT

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 
-from querycad_language.forms import Distance, Form, Several, mapped, queries
+from querycad_language.forms import Distance, Form, Several, Towards, mapped, queries
 from querycad_language.phrases import Mention
 from querycad_language.weights import weights
 
@@ -48,6 +49,8 @@ class Reader(Question):
         words = passable(self)
         best: dict[Form, Reading] = {}
         for parse in parses:
+            if isinstance(parse.form, Towards) and self.text.has("axis", "+"):
+                parse = Parse(replace(parse.form, axes=True), parse.features, parse.used)
             reading = finished(self, parse, words)
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):

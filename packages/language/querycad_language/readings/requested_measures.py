@@ -27,6 +27,7 @@ _EXTENDING = {
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
+_ROUND = (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER)
 _REDUCES = {**EXTREMES, "mean": Reduce.MEAN, "different": Reduce.DIFFERENT, "total": Reduce.TOTAL}
 
 
@@ -47,11 +48,13 @@ class Requested:
 def asked_in(question: Question) -> list[Requested]:
     """The measures that are named, from left to right."""
     taken = {i for mention in question.mentions for i in mention.used}
+    stuff = min((span.start for span in question.text.all("stuff", "gap")), default=len(question.text))
+    between = min((i for i in question.text.at_words("between") if i > stuff), default=len(question.text))
     found: list[Requested] = []
     at = 0
     while at < len(question.text):
         asked = _asked_at(question, at, taken)
-        if asked is not None and not _bounds(question.text, asked):
+        if asked is not None and not (asked.start > between and asked.measures[0] in _ROUND):  # 'between A and B OD'
             found.append(_of_unit(question, asked))
         at = asked.end if asked is not None else at + 1
     return [_radial(question.text, one) for one in found] or _by_density(question.text) or _by_rest(question.text)
@@ -64,13 +67,6 @@ def _radial(text: Text, asked: Requested) -> Requested:
     if not said or asked.measures[0] not in across or len(asked.measures) > 1:
         return asked
     return replace(asked, measures=(Measure.RADIAL_WIDTH,), used=asked.used | said)
-
-
-def _bounds(text: Text, asked: Requested) -> bool:
-    """Is it said where something ends: 'wall between the bore and the hub OD'?"""
-    between = min(text.at_words("between"), default=asked.start)
-    stuff = any(span.start < between for span in text.all("stuff", "gap"))
-    return stuff and between < asked.start and asked.measures[0] in (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER)
 
 
 def _of_unit(question: Question, asked: Requested) -> Requested:

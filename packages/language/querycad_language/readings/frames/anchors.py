@@ -14,6 +14,8 @@ from querycad_language.phrases import Mention, places_of, replace_fields, withou
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
+from .related_parts import floored, rimmed
+
 _ROUND_WALLS = {Measure.OUTER_DIAMETER: "outer cylinder", Measure.INNER_DIAMETER: "inner cylinder"}
 NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
@@ -72,20 +74,6 @@ def anchors_of(question: Question) -> list[Spot]:
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
     found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
     return sorted(found, key=lambda one: one.at)
-
-
-def floored(query: PartQuery) -> PartQuery | None:
-    """The cut of 'the floor of the keyway', 'the bottom of the groove', 'the counterbore floor'."""
-    if query.noun not in ("floor", "bottom", "ground", "base"):
-        return None
-    said = [PartQuery(noun=name, words=(name,)) for name in query.adjectives if name in lexicon().nouns]
-    return next((cut for _, cut in places_of(query, "of", "below", "")), next(iter(said), None))
-
-
-def rimmed(query: PartQuery) -> PartQuery | None:
-    """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    named = query.noun in ("rim", "edge", "border", "wall", "outline", "flank", "side")
-    return next((cut for _, cut in places_of(query, "of") if named), None)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:

@@ -17,20 +17,9 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .anchors import (
-    NEAREST,
-    Spot,
-    anchors_of,
-    ends_between,
-    floored,
-    outside_walls,
-    pairs_named,
-    plane_of,
-    planes_of,
-    rimmed,
-)  # fmt: skip
+from .anchors import NEAREST, Spot, anchors_of, ends_between, outside_walls, pairs_named, plane_of, planes_of
 from .axes import axes_listed, axis_named
-from .related_parts import is_cut
+from .related_parts import floored, is_cut, rimmed
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3

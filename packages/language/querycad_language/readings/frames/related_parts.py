@@ -238,3 +238,17 @@ def is_cut(target: Target) -> bool:
     """Is it a space, not what is around one?"""
     noun = lexicon().nouns.get(target.noun) if target is not None else None
     return noun is not None and all(PartKind(kind).cuts_in or kind in _TUBES for kind in noun.senses[0].kind)
+
+
+def floored(query: PartQuery) -> PartQuery | None:
+    """The cut of 'the floor of the keyway', 'the bottom of the groove', 'the counterbore floor'."""
+    if query.noun not in ("floor", "bottom", "ground", "base"):
+        return None
+    said = [PartQuery(noun=name, words=(name,)) for name in query.adjectives if name in lexicon().nouns]
+    return next((cut for _, cut in places_of(query, "of", "below", "")), next(iter(said), None))
+
+
+def rimmed(query: PartQuery) -> PartQuery | None:
+    """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
+    named = query.noun in ("rim", "edge", "border", "wall", "outline", "flank", "side")
+    return next((cut for _, cut in places_of(query, "of") if named), None)

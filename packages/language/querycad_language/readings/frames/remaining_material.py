@@ -12,7 +12,8 @@ from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 
-from .anchors import ends_between, floored
+from .anchors import ends_between
+from .related_parts import floored
 
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 

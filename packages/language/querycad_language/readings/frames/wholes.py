@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from querycad_contracts import Measure
 from querycad_language.forms import Get
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 
@@ -23,9 +24,17 @@ def wholes(question: Question) -> Iterator[Parse]:
     longest = text.at_words("furthest").union(*(span.tokens for span in scales))
     axes = text.at_phrases("axis") | text.at_words("axis", "direction")
     asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
+    used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition", "passing")
     if longest and axes and asks and not question.parts:
-        used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition")
         yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
+    led = text.at_words("along", "parallel", "run", "lie", "coordinate")
+    either = text.has("or") and len({span.value for span in text.all("axis")}) > 1
+    which = any(text.is_word(i + 1 + text.is_word(i + 1, "coordinate"), "axis") for i in text.at_phrases("ask"))
+    for mention in question.parts[:2] if led and (which or either) else ():
+        bare = tuple(name for name in mention.part.adjectives if "parallel" not in name)  # 'does it run along x or y?'
+        form = Get((Measure.LONG_AXIS,), replace_fields(mention.part, adjectives=bare))
+        said = used | led | mention.used | text.at_words("or")
+        yield Parse(form, {"along_axis": 1.0, "asked_noun": 1.0}, said)
 
 
 def _against_box(question: Question) -> Iterator[Parse]:
