@@ -78,6 +78,7 @@ def test_what_parts_lack_may_stand_behind_a_comma(question: str) -> None:
 @pytest.mark.parametrize(
     "question",
     [
+        "Tell me the number of lugs that are smaller than the largest",
         "Besides the largest lug, how many lugs has it?",
         "How many lugs are there (the long ones, not the largest lugs)?",
     ],

@@ -16,7 +16,7 @@ _MEASURES = {
     Measure.CENTRE_LENGTH: "length from centre to centre", Measure.ACROSS_FLATS: "width across flats",
     Measure.ACROSS_CORNERS: "width across corners",
     Measure.FILL: "filled percentage of the bounding box", Measure.REMOVED: "volume cut away of the bounding box",
-    Measure.STANDING_AREA: "area to stand on", Measure.LONG_AXIS: "axis of the largest extent",
+    Measure.STANDING_AREA: "area to stand on", Measure.LONG_AXIS: "coordinate axis (x, y or z)",
     Measure.INERTIA: "moments of inertia, in kg m2 about x, y, z through the centre of mass,",
 }  # fmt: skip
 RELATIONS = {

@@ -95,6 +95,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (_ECHO, "?"),
     (_FRAME, " "),
     (re.compile(r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", re.I), r"\1 "),
+    (re.compile(r"\b(?:outer|free) (?=end faces?\b)", re.I), ""),  # no tip
     (re.compile(r"\b(?:twice|double(?= the\b))", re.I), "2 times"),
     (re.compile(r"\bhalf (?=as [a-z]+ as\b)", re.I), "0.5 times "),
     (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) overhang(?= (?:the|its|it)\b)", re.I), r"\1 project beyond"),

@@ -285,12 +285,14 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     text = phrases.text
     if depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
-    span = text.find(at, "except", "minus")
-    if span is None:
+    scale, span = text.find(at, "scale"), text.find(at, "except", "minus")
+    below = scale is not None and text.is_word(scale.end, "than") and text.skip(scale.end + 1, "article")
+    if span is None and not (below and superlative(text, below)):  # 'smaller than the largest'
         return at
-    inner = text.skip(span.end, "article")
-    ranked = inner > span.end and superlative(text, inner) is not None  # 'minus the largest'
-    other = phrases.at(span.end, depth + 1) if ranked or span.category == "except" else None
+    start = span.end if span is not None else int(below) - 1
+    inner = text.skip(start, "article")
+    ranked = inner > start and superlative(text, inner) is not None  # 'minus the largest'
+    other = phrases.at(start, depth + 1) if ranked or span is None or span.category == "except" else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)

@@ -65,7 +65,7 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
     whole = token.value == int(token.value)
     noun = text.find(at + 1, "noun")
     scale = text.find(at + 1, "scale")
-    sized = scale is not None and scale.value.degree == "positive"  # 'is the slot 8 wide'
+    sized = scale.value.degree == "positive" if scale is not None else text.is_word(at + 1, "time")  # 'is it 8 wide'
     one = build.definite and noun and not text.tokens[noun.end - 1].plural and not text.find(noun.end, "noun")
     if not build.nouns and ((not whole and text.find(at + 1, "noun", "adjective")) or (one and token.value > 1)):
         build.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes', 'the 25 lug'
