@@ -18,7 +18,6 @@ from .related_parts import is_cut
 
 _OFF = 4
 """Words from 'off' to the middle that something is off."""
-_ROUND_ENDS = ("rounded end", "end radius")
 _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
 """Words that say of parts that they are the corners of a figure."""
 
@@ -66,7 +65,7 @@ def _round_ends(question: Question) -> Iterator[Parse]:
     text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
     middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
     several = (m for m in question.parts if m.part.plural and m.part.known and middles)
-    for ends in (m for m in several if lexicon().nouns[m.part.noun].name in _ROUND_ENDS):
+    for ends in (m for m in several if lexicon().nouns[m.part.noun].name in ("rounded end", "end radius")):
         inside = next((what for _, what in places_of(ends.part, "of", "") if is_cut(what)), None)
         cut = inside or next((m.part for m in slots if not m.plural), None)
         if cut is not None:
