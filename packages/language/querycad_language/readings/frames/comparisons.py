@@ -129,8 +129,8 @@ def _combined(question: Question) -> Iterator[Parse]:
     targets: list[Target] = [m.query for m in owners] or [None]
     several = owners[0].query if len(owners) == 1 else None
     if span.value == "apart" and len(measures) == 1 and several is not None and several.plural:
-        target = replace_fields(several, count=None)  # 'the difference in width between the two lugs'
-        ends = (Get((measures[0],), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
+        # 'the difference in width between the two lugs'
+        ends = (Get((measures[0],), several, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
         used = {*span.tokens, *owners[0].used, *asked[0].used, *text.at_words("between")}
         yield Parse(Combine("apart", *ends), {"combined": 1.0}, used)
     if measures and len(measures) + len(targets) > 2:
@@ -213,7 +213,7 @@ def _of_two(question: Question) -> Iterator[Parse]:
     named = cast("Mention", one if than is not None and one is not None else both)
     said = {*scale.tokens, *named.used, *range(than or much or 0, len(text))}
     measure, used = _of_noun(question, scale.value.measure, said)
-    target = replace_fields(named.part, plural=True, definite=False, count=None, sample=False)
+    target = replace_fields(named.part, plural=True, definite=False, sample=False)
     most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
     apart = Combine("apart", most, least)
     yield Parse(

@@ -61,7 +61,7 @@ def _rectangle(question: Question) -> Iterator[Parse]:
 
 
 def _round_ends(question: Question) -> Iterator[Parse]:
-    """'How far apart are the centres of the slot's rounded ends?': how long it is from centre to centre."""
+    """'How far apart do the slot's rounded ends have their centres?': how long it is from centre to centre."""
     text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
     middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
     several = (m for m in question.parts if m.part.plural and m.part.known and middles)

@@ -165,7 +165,7 @@ def _facing(question: Question, start: int) -> Iterator[Parse]:
 
 
 def _flush(question: Question, start: int) -> Iterator[Parse]:
-    """'Is the lug flush with the top face of the block?', 'Is the stud level with the shoulder?'"""
+    """'Is the lug flush with the upper side of its flange?', 'Is the stud level with the shoulder?'"""
     text = question.text
     at = next((i for i in sorted(text.at_words("flush", "level")) if text.is_word(i + 1, "with")), None)
     subject = _subject(question, start, at) if at is not None else None
