@@ -126,7 +126,7 @@ def test_a_place_holds_where_parts_are_and_is_unchecked_where_there_is_none() ->
     of = inventory(SMALL, LARGE, DEAD, carrier)
     in_boss = asked(places=(Place(relation="in", what=PartQuery(noun="boss", words=("boss",))),))
     assert ids(best(in_boss, of)) == {"hole-1", "hole-2"}
-    ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="gear", words=("gear",))),)))
+    ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="pinion", words=("pinion",))),)))
     assert any("place_unknown" in way.features and way.unchecked for way in ways)
 
 
@@ -335,7 +335,7 @@ def test_a_narrow_noun_may_mean_any_part_of_its_kind_where_the_words_place_it() 
 
 
 def test_a_word_before_a_noun_that_the_model_lacks_may_be_the_part() -> None:
-    cutter = PartQuery(noun="gear", words=("slot", "gear"), plural=True)
+    cutter = PartQuery(noun="pinion", words=("slot", "pinion"), plural=True)
     assert any("modifier_means" in way.features and ids(way) == {"slot-1"} for way in ground(PLATE, cutter))
 
 
