@@ -64,7 +64,7 @@ def _round_ends(question: Question) -> Iterator[Parse]:
     """'How far apart do the slot's rounded ends have their centres?': how long it is from centre to centre."""
     text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
     middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
-    several = (m for m in question.parts if m.part.plural and m.part.known and middles)
+    several = (m for m in question.parts if m.part.plural and m.part.noun in lexicon().nouns and middles)
     for ends in (m for m in several if lexicon().nouns[m.part.noun].name in ("rounded end", "end radius")):
         inside = next((what for _, what in places_of(ends.part, "of", "") if is_cut(what)), None)
         cut = inside or next((m.part for m in slots if not m.plural), None)
