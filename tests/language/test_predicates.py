@@ -104,3 +104,8 @@ def test_how_many_more_is_one_number_less_another() -> None:
     assert isinstance(form.left, Count)
     assert isinstance(form.right, Count)
     assert [form.left.target.noun, form.right.target.noun] == ["slot", "lug"]
+
+
+def test_half_way_between_two_is_as_far_from_both() -> None:
+    checks = [form for form in forms("Is the hole midway between the rib and the slot?") if isinstance(form, Check)]
+    assert any(isinstance(one.left, Distance) and isinstance(one.low, Distance) for one in checks)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import Place, Rank, Relation
+from querycad_contracts import PartQuery, Place, Rank, Relation
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -149,6 +149,8 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     end = text.skip(at, "passing", "do", "negation")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     tags = build.lacking if negated else build.adjectives
+    if text.find(end, "emerging", "stopping"):
+        return _ending(text, at, end, tags)
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation", "each")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -158,6 +160,20 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
         return at  # 'through the lid': a place
     tags.append("through")
     return inner + 1 if all_of_it else end + 1
+
+
+def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
+    """'that come out on the other side', 'that stop inside the material'."""
+    place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
+    if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
+        tags.append("blind")
+        return place + 1
+    if text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back"):
+        for across in range(place, place + 5):
+            if text.find(across, "side_noun"):
+                tags.append("through")
+                return across + 1
+    return at
 
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -270,8 +286,16 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
 
 
 def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
-    """', the dowel holes left out'."""
+    """', the dowel holes left out', ', largest diameter excluded'."""
     text = phrases.text
+    start = text.skip(at, "article")
+    most = superlative(text, start) or text.find(start, "most", "least")
+    size = text.find(most.end, "measure") if most is not None else None
+    out = text.find(size.end, "left_out") if size is not None else None
+    if most is not None and size is not None and out is not None:
+        degree = "most" in (most.category, getattr(most.value, "degree", ""))
+        build.excluded.append(PartQuery(ranks=(Rank(measure=size.value, most=degree),), definite=True))
+        return out.end
     other = phrases.inner(at, depth) if depth == 0 else None
     span = text.find(other.end, "left_out") if other is not None else None
     if other is None or span is None:

@@ -18,8 +18,7 @@ from .frames.distances import angles, distances, insertions, opposites, overhang
 from .frames.named_distances import named_distances
 from .frames.parts import bare, mating, parts
 from .frames.predicates import predicates
-from .frames.values import values
-from .frames.wholes import wholes
+from .frames.values import values, wholes
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
 from .question import Question, seen_from

@@ -13,7 +13,7 @@ from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-from .remaining_material import material
+from .named_distances import material
 
 MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""

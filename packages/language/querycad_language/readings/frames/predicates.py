@@ -107,7 +107,7 @@ def _full_extents(question: Question, start: int) -> Iterator[Parse]:
 
 
 def _middles(question: Question, start: int) -> Iterator[Parse]:
-    """'Is the groove in the middle of the rim?', '… at mid-height?'"""
+    """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
     cue = _first(text, start + 1, "halfway")
     said = cue is not None and any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start))
@@ -116,6 +116,12 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         return
     others = _behind(question, cue.end)
     used = {*subject.used, *cue.tokens, *(others[0].used if others else ())}
+    first = others[0] if others and text.is_word(cue.end - 1, "between") and not others[0].plural else None
+    second = question.phrases.at(first.end + 1, 1) if first and text.is_word(first.end, "and") else None
+    if first is not None and second is not None and second.query is not None:
+        far, near = (Distance(subject.part, m.part, "centers") for m in (first, second))
+        yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
+        return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
     side = next((one for one in measures if one is not None and one.value in ALONG), None)
     axis, used = (ALONG[side.value], used | set(side.tokens)) if side is not None else (None, used)

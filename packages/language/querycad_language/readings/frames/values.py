@@ -1,4 +1,4 @@
-"""Values: a measure of a part, or of the whole."""
+"""Values: a measure of a part or of the whole; the whole against the box around it, the axis that parts run along."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
+from .named_distances import less, material, under_cut
 from .related_parts import of_related, within
-from .remaining_material import less, material, under_cut
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
@@ -30,6 +30,9 @@ MOST_TOGETHER = 3
 """Measures of one part that people ask for in one sentence."""
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
+_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
+_CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
+_SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _JOINTS = ("and", ",", "&", "x", "then", "by")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
@@ -236,3 +239,42 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
     named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
     several = named and target.plural and not target.definite and asked.measures[0] is not Measure.SIZE
     return Reduce.EACH if several else Reduce.ONE, used
+
+
+def wholes(question: Question) -> Iterator[Parse]:
+    """'Which share of the box around it does it take up?', 'Which direction is the model largest in, x, y or z?'"""
+    yield from _against_box(question)
+    text = question.text
+    named = {i for m in question.mentions if m.query is None for i in m.used}
+    scales = [span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG]
+    longest = text.at_words("furthest").union(*(span.tokens for span in scales))
+    axes = text.at_phrases("axis") | text.at_words("axis", "direction")
+    asks = any(text.is_word(i, "which", "what", "name", "or") for i in range(*question.asking))
+    used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition", "passing")
+    if longest and axes and asks and not question.parts:
+        yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
+    led = text.at_words("along", "parallel", "run", "lie", "coordinate")
+    either = text.has("or") and len({span.value for span in text.all("axis")}) > 1
+    which = any(text.is_word(i + 1 + text.is_word(i + 1, "coordinate"), "axis") for i in text.at_phrases("ask"))
+    for mention in question.parts[:2] if led and (which or either) else ():
+        bare = tuple(name for name in mention.part.adjectives if "parallel" not in name)  # 'does it run along x or y?'
+        form = Get((Measure.LONG_AXIS,), replace_fields(mention.part, adjectives=bare))
+        said = used | led | mention.used | text.at_words("or")
+        yield Parse(form, {"along_axis": 1.0, "asked_noun": 1.0}, said)
+
+
+def _against_box(question: Question) -> Iterator[Parse]:
+    """'What volume goes into chips, from a block of that size?', 'corner to corner of its box'."""
+    text = question.text
+    boxes = text.covered("boxes")
+    shares = {i for span in text.all("operation") if span.value == "share" for i in span.tokens}
+    for measure, said in (
+        (Measure.FILL, shares | text.covered("filling")),
+        (Measure.REMOVED, text.covered("cutting")),
+        (Measure.DIAGONAL, {i for span in text.all("measure") if span.value in _CORNERS for i in span.tokens}),
+    ):
+        if boxes and said and not question.closed:
+            named = {i for m in question.mentions if m.query is None for i in m.used}
+            around = boxes | named | text.covered("stuff") | text.at_words(*_SAYS_BOX)
+            around |= text.at_words("opposite", "long") if measure is Measure.DIAGONAL else set()
+            yield Parse(Get((measure,), None), {"asked_noun": 1.0}, said | around)
