@@ -59,9 +59,9 @@ LIKELY = 0.15
 
 PASSED_OVER = 0.35
 """So sure, at most, is a value that leaves out a part which is named by its id, or is of one that is not as said."""
-KIN = 0.45
-"""So probable must it be that a noun which is no product's, 'keyway' or 'rib', means parts of a like kind where the
-model has none of its own: less would be an unsure answer about parts that are called otherwise."""
+KIN = 0.5
+"""So probable must it be, more likely than not, that a noun which is no product's, 'keyway' or 'rib', means parts of a
+like kind where the model has none of its own: less would be an answer about parts that are called otherwise."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or

@@ -26,7 +26,7 @@ _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", 
 
 
 def named_distances(question: Question) -> Iterator[Parse]:
-    """'The lugs form a square. What is its side?', 'How far is the hole off the middle of the plate's width?'"""
+    """'The lugs form a square. What is its side?', 'How far is the hole off the middle of the plate?'"""
     yield from _behind_end(question)
     yield from _off_middle(question)
     yield from _rectangle(question)
