@@ -62,6 +62,9 @@ PASSED_OVER = 0.35
 KIN = 0.5
 """So probable must it be, more likely than not, that a noun which is no product's, 'keyway' or 'rib', means parts of a
 like kind where the model has none of its own: less would be an answer about parts that are called otherwise."""
+NONE_COUNTED = 0.7
+"""So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
+were right."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
@@ -270,6 +273,8 @@ class Understanding:
         half = closed and (restricting or unchecked(best.candidate) or _at_several(best.candidate))
         if "value_for_yes_no" in best.candidate.features or half:
             sure = min(sure, OTHER_CLASS)
+        if isinstance(best.candidate.reading.form, Count) and best.candidate.value == 0:
+            sure = min(sure, NONE_COUNTED)
         return replace(best, confidence=min(sure, self.at_most))
 
     def _fits(self, candidate: Candidate) -> bool:
