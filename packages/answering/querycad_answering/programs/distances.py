@@ -26,7 +26,8 @@ BREAK = 0.1
 _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUSION, PartKind.WALL, PartKind.FACE))
 """Kinds that are as good as flat where they have no diameter: two of them have a gap between surfaces."""
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
-CORNERS = 4
+_CORNERS = 4
+"""Of a rectangle: of fewer or more parts there are no two sides."""
 _SIDES = "[d for d in different(found, 1e-05) if d < max(found) - 1e-05]"
 """Of the three distances between corners of a rectangle the longest is its diagonal."""
 _REDUCED = {Reduce.SIDES: _SIDES, Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
@@ -94,7 +95,7 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
     parts, least = build.parts(first), reduce in (Reduce.ONE, Reduce.SMALLEST)
     own, others = len(build.of(first)), "" if second is None else f", {build.parts(second)}"
     pairs = own * (own - 1) // 2 if second is None else own * len(build.of(second))
-    if second is None and (own < 2 or (reduce is Reduce.SIDES and own != CORNERS)):
+    if second is None and (own < 2 or (reduce is Reduce.SIDES and own != _CORNERS)):
         raise Unwritable
     if expression == "a.distance_to(b)" and pairs > (MEASURED if least else CALLS):
         if not least:
