@@ -53,7 +53,7 @@ web: setup ## build the page from web/; says what stands in the way
 bench: setup ## measure accuracy; arguments for querycad bench in ARGS
 	$(BIN)/querycad bench $(ARGS)
 
-fit: setup ## fit the weights that rank readings, and print the cross-validated score; about ten minutes
+fit: setup ## fit the weights that rank readings, and print the cross-validated score; about half an hour
 	$(BIN)/python -m benchmark.understanding fit
 
 openapi: setup ## write openapi.yaml from the code

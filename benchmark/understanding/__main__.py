@@ -58,7 +58,7 @@ def _fit(jobs: int, rounds: int) -> int:
     for _ in range(rounds):
         rows = collect(data, STORE, jobs)
         table, doubts = weights_of(rows, prior)
-        told = cross_validated(rows, prior)
+        told = cross_validated(rows, prior, jobs)
         text = summary(told)
         there = [one for one in told if not asks_for_missing(one.fold)]
         right = sum(one.right for one in there) / len(there)

@@ -12,7 +12,7 @@ from .fit import Table
 FILE = Path("packages/language/querycad_language/data/weights.toml")
 LEAST = 0.15
 """Smaller weights are not written."""
-FAMILY = 4
+FAMILY = 8
 """Of fewer features with one first word each stands alone."""
 GROUPS = ("of", "as")
 """Of each measure: how natural it is of a kind of part, and what it means there: 'depth of hole'."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import pytest
@@ -202,6 +203,15 @@ def test_an_axis_and_a_plane_enclose_what_is_left_to_a_right_angle_of_axis_and_n
     neck, face = hole(1), part("face-1", normal=(0.0, 0.0, 1.0))
     written = write(Angle(HOLES, OTHERS), {HOLES: ((neck,), 0), OTHERS: ((face,), 0)}, whole())
     assert "1.5707963267948966 - a.angle_to(b)" in written.code
+
+
+@pytest.mark.parametrize("degrees", [40.0, 70.0, 110.0, 135.0])
+def test_walls_enclose_the_angle_on_their_side_of_where_they_meet(degrees: float) -> None:
+    turn = math.radians(degrees)
+    legs = [(1.0, 0.0), (math.cos(turn), math.sin(turn))]  # from the bend at the origin
+    walls = tuple(part(f"wall-{i}", (0.02 * x, 0.02 * y, 0.0), normal=(-y, x, 0.0)) for i, (x, y) in enumerate(legs))
+    written = write(Angle(PINS, None), {PINS: (walls, 0)}, whole())
+    assert ("3.141592653589793 - a.angle_to(b)" in written.code) == (degrees > 90.0)
 
 
 def test_parts_of_a_round_model_lie_at_an_angle_about_its_axis() -> None:

@@ -10,11 +10,12 @@ from collections.abc import Iterator
 
 import pytest
 
-from querycad_contracts import PartQuery
+from querycad_contracts import PartQuery, Side
 from querycad_language.describe import plural_of
-from querycad_language.forms import Get
+from querycad_language.forms import Angle, Boundary, Distance, Get, Plane
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reading, read
+from querycad_language.readings.frames.anchors import WHOLE
 
 PARTS = ("boss", "slot", "pocket", "rib", "groove", "lug", "flange", "hub", "pin", "hole")
 FIRST = 6
@@ -68,6 +69,16 @@ TO_PLACES = {
     "How far is the {a} from the longest side?": "Boundary(side=None",
     "How far from the left end does the {a} begin?": "mode='surfaces'",
     "What is the y distance between the two {aa}?": "axis=1",
+    "At which distance from the shaft end does the {a} begin?": "Plane(side=None",
+    "At what distance from the end does the {a} begin?": "mode='surfaces'",
+    "How far is the {a} from the free end?": "Plane(side=None",
+}
+OF_THE_TWO = {
+    "How far apart do the inside faces of both {aa} lie?": "second='each other', mode='surfaces'",
+    "How far apart are the outer faces of the {aa}?": "second='each other', mode='outsides'",
+    "What is the distance between the upper and the lower {aa}?": "Side.BOTTOM",
+    "How far apart are the left and right {aa}?": "Side.RIGHT",
+    "What is the distance between the upper {aa} and the lower {aa}?": "Side.BOTTOM",
 }
 COMPARISONS = {
     "Is the {a} wider than the {b}?": "Check",
@@ -201,6 +212,35 @@ def test_how_far_a_part_is_from_a_place_of_the_model(template: str, says: str) -
     for question, a, _ in filled(template):
         said = [repr(reading.form) for reading in readings(question) if type(reading.form).__name__ == "Distance"]
         assert any(f"noun='{a}'" in one and says in one for one in said), question
+
+
+@pytest.mark.parametrize(("template", "says"), OF_THE_TWO.items())
+def test_two_of_a_kind_are_told_apart_by_what_stands_before_the_noun(template: str, says: str) -> None:
+    for question, a, _ in filled(template):
+        said = [repr(reading.form) for reading in readings(question)]
+        assert any(form.startswith(f"Distance(first=PartQuery(noun='{a}'") and says in form for form in said), question
+
+
+def test_a_part_lies_so_far_from_the_end_of_what_it_is_in() -> None:
+    for question, _, b in filled("How far is the {a} in the {b} from its end?"):
+        said = [reading.form for reading in readings(question) if isinstance(reading.form, Distance)]
+        ends = [end for form in said for end in (form.first, form.second) if isinstance(end, Plane)]
+        assert b in [end.of.noun for end in ends], question
+
+
+@pytest.mark.parametrize("sides", ["left and right", "front and back", "top and bottom"])
+def test_two_opposite_sides_are_as_far_apart_as_the_model_reaches(sides: str) -> None:
+    (form, *_) = [reading.form for reading in readings(f"What is the distance between the {sides} sides?")]
+    first, _, second = sides.partition(" and ")
+    assert form == Distance(Plane(Side(first), WHOLE), Boundary(Side(second)))
+
+
+@pytest.mark.parametrize("said", ["angle", "included angle"])
+def test_an_angle_between_two_is_no_measure_of_each(said: str) -> None:
+    for question, a, _ in filled(f"What is the {said} between the two {{aa}}?"):
+        (form, *_) = [reading.form for reading in readings(question)]
+        assert isinstance(form, Angle), question
+        assert form.first.noun == a
 
 
 @pytest.mark.parametrize(("template", "form"), COMPARISONS.items())

@@ -93,12 +93,6 @@ def test_the_angle_of_a_drill_point_is_its_own() -> None:
     assert all(form.target is None or form.target.noun != "drill point" for form in depth)
 
 
-def test_a_centre_seen_from_a_side_may_be_that_of_the_mouth_there() -> None:
-    asked = [form for form in forms("Where is the centre of the hole seen from the left?") if isinstance(form, Get)]
-    measures = {form.measures for form in asked if form.target is not None and [*form.target.sides] == ["left"]}
-    assert {(Measure.POSITION,), (Measure.OPENING,)} <= measures
-
-
 def test_how_many_more_is_one_number_less_another() -> None:
     (form,) = [one for one in forms("How many more slots than lugs are there?") if isinstance(one, Combine)]
     assert isinstance(form.left, Count)

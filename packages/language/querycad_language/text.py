@@ -56,6 +56,9 @@ class Text:
         self.words = [token.word for token in tokens]
         self._said = frozenset(self.words)
         self.spans: list[list[Span]] = self.lexicon.spans(self.words)
+        for i in self.at_words("left"):  # 'the left lug' is none that remains
+            if self.find(i - 1, "article") or self.find(i + 1, "noun", "side_noun"):
+                self.spans[i] = [span for span in self.spans[i] if span.category != "remaining"]
         self._extents: set[int] = set()
         for at in range(1, len(tokens) - 2):
             if self.words[at + 1] == "to" and self.words[at] == self.words[at + 2] and self.find(at, *EXTENTS):

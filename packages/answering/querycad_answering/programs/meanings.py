@@ -96,6 +96,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "hole counterbore spotface": "depth; length",
         "ROUND+STANDING": "height; length",
         "chamfer": _CHAMFER,
+        "ARM": "length",
         "": "length; ~height; ~max(extents)",
     },
     Measure.THICKNESS: {
@@ -247,6 +248,7 @@ def _groups(part: Part) -> Iterator[str]:
         "CUT": part.kind in CUT,
         "STANDING": part.kind in STANDING,
         "STEPPED": stepped,
+        "ARM": "arm" in part.tags,
         "ROUND": part.diameter is not None,
         "HOLLOW": "hollow" in part.tags,
         "FLAT": "flat" in part.tags,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from querycad_contracts import AnswerType, Part, PartQuery, Side
-from querycad_contracts.vectors import coordinate_axis
+from querycad_contracts import AnswerType, Part, PartKind, PartQuery, Side
+from querycad_contracts.vectors import coordinate_axis, dot, sub
 from querycad_language.forms import Facing, Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
@@ -33,8 +33,21 @@ def _between(parts: Sequence[Part], reduce: Reduce) -> dict[str, str]:
     if len({part.axis is None or "plate" in part.tags for part in parts}) > 1:  # what an axis and a plane enclose
         meanings = {"inclined": "1.5707963267948966 - a.angle_to(b)"} | meanings
     if reduce is Reduce.ONE and all(part.axis is None for part in parts):
-        meanings["enclosed"] = "3.141592653589793 - a.angle_to(b)"
+        enclosed = {"enclosed": "3.141592653589793 - a.angle_to(b)"}
+        return enclosed | meanings if len(parts) == 2 and _is_obtuse(*parts) else meanings | enclosed
     return meanings
+
+
+def _is_obtuse(one: Part, other: Part) -> bool:
+    """Do two walls, such as the legs of an angle, enclose more than a right angle, as seen from where they meet?
+
+    With unit normals n1, n2, they run away from their line of intersection to the side of each other that their middles
+    lie on: the cosine has the sign of -s1 s2 (n1 n2), s1 and s2 being how far the middles lie off the other's plane.
+    """
+    if one.kind is not PartKind.WALL or other.kind is not PartKind.WALL or not (one.normal and other.normal):
+        return False
+    apart = sub(one.center, other.center)
+    return dot(other.normal, apart) * dot(one.normal, apart) * dot(one.normal, other.normal) < 0
 
 
 def facing(build: Builder, form: Facing) -> str:

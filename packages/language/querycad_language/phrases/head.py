@@ -55,7 +55,8 @@ def _without_noun(text: Text, build: PhraseBuilder, start: int, at: int) -> int 
             return at
     if text.find(at, "measure", "distance", "gap") or text.find(at - 1, "outside_to_outside"):
         return None  # 'the straight distance', 'the opposite side'
-    return at if (build.adjectives or build.ranks) and build.article and at > start + 1 else None
+    restricted = build.adjectives or build.ranks or (build.ends and text.is_word(at, "and", "or"))
+    return at if restricted and build.article and at > start + 1 else None
 
 
 def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mention:

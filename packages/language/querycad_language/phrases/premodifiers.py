@@ -200,8 +200,9 @@ def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
             build.seen_on([side.value], half=text.is_word(side.end, "half"))
             return faced
-        if is_noun(text, side.end) or (text.find(side.end, "side") and is_noun(text, side.end + 1)):
-            build.ends.append(side.value)  # 'the top left hole'
+        other = text.find(text.skip(side.end + text.is_word(side.end, "and", "or"), "article"), "side")
+        if is_noun(text, side.end) or (other and is_noun(text, other.end) and not text.find(other.end, "side_noun")):
+            build.ends.append(side.value)  # 'the top left hole', 'the upper and the lower hole'
             return side.end
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
         build.colors.append(color.value)

@@ -114,7 +114,9 @@ class Phrases:
         joined = self.text.is_word(mention.end, "and", "or", "to", "&") and after and after[0].start == mention.end + 1
         if query is None or query.noun or query.ids or not joined or other is None or not other.noun:
             return mention
-        return replace(mention, query=replace_fields(query, noun=other.noun, known=other.known, words=other.words))
+        shared = {name: getattr(other, name) for name in ("noun", "known", "words", "plural")}
+        query = replace_fields(query, **shared, places=query.places or other.places)
+        return replace(mention, query=query, plural=other.plural)
 
     def _owned(self, mention: Mention, depth: int, joined: bool) -> Mention:
         """'the cover's holes': the holes of the cover."""

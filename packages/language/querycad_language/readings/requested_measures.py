@@ -113,8 +113,9 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
     stuff = text.stuff(at) if text.is_word(at + 1, "much") else None
     if stuff is not None:  # 'how much metal is left under the slot?', 'how much metal is in it?'
         near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
-        measure = Measure.THICKNESS if near else Measure.VOLUME
-        return Requested(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)))
+        around = text.at_words("around")
+        measure = Measure.WALL_THICKNESS if around else Measure.THICKNESS if near else Measure.VOLUME
+        return Requested(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)) | around)
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         of = text.find(text.skip(scale.end, "be", "article"), "measure")

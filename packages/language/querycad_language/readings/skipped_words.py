@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Facing, Parallel, Uniform, Which
+from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .parses import Parse, Reading
@@ -23,6 +24,8 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
 
 
+_LEADING = ("above", "at", "below", "between", "for", "from", "in", "of", "on", "to", "with")
+"""Prepositions: what stands behind them restricts in different degrees."""
 CLOSED = AtBothEnds | Check | Either | Every | Exists | Facing | Parallel | Uniform | Which
 """Forms whose answer is yes or no, or the one of two."""
 
@@ -59,7 +62,9 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     features = {**parse.features, **question.hardness}
     skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
-        features[word.feature] = features.get(word.feature, 0.0) + 1.0
+        behind = _behind(question.text, word.at) if word.feature in ("skip_noun", "skip_unknown") else None
+        for name in (word.feature, f"skip_behind_{behind}")[: 2 if behind else 1]:
+            features[name] = features.get(name, 0.0) + 1.0
         if word.feature == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
             features["skip_compound"] = 1.0  # 'head' of 'head diameter'
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
@@ -68,6 +73,11 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     if edits:
         features["corrected"] = float(edits)
     return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
+
+
+def _behind(text: Text, at: int) -> str | None:
+    """The preposition in front of a phrase: 'from the free end' may be passed over less than 'for the screw'."""
+    return next((text.tokens[i].word for i in range(at - 1, max(at - 5, -1), -1) if text.is_word(i, *_LEADING)), None)
 
 
 def _axis_asides(question: Question) -> set[int]:

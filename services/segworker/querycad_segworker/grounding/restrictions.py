@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 
 from querycad_contracts import Measure, Part, PartKind, Relation, SizeFilter
 from querycad_language.lexicon import Adjective, lexicon
-from querycad_segworker.relations.orders import by_size
 from querycad_segworker.relations.roles import ROLES
 
 from .candidates import Candidate, Request, kept, through
@@ -21,8 +20,6 @@ SURFACES = frozenset(kind for kind in PartKind if kind.is_surface) - {PartKind.F
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 _COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
-TWO = 2
-"""Sizes that a comparative chooses between."""
 NEAR = 0.02
 """A nominal size may differ by this share from what is modelled."""
 
@@ -149,13 +146,6 @@ def _ordered(
     if len(ordered) == len(way.parts):
         same = way.to(ordered, "adjective_nothing")  # 'the smaller bore' where there is one: a step of it is meant
         return [same.to(ordered, "comparative_nothing") if lexicon().is_comparative(name) else same, *empty]
-    beside = [part for part in way.parts if "central" not in part.tags]
-    if lexicon().is_comparative(name) and len(by_size(way.parts)) > TWO == len(by_size(beside)):
-        # 'the larger hole' is one of two sizes: the opening in the middle is none of them
-        empty.append(way.to(inventory.ordered(beside, adjective, count), "comparative_of_two"))
-    alike = by_size(ordered)
-    if len(alike) > 1 and not count:  # 'the small holes' beside a wide bore, where there are two sizes of them
-        empty.append(way.to(inventory.ordered(ordered, adjective, len(alike[0])), "adjective_extreme"))
     return [
         way.to(ordered, "adjective_order"),
         way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'"),

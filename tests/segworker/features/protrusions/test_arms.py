@@ -47,6 +47,14 @@ def test_an_arm_to_an_eye_ends_there() -> None:
     assert arm.length == pytest.approx(77 * MM, rel=0.02)
 
 
+def test_an_arm_between_two_hubs_points_away_from_the_one_with_more_arms() -> None:
+    arms = [turned(box((70, 14, 10), (0, -7, 0)), (0, 0, 1), way) for way in (0, 135)]
+    eyes = [turned(cylinder(10, 40, (70, 0, 0)), (0, 0, 1), way) for way in (0, 135)]  # wider ones are beside the hub
+    crank = fuse(*eyes, *arms, cylinder(16, 10))
+    found = [part for part in find(crank).of("prism") if "arm" in part.tags]
+    assert sorted(round(math.degrees(math.atan2(arm.axis[1], arm.axis[0]))) for arm in found if arm.axis) == [0, 135]
+
+
 def test_spokes_end_at_the_inside_of_the_rim() -> None:
     rim = cut(cylinder(90, 32), cylinder(74, 32))
     spokes = (turned(box((80, 18, 12), (0, -9, 10)), (0, 0, 1), i * 72) for i in range(5))

@@ -17,6 +17,8 @@ from querycad_language.text import Text
 from .related_parts import floored, rimmed
 
 _ROUND_WALLS = {Measure.OUTER_DIAMETER: "outer cylinder", Measure.INNER_DIAMETER: "inner cylinder"}
+WHOLE = PartQuery(noun="object", words=("object",))
+_ENDS = ("end", "end face")
 NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
@@ -69,6 +71,8 @@ def anchors_of(question: Question) -> list[Spot]:
         ground = text.find(mention.head, "ground")
         if ground is not None and not (query.places or query.adjectives):  # 'how high above the floor'
             found.append(Spot(mention.head, Boundary(ground.value), used))
+        if query.noun in _ENDS and not (query.places or query.adjectives or query.unknown or query.ranks):
+            found += [Spot(mention.head, Plane(None, owner), used) for owner in _owners(question, mention.head)]
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
@@ -83,14 +87,21 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
         return Boundary(None)
     if (cut := floored(query)) is not None:
         return Plane(Side.BOTTOM, cut)
+    whose, _, piece = query.noun.rpartition(" ")
+    if piece == "end" and whose in lexicon().nouns:  # 'the shaft end'
+        return Plane(next(iter(sides), None), PartQuery(noun=whose, words=(whose,), definite=True))
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
     holder = next((other for _, other in places_of(query)), None)
     if sides:
         return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
-    if holder is None and query.noun in ("end", "end face") and not (query.adjectives or query.unknown or query.ranks):
-        holder = PartQuery(noun="object", words=("object",))
     return Plane(None, holder) if holder is not None else None
+
+
+def _owners(question: Question, at: int) -> list[PartQuery]:
+    """Whose is 'its end'? What is named before may have it, or what that is in."""
+    before = [mention.part for mention in question.parts if mention.head < at and mention.part.noun not in _ENDS][-1:]
+    return [*(what for part in before for _, what in places_of(part)), *before, WHOLE]
 
 
 def _is_edge(query: PartQuery) -> bool:
@@ -114,7 +125,8 @@ def _of_model(text: Text, at: int) -> Spot | None:
     if ground := text.find(at, "ground"):
         return Spot(at, Boundary(ground.value), set(ground.tokens))
     side, leading = text.find(at, "side"), ("article", "side_preposition", "place")
-    if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1)):  # 'the part's left side'
+    paired = text.is_word(at - 1, "and") and text.find(at - 2, "side")
+    if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1) or paired):  # 'the left side'
         return Spot(at, Boundary(side.value), set(range(at, text.skip(side.end, "side_noun"))))
     return None
 
@@ -186,9 +198,12 @@ def planes_of(question: Question) -> list[Spot]:
     for at in range(len(text)):
         side = text.find(at, "side")
         end = text.find(at, "measure")
-        if end is not None and (end.value is Measure.TIP or end.value in ENDS) and text.is_word(end.end, "of"):
-            if (ended := question.phrases.at(end.end + 1, 1)) and ended.query is not None:  # 'the tip of the shank'
-                found.append(Spot(at, Plane(ENDS.get(end.value), ended.query), set(range(at, ended.end))))
+        if end is not None and (end.value is Measure.TIP or end.value in ENDS):
+            ended = question.phrases.at(end.end + 1, 1) if text.is_word(end.end, "of") else None
+            alone = ended is None and not text.find(end.end, "noun", "edge")
+            owners = _owners(question, at) if alone else [ended.query] if ended and ended.query else []
+            used = set(range(at, ended.end if ended else end.end))  # 'the tip of the shank', 'its free end'
+            found += [Spot(at, Plane(ENDS.get(end.value), owner), used) for owner in owners]
         if side is None:
             continue
         after = text.skip(side.end, "side_noun")

@@ -41,8 +41,9 @@ def counts(question: Question) -> Iterator[Parse]:
             said = used | owner.used | {*range(at, inner), *size.tokens}
             yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, said)
         yield from _treated(question, at, used)
-        yield from _topology(question, at, used)
-        after = [m for m in named if m.head >= at and not m.pronoun]
+        yield from (of_all := list(_topology(question, at, used)))
+        bare = of_all and not text.at_phrases("side", "adjective", "operation", "with")
+        after = [m for m in named if m.head >= at and not m.pronoun and not bare]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
         before = [m for m in before if m.end < span.start or not (m.query and m.query.ranks)]  # 'highest hole count'
         taken = text.has("need", "take", "require", "accept")

@@ -17,15 +17,14 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .anchors import NEAREST, Spot, anchors_of, ends_between, outside_walls, pairs_named, plane_of, planes_of
+from .anchors import NEAREST, WHOLE, Spot, anchors_of, ends_between, outside_walls, pairs_named, plane_of, planes_of
 from .axes import axes_listed, axis_named
 from .related_parts import floored, is_cut, rimmed
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3
 """Words between 'over the outsides' and the measure that it belongs to."""
-_CLOSE = ("closest", "nearest")
-_ROUND = frozenset((PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY))
+_ROUND = (PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY)
 _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
@@ -85,12 +84,23 @@ def distances(question: Question) -> Iterator[Parse]:
             every = second == "each other" and reduce is Reduce.ONE
             across, near = every and opposed, question.text.covered("least") - more  # 'the two closest holes'
             of_all = Reduce.LARGEST if across else Reduce.SMALLEST if every and near else reduce
-            form = Distance(first, second, mode, axis, of_all)
+            form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
+            features["distance_overall"] = float(question.text.is_word(start - 1, "overall", "total"))
             yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
+
+
+def _of_holders(form: Distance) -> Distance:
+    """'The inner faces of the two webs', 'across the outer faces of the lugs': of the webs, of the lugs."""
+    first = form.first
+    if form.second != "each other" or not (isinstance(first, PartQuery) and _is_kind(first, PartKind.FACE)):
+        return form
+    holder = next((what for _, what in places_of(first, "of", "") if what.plural), None)
+    mode: Mode = "outsides" if "outer" in first.adjectives else "surfaces"
+    return form if holder is None else replace(form, first=holder, mode=mode)
 
 
 def _distance_words(question: Question) -> Iterator[_Words]:
@@ -191,8 +201,8 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
     near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *BORDERS)}
-    near |= {at for at in text.at_words("beginning", "start") if text.is_word(at + 1, "of")}
-    near |= {at for at in text.at_words("begin", "begins", "start", "starts") if at > 0 and text.find(0, "ask")}
+    asks, begins = any(text.find(question.asking[0] + i, "ask") for i in (0, 1)), ("begin", "begins", "start", "starts")
+    near |= {at for at in text.at_words("beginning", *begins) if asks or text.is_word(at + 1, "of")}
     left = text.at_phrases("remaining") if text.has("between") else frozenset[int]()
     facing = near | inside | text.covered("surface_to_surface") | left
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
@@ -240,14 +250,14 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     neighbors = question.text.at_phrases("neighbor")
     for spots in [*after[:3], *before[-2:]]:
         for at, anchor, used, plural, mate in spots:
-            if isinstance(anchor, PartQuery) and not mate:
+            if isinstance(anchor, PartQuery) and not (mate or anchor.also):
                 features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
                 features["count_two"] = float(anchor.count == 2)
                 features["each_other_passes"] = float(joined)
                 if at < start:
                     features["anchor_before"] = 1.0
                 yield _Pair(anchor, "each other", used | neighbors, features)
-    yield from _two(before, after)
+    yield from _two(question, before, after)
     yield from _levels(question, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
@@ -255,7 +265,7 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
 
 def _with_next(question: Question, named: Sequence[list[Spot]], spot: Spot, first: PartQuery) -> Iterator[_Pair]:
     """'The wall between the bore and the edge': what is no part stands behind the phrase."""
-    behind, near = max(spot.used) + 1, question.text.at_words(*_CLOSE)
+    behind, near = max(spot.used) + 1, question.text.at_words("closest", "nearest")
     for other in chain.from_iterable(named) if question.text.is_word(behind, "and") else ():
         if behind < min(other.used) <= behind + 3:
             one = replace_fields(first, plural=False)
@@ -289,14 +299,23 @@ def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
     )
 
 
-def _two(before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
+def _two(question: Question, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """Two anchors behind the words that ask, one before and one behind them, or both before: 'rib to hub distance'."""
     pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else pairwise(before[-2:]))]
     pairs += [(after[0], after[2])] if len(after) > 2 else []
     for ones, others in pairs:
         for one, two in product(ones, others):
             placed = (PartQuery, Plane, MassCentre)
-            if isinstance(one.anchor, placed) or isinstance(two.anchor, placed):
+            named = (each for each in (one, two) if question.text.find(each.at, "side"))
+            sides = [each.anchor.side for each in named if isinstance(each.anchor, Boundary)]
+            if len(sides) == 2 and sides[0] and sides[0].opposite is sides[1]:  # 'from the left side to the right'
+                one = one._replace(anchor=Plane(sides[0], WHOLE))
+            owner = one.anchor.of if isinstance(one.anchor, Plane) else one.anchor
+            itself = isinstance(owner, PartQuery) and two.anchor in (owner, Plane(None, owner))  # 'the slot to its end'
+            if isinstance(one.anchor, PartQuery) and one.anchor == two.anchor:  # 'eye to eye'
+                each: Features = {"each_other": 1.0, "two_anchors": 1.0}
+                yield _Pair(replace_fields(one.anchor, plural=True), "each other", one.used | two.used, each)
+            if not itself and (isinstance(one.anchor, placed) or isinstance(two.anchor, placed)):
                 mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
                 yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate})
 
@@ -323,6 +342,8 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
 def _from_model(spot: Spot) -> Iterator[_Pair]:
     """From the place in the phrase itself."""
     if isinstance(spot.anchor, PartQuery):
+        for also in spot.anchor.also:  # 'between the upper holes and the lower holes'
+            yield _Pair(replace_fields(spot.anchor, also=()), also, spot.used, {"two_anchors": 1.0})
         for place, holder in places_of(spot.anchor, "of", "above", "below", "on", "in", "near"):
             for other in (holder, plane_of(holder)):
                 if other is not None:
@@ -386,20 +407,20 @@ def opposites(question: Question) -> Iterator[Parse]:
     named += [(cut, m.used) for m in question.parts if (cut := floored(m.part)) is not None]
     across = text.at_words("opposite", "across", "to", "from") | text.at_words("wall", "side", "floor", "bottom")
     for (flat, used), (other, more) in permutations(named, 2) if text.has("opposite") else ():
-        if (is_cut(flat) or flat.noun == "flat") and not _is_round(flat) and _is_round(other):
+        if (is_cut(flat) or flat.noun == "flat") and not _is_kind(flat, *_ROUND) and _is_kind(other, *_ROUND):
             yield Parse(Distance(flat, other, "across"), {"across_round": 1.0}, used | more | across)
 
 
-def _is_round(query: PartQuery) -> bool:
+def _is_kind(query: PartQuery, *kinds: PartKind) -> bool:
     noun = lexicon().nouns.get(query.noun)
-    return noun is not None and not _ROUND.isdisjoint(noun.senses[0].kind)
+    return noun is not None and not set(kinds).isdisjoint(noun.senses[0].kind)
 
 
 def angles(question: Question) -> Iterator[Parse]:
     """'What is the angle between the two arms?', 'At which angle does the rib meet the lever?'"""
     text = question.text
     for asked in asked_in(question):
-        if asked.measures != (Measure.ANGLE,) or not question.in_question(asked.start):
+        if asked.measures not in ((Measure.ANGLE,), (Measure.INCLUDED_ANGLE,)) or not question.in_question(asked.start):
             continue
         between = bool(text.at_phrases("between"))
         joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart")

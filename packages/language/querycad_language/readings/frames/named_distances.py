@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
-from dataclasses import replace
 
 from querycad_contracts import Measure, PartKind, PartQuery
-from querycad_language.forms import Behind, Combine, Distance, Get, Plane, Reduce
+from querycad_language.forms import Behind, Distance, Get, Plane, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
@@ -129,26 +128,3 @@ def under_cut(question: Question, get: Get) -> bool:
     below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
     cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
     return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
-
-
-def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
-    """Less what a part has of it: 'How high is the lever without the rib?', 'How long is it under its head?'"""
-    text = question.text
-    lengths = (Measure.HEIGHT, Measure.LENGTH, Measure.DEPTH, Measure.WIDTH, Measure.THICKNESS, Measure.VOLUME)
-    if get.measures[0] not in lengths or len(get.measures) > 1:
-        return
-    for span in [*text.all("minus"), *(span for span in text.all("place") if span.value == "below")]:
-        other = question.phrases.at(text.skip(span.end, "article", "measure", "function"), joined=False)
-        if other is None or other.query is None or (span.category == "minus" and span.start < 2):
-            continue
-        head = text.is_word(other.head, "head") and (get.target is None or get.target.noun != other.query.noun)
-        if span.category == "place" and not head:
-            continue  # screws are measured under the head (ISO 4014), nothing else is
-        target = get.target
-        if target is not None:
-            kept = tuple(p for p in target.places if not p.negated and p.what != other.query)
-            target = replace_fields(target, places=kept, excluded=())
-        owned = used | set(range(span.start, other.end))
-        part = Measure.HEIGHT if span.category == "place" else get.measures[0]
-        combine = Combine("minus", replace(get, target=target, overall=True), Get((part,), other.query))
-        yield Parse(combine, {**features, "less_part": 1.0}, owned)

@@ -14,8 +14,6 @@ from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested
 from querycad_language.text import Text
 
-_FACES = ("face", "surface", "end face", "outside", "side face")
-"""Where a cut opens: its centre there is that of its mouth."""
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
@@ -32,10 +30,10 @@ _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
     Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
-    Measure.POSITION: {("surface", "face", "mouth"): Measure.OPENING},
+    Measure.POSITION: {("surface", "face", "mouth", "underside"): Measure.OPENING},
 }  # fmt: skip
 """What a measure is at one end or on one side, and the words for those, which follow one of these within so many."""
-_AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross"), 5
+_AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross", "leave", "cut", "hit", "exit"), 5
 _TUBES = ("ring", "pipe", "cavity")
 _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
 """What has a measure that the whole has not."""
@@ -49,7 +47,6 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
-    yield from _of_its_section(get, parse)
     if get.target is not None:
         yield from _between_centres(question.text, get.target, get, parse)
         yield from _across(get.target, get, parse)
@@ -179,29 +176,15 @@ def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> I
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the dovetail at its mouth?', 'the radius on the outside of the bend'."""
     text = question.text
-    faced = any(what.noun in _FACES for _, what in places_of(target)) or text.has("outside")
-    if get.measures == (Measure.POSITION,) and (target.sides or target.ends or faced) and is_cut(target):
-        seen = replace(get, measures=(Measure.OPENING,))  # 'the centre of the hole seen from the left'
-        yield Parse(seen, {**parse.features, "position_seen": 1.0}, parse.used)
     for words, measure in _THERE.get(get.measures[0], {}).items():
         led = ((i, at) for i in text.at_words(*_AT) for at in text.at_words(*words) if i < at <= i + _NEAR)
         for start, end in sorted(led)[:1]:
-            form = replace(get, measures=(measure,), target=replace_fields(target, sides=()))
+            faced = tuple(side.value for side in text.all("side") if start <= side.start <= end)
+            sides = faced if measure is Measure.OPENING else ()  # 'its centre on the bottom face'
+            form = replace(get, measures=(measure,), target=replace_fields(target, sides=sides))
             said = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
             named = set().union(*(m.used for m in question.parts if m.start <= end < m.end))
             yield Parse(form, said | {"link_of": 1.0, "there": 1.0}, parse.used | {*range(start, end + 1)} | named)
-
-
-def _of_its_section(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The smallest shaft diameter' is that of its thinnest section."""
-    target = get.target
-    if target is None or "link_compound" not in parse.features or get.measures != (Measure.DIAMETER,):
-        return
-    for rank in target.ranks[:1]:
-        if rank.measure is Measure.MAGNITUDE and rank.nth == 1:
-            section = PartQuery(noun="section", ranks=(Rank(measure=Measure.DIAMETER, most=rank.most),), definite=True)
-            held = placed_in(section, "of", replace_fields(target, ranks=()))
-            yield Parse(replace(get, target=held), {**parse.features, "its_section": 1.0}, parse.used)
 
 
 def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:

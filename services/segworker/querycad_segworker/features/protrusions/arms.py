@@ -57,10 +57,11 @@ def recognise_arms(brep: Brep, ribs: Collection[frozenset[int]], tolerances: Tol
     """Which arms does the model have? Sorted by lowest face id. `ribs`: flanks of ribs, which are no arms.
 
     An arm has two plane sides that look away from each other and both end at one outer cylinder, in concave edges or
-    over fillets along its axis. It is longer than wide.
+    over fillets along its axis. It is longer than wide. Of two hubs it points away from the one that more arms stand
+    on, or the wider one.
     """
     found: dict[frozenset[int], Arm] = {}
-    for hub in _hubs(brep, tolerances):
+    for hub in sorted(_hubs(brep, tolerances), key=lambda hub: (-len(hub.sides), -hub.radius)):
         for a, b in _pairs(brep, hub):
             sides = frozenset((a.id, b.id))
             arm = None if sides in found or any(sides <= rib for rib in ribs) else _arm(brep, hub, a, b)
