@@ -16,7 +16,7 @@ from querycad_language.readings.frames.values import values
 from querycad_language.readings.reader import FRAMES, Reader
 
 EXAMPLE = re.compile(r"'([^']+\?)'")
-WITHIN_VALUES = {"material": "material_", "of_related": "its_"}
+WITHIN_VALUES = {"material": "material_", "less": "less_part", "of_related": "its_"}
 """Frames that are given a value which was read, by the features of their drafts."""
 LEAST = 2
 

@@ -1,8 +1,6 @@
 """Grounding: from a typed query to part sets of one model, each with what speaks for and against it.
 
-Nothing is dropped in silence: what restricts and cannot be checked is said, and counted by a feature. Which of the sets
-is meant is ranked by fitted weights (`querycad_language.weights`), here for a query alone, in answering with the
-question.
+Nothing is dropped in silence: what restricts and cannot be checked is said, and counted by a feature.
 """
 
 from __future__ import annotations

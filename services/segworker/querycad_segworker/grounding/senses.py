@@ -111,10 +111,7 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
 
 
 def _senses(inventory: Inventory, noun: Noun, query: PartQuery) -> Iterator[Candidate]:
-    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole.
-
-    A sense that picks the largest of what a nearer one means is meant where nothing is said that picks: 'the bore'.
-    """
+    """The parts of each sense; any of the kind, or of a kind like it; of a product the whole."""
     said = query.noun
     picked = query.plural or query.adjectives or query.sizes or query.ranks or query.threads or query.places
     plain = {_unpicked(sense): sense.stretch for sense in noun.senses if sense.pick is None and picked}
@@ -122,7 +119,7 @@ def _senses(inventory: Inventory, noun: Noun, query: PartQuery) -> Iterator[Cand
     rank = 0
     for sense in noun.senses:
         if sense.pick is not None and plain.get(_unpicked(sense), 1.0) < sense.stretch:
-            continue
+            continue  # the largest is meant where nothing else is said that picks: 'the bore'
         parts = inventory.of_sense(sense)
         key = tuple(part.id for part in parts)
         if not parts or key in seen or (rank and NAMELESS.issuperset(sense.kind)):

@@ -41,17 +41,11 @@ def counts(question: Question) -> Iterator[Parse]:
             said = used | owner.used | {*range(at, inner), *size.tokens}
             yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, said)
         yield from _treated(question, at, used)
-        yield from (of_all := list(_topology(question, at, used)))
-        bare = of_all and not text.at_phrases("side", "adjective", "operation", "with")
-        after = [m for m in named if m.head >= at and not m.pronoun and not bare]
+        restricted = text.at_phrases("side", "adjective", "operation", "with")
+        yield from (of_all := [] if restricted else list(_topology(question, at, used)))
+        after = [m for m in named if m.head >= at and not m.pronoun and not of_all]
         before = [m for m in named if m.end <= span.start and not m.pronoun]
         before = [m for m in before if m.end < span.start or not (m.query and m.query.ranks)]  # 'highest hole count'
-        taken = text.has("need", "take", "require", "accept")
-        for mention in after[:1] if taken else ():  # 'how many screws does it need'
-            hole = f"{mention.query.noun} hole" if mention.query is not None else ""
-            if hole in text.lexicon.nouns:
-                taking = replace_fields(mention.part, noun=hole, words=tuple(hole.split()), plural=True)
-                yield Parse(Count(taking), {"count_next": 1.0, "treated": 1.0}, used | mention.used)
         for index, mention in enumerate(after[:3]):
             next_to = index == 0 and not any(map(text.is_content, range(at, mention.start)))
             link = "count_next" if next_to else "count_far"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
+from dataclasses import replace
 
 from querycad_contracts import Measure, PartKind, PartQuery
-from querycad_language.forms import Behind, Distance, Get, Plane, Reduce
+from querycad_language.forms import Behind, Combine, Distance, Get, Plane, Reduce
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
@@ -128,3 +129,14 @@ def under_cut(question: Question, get: Get) -> bool:
     below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
     cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
     return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
+
+
+def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
+    """Less what a part has of it: 'How high is the lever without the rib?', 'How wide is the cam without its lugs?'"""
+    for span in question.text.all("minus") if get.measures[0] in _THICKNESSES else ():
+        other = question.phrases.at(question.text.skip(span.end, "article", "measure", "function"), joined=False)
+        if span.start > 1 and other is not None and other.query is not None:
+            kept = tuple(place for place, _ in places_of(get.target) if not place.negated)
+            target = get.target and replace_fields(get.target, places=kept, excluded=())
+            combine = Combine("minus", replace(get, target=target, overall=True), Get(get.measures, other.query))
+            yield Parse(combine, {**features, "less_part": 1.0}, used | set(range(span.start, other.end)))

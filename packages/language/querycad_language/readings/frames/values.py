@@ -18,7 +18,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
 from .axes import axes_listed, axis_named, own_axis_named
-from .named_distances import material, under_cut
+from .named_distances import less, material, under_cut
 from .related_parts import of_related, within
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
@@ -57,6 +57,7 @@ def values(question: Question) -> Iterator[Parse]:
                 parse.features["later_measure"] = 1.0
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
+            yield from less(question, get, parse.features, parse.used)
             yield from material(question, get, parse.features, parse.used)
 
 
