@@ -22,8 +22,6 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
 )  # fmt: skip
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
-
-
 _LEADING = ("above", "at", "below", "between", "for", "from", "in", "of", "on", "to", "with")
 """Prepositions: what stands behind them restricts in different degrees."""
 CLOSED = AtBothEnds | Check | Either | Every | Exists | Facing | Parallel | Uniform | Which
@@ -62,8 +60,7 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     features = {**parse.features, **question.hardness}
     skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
-        behind = _behind(question.text, word.at) if word.feature in ("skip_noun", "skip_unknown") else None
-        for name in (word.feature, f"skip_behind_{behind}")[: 2 if behind else 1]:
+        for name in (word.feature, *_behind(question.text, word)):
             features[name] = features.get(name, 0.0) + 1.0
         if word.feature == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
             features["skip_compound"] = 1.0  # 'head' of 'head diameter'
@@ -75,9 +72,10 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
 
 
-def _behind(text: Text, at: int) -> str | None:
-    """The preposition in front of a phrase: 'from the free end' may be passed over less than 'for the screw'."""
-    return next((text.tokens[i].word for i in range(at - 1, max(at - 5, -1), -1) if text.is_word(i, *_LEADING)), None)
+def _behind(text: Text, word: Passable) -> list[str]:
+    """The feature of the preposition in front of a noun: 'from the free end' restricts more than 'for the screw'."""
+    before = range(word.at - 1, max(word.at - 5, -1), -1) if word.feature in ("skip_noun", "skip_unknown") else ()
+    return [f"skip_behind_{text.words[i]}" for i in before if text.is_word(i, *_LEADING)][:1]
 
 
 def _axis_asides(question: Question) -> set[int]:

@@ -133,7 +133,8 @@ def under_cut(question: Question, get: Get) -> bool:
 
 def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
     """Less what a part has of it: 'How high is the lever without the rib?', 'How wide is the cam without its lugs?'"""
-    for span in question.text.all("minus") if get.measures[0] in _THICKNESSES else ():
+    one = not get.measures[1:] and get.measures[0] in (*_THICKNESSES, Measure.DEPTH, Measure.VOLUME)
+    for span in question.text.all("minus") if one else ():
         other = question.phrases.at(question.text.skip(span.end, "article", "measure", "function"), joined=False)
         if span.start > 1 and other is not None and other.query is not None:
             kept = tuple(place for place, _ in places_of(get.target) if not place.negated)
