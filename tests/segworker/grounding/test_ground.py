@@ -184,6 +184,8 @@ def test_a_bearing_sits_in_the_wide_step_of_a_bore_else_in_the_largest_bore() ->
         for i, (radius, face) in enumerate(((0.01, 4), (0.015, 5)))
     ]
     assert [one.diameter for one in best(seat, inventory(SMALL, bore, *steps)).parts] == [0.03]
+    sunk = part("counterbore-1", radius=0.015, diameter=0.03, depth=0.006, faces=(5, 7))  # its chamfer is part of it
+    assert [one.depth for one in best(seat, inventory(SMALL, bore, *steps, sunk)).parts] == [0.006]
     assert ids(best(seat)) == {"hole-2"}
 
 

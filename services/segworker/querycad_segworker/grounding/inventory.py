@@ -166,19 +166,22 @@ class Inventory:
         return part.diameter < body.diameter / orders.SAME_SIZE
 
     def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
-        """The cylindrical wall of the widest or the narrowest step of each hole, visible from where it opens."""
+        """The wall of the widest or the narrowest step of each hole, visible from where it opens; or its counterbore."""
         walls = []
         inner = sorted(self.kinds.get("cylinder"), key=lambda p: -(p.height or p.length or 0.0))
         grooved = {face for groove in self.kinds.get("groove") for face in groove.faces}
         inner = [p for p in inner if "inner" in p.tags and p.radius and not grooved.issuperset(p.faces)]
         pick = max if step == "widest" else min
+        sunk = self.kinds.get("counterbore", "spotface") if step == "widest" else []
         for hole in holes:
             pieces = [p for p in inner if set(p.faces) <= set(hole.faces)]
             longest = {round(p.radius or 0.0, 7): p for p in reversed(pieces)}
             own = {radius: over_rings(p, pieces, hole.axis) for radius, p in longest.items()}
             if len(own) > 1:
                 opening = tuple(s for s in hole.sides if hole.normal and dot(s.outward, hole.normal) > 0.5)
-                walls.append(own[pick(own)].model_copy(update={"sides": opening or hole.sides}))
+                wall = own[pick(own)]
+                wall = next((p for p in sunk if set(wall.faces) <= set(p.faces)), wall)  # as deep as with its chamfer
+                walls.append(wall.model_copy(update={"sides": opening or hole.sides}))
         return walls
 
     # Names

@@ -238,6 +238,16 @@ def test_a_tube_has_one_hole_along_all_of_it() -> None:
     assert [hole.depth, hole.diameter] == near(50, 16)
 
 
+def test_a_cone_as_deep_as_the_sheet_is_a_countersunk_hole_where_it_is_wide_enough() -> None:
+    sheet = find(cut(plate(z=2.0), cone(5, 3, 2, along=DOWN)))
+    assert "countersunk" in sheet.hole.tags
+    assert [sheet.hole.diameter] == near(6)
+    (sunk,) = [part for part in sheet.parts if part.kind == "countersink"]
+    assert [sunk.diameter] == near(10)
+    assert "countersunk" not in only_hole(cut(plate(z=10.0), cone(5, 3, 10, along=DOWN))).tags
+    assert "countersunk" not in only_hole(cut(plate(), cone(8, 0, 8, along=DOWN))).tags  # a blind pit
+
+
 def test_a_conical_hole_is_named_so() -> None:
     hole = only_hole(cut(plate(), cone(6, 4, 20, along=DOWN)))
     assert "conical" in hole.tags

@@ -80,6 +80,9 @@ def sections_of(
             kind = SectionKind.COUNTERSINK if wide else SectionKind.CHAMFER
             if radius - end_radius < TAPER * wall.height and wall.height > end_radius:
                 kind = SectionKind.BORE
+        elif through and len(inwards) == 1 and wall.kind is SurfaceKind.CONE and end_radius > 0.05 * radius:
+            leans = radius - end_radius > TAPER * wall.height  # a countersink as deep as the sheet is thick
+            kind = SectionKind.COUNTERSINK if leans else SectionKind.BORE
         else:
             kind = SectionKind.BORE
         normal = axis.direction if start_high else scale(axis.direction, -1.0)
