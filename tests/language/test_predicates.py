@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import SHORTER, Check, Combine, Count, Distance, Every, Form, Get, Parallel, Plane
+from querycad_language.forms import Check, Distance, Every, Form, Get, Parallel, Plane
 from querycad_language.readings import read
 
 
@@ -44,18 +44,6 @@ def test_what_breaks_into_another_part_touches_it(verb: str) -> None:
     )
 
 
-def test_what_runs_all_along_is_as_long() -> None:
-    checks = [form for form in forms("Does the rib run the full width of the plate?") if isinstance(form, Check)]
-    assert any(
-        isinstance(check.left, Get)
-        and isinstance(check.low, Get)
-        and check.left.measures == (Measure.LENGTH,)
-        and check.low.measures == (Measure.WIDTH,)
-        and check.relation is Relation.AT_LEAST
-        for check in checks
-    )
-
-
 @pytest.mark.parametrize(
     ("question", "line"),
     [("Are the three bores in line?", "row"), ("Are the two bores on one common axis?", "axis")],
@@ -74,11 +62,6 @@ def test_a_comparison_with_another_measure_takes_that_measure() -> None:
     assert any(isinstance(check.low, Get) and check.low.measures == (Measure.DEPTH,) for check in checks)
 
 
-def test_off_the_middle_is_along_the_side_that_is_named() -> None:
-    found = forms("How far is the hole off the middle of the plate's width?")
-    assert any(isinstance(form, Distance) and form.axis == SHORTER and form.mode == "centers" for form in found)
-
-
 def test_tops_are_compared_with_the_top_of_what_they_lie_below() -> None:
     found = forms("By how much do the tops of the studs lie below the edge of the tray?")
     assert any(
@@ -91,13 +74,6 @@ def test_the_angle_of_a_drill_point_is_its_own() -> None:
     assert any(form.target is not None and form.target.noun == "drill point" for form in asked)
     depth = [form for form in forms("How deep is the hole without the drill point?") if isinstance(form, Get)]
     assert all(form.target is None or form.target.noun != "drill point" for form in depth)
-
-
-def test_how_many_more_is_one_number_less_another() -> None:
-    (form,) = [one for one in forms("How many more slots than lugs are there?") if isinstance(one, Combine)]
-    assert isinstance(form.left, Count)
-    assert isinstance(form.right, Count)
-    assert [form.left.target.noun, form.right.target.noun] == ["slot", "lug"]
 
 
 def test_half_way_between_two_is_as_far_from_both() -> None:

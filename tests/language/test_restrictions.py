@@ -236,11 +236,6 @@ def test_those_of_the_largest_size_are_counted(question: str) -> None:
     assert [rank.most for rank in counted(question).ranks] == [True]
 
 
-@pytest.mark.parametrize("question", ["Max and min lug diameter?", "What is the lugs' diameter, minimum and maximum?"])
-def test_the_largest_and_the_smallest_are_asked_for_together(question: str) -> None:
-    assert any(isinstance(form, Get) and form.reduce is Reduce.RANGE for form in forms(question))
-
-
 @pytest.mark.parametrize("question", ["Lugs chamfered?", "Lugs countersunk?"])
 def test_what_is_said_of_parts_with_a_question_mark_is_answered_by_yes_or_no(question: str) -> None:
     assert not any(isinstance(form, Count | Get) for form in forms(question))

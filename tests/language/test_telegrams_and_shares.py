@@ -124,17 +124,6 @@ def test_centred_along_a_side_is_no_distance_from_the_middle_there() -> None:
 
 
 @pytest.mark.parametrize(
-    "question", ["What percentage of the bores goes through?", "In %, the share of through bores, of all bores"]
-)
-def test_a_share_is_of_all_that_have_the_noun(question: str) -> None:
-    share = next(form for form in forms(question) if isinstance(form, Combine))
-    assert share.operation == "share"
-    assert isinstance(share.left, Count)
-    assert isinstance(share.right, Count)
-    assert (share.right.target.noun, share.right.target.adjectives) == ("bore", ())
-
-
-@pytest.mark.parametrize(
     "question",
     [
         "What is the depth to width ratio of the slot?",
@@ -147,14 +136,6 @@ def test_a_ratio_may_be_named_behind_its_measures(question: str) -> None:
     assert isinstance(ratio.left, Get)
     assert isinstance(ratio.right, Get)
     assert (*ratio.left.measures, *ratio.right.measures) == (Measure.DEPTH, Measure.WIDTH)
-
-
-def test_numbers_of_parts_are_subtracted() -> None:
-    apart = next(
-        form for form in forms("Difference between the number of slots and the number of lugs") if type(form) is Combine
-    )
-    assert apart.operation == "apart"
-    assert isinstance(apart.left, Count)
 
 
 @pytest.mark.parametrize(

@@ -99,6 +99,12 @@ class Span:
         return range(self.start, self.end)
 
 
+_ARTICLES = frozenset(("the", "a", "an", "its", "their"))
+_LEADING = ("of", "in", "across", "over", "at", "along", "between", "on")
+_TAKEN = ("measure", "over_all", "facewise", "outside_to_outside", "surface_to_surface", "center_to_center")
+"""Phrases of these categories are the same with an article behind a preposition of theirs."""
+
+
 @dataclass
 class Lexicon:
     """All phrases of the language by their words, folded and in the singular."""
@@ -143,15 +149,22 @@ class Lexicon:
         return word[:-2] if word.endswith(("ches", "shes", "sses", "xes", "zzes")) else word[:-1]
 
     def spans(self, words: Sequence[str]) -> list[list[Span]]:
-        """Every phrase that begins at each word, the longest first."""
+        """Every phrase that begins at each word, the longest first; 'across its flats' is 'across flats'."""
         return [
             [
                 Span(start, end, category, value)
                 for end in range(min(len(words), start + self.longest), start, -1)
-                for category, value in self.phrases.get(" ".join(words[start:end]), ())
+                for category, value in self._meanings(words[start:end])
             ]
             for start in range(len(words))
         ]
+
+    def _meanings(self, words: Sequence[str]) -> Sequence[tuple[str, Any]]:
+        found = self.phrases.get(" ".join(words), ())
+        if found or len(words) < 3 or _ARTICLES.isdisjoint(words[1:-1]):
+            return found
+        bare = [word for i, word in enumerate(words) if not (i and word in _ARTICLES and words[i - 1] in _LEADING)]
+        return [one for one in self.phrases.get(" ".join(bare), ()) if one[0] in _TAKEN] if len(bare) > 1 else ()
 
     @cached_property
     def vocabulary(self) -> frozenset[str]:

@@ -61,15 +61,19 @@ class Text:
                 self.spans[i] = [span for span in self.spans[i] if span.category != "remaining"]
         self._extents: set[int] = set()
         for at in range(1, len(tokens) - 2):
-            if self.words[at + 1] == "to" and self.words[at] == self.words[at + 2] and self.find(at, *EXTENTS):
-                self._stands_alone(at)
+            span = self.find(at, *EXTENTS)
+            if span and self.words[at + 1] == "to" and self.words[at] == self.words[at + 2]:
+                self._stands_alone(at, at + 3)
+            elif span and self.words[span.end - 1] == "other":  # 'from one end to the other'
+                if not self.find(at - 1, "passing") and not self.find(at - 2, "passing"):
+                    self._stands_alone(at, span.end)
 
-    def _stands_alone(self, start: int) -> None:
+    def _stands_alone(self, start: int, end: int) -> None:
         """In 'the rod end to end' nothing reaches into the adverb from before it: it is no rod end."""
         self.spans[:start] = [[s for s in spans if s.end <= start] for spans in self.spans[:start]]
         self.spans[start] = [s for s in self.spans[start] if s.category in EXTENTS]
-        self.spans[start + 1] = self.spans[start + 2] = []
-        self._extents.update(range(start, start + 3))
+        self.spans[start + 1 : end] = [[] for _ in range(start + 1, end)]
+        self._extents.update(range(start, end))
 
     def __len__(self) -> int:
         return len(self.tokens)

@@ -96,7 +96,8 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
     text = phrases.text
     if (end := seen(phrases, at, build, depth)) > at:
         return end
-    own = depth == 0 or text.is_word(at - 1, "that", "which", "are", "is")  # else the noun around it is meant
+    be = text.is_word(at - 1, "are", "is")  # 'the holes of the rail are stepped': said of the noun around it
+    own = depth == 0 or text.is_word(at - 1 - be, "that", "which")
     restricting = (_through, sideways, along, _colored, _ranked, _fitted, _stated_size)
     for read in restricting if own else (_fitted, _stated_size):
         if (end := read(text, at, build)) > at:
@@ -159,7 +160,8 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     if not all_of_it and noun_follows(text, end + 1):
         return at  # 'through the lid': a place
     tags.append("through")
-    return inner + 1 if all_of_it else end + 1
+    side = text.find(text.skip(end + 2, "article"), "side") if text.is_word(end + 1, "to") else None  # 'to the back'
+    return inner + 1 if all_of_it else side.end if side is not None else end + 1
 
 
 def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import Target
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields
+from querycad_language.phrases import Mention, noun_follows, placed_in, places_of, replace_fields, without
 from querycad_language.text import Text
 
 from .parses import Features
@@ -18,11 +18,13 @@ from .requested_measures import Requested
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
 _CUTS = frozenset(kind.value for kind in PartKind if kind.cuts_in)
+_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
 """What closes a hollow model there."""
 _CUT_BY = {
     "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
+    "bent": "bend", "bored": "bore", "grooved": "groove", "filleted": "fillet",
 }  # fmt: skip
 MAX_OWNERS = 12
 """Parts further away are hardly meant; no question that was collected names more."""
@@ -43,7 +45,9 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
     each = any(not noun_follows(text, at + 1) for at in text.at_words("each"))
-    named = text.is_word(asked.start - 1, "its", "their") or any(m.pronoun and link in STRONG for m, link in linked)
+    named = any(text.is_word(i, "its", "their") for i in {asked.start - 1, *asked.used}) or any(
+        m.pronoun and link in STRONG for m, link in linked
+    )
     pronoun = named or each  # 'the holes and the diameter of each'
     owned = any(link in STRONG and not m.pronoun for m, link in linked)
     nearest = 0
@@ -58,13 +62,15 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
         before = mention.query is not None and question.sentence_of(mention.start) < question.sentence_of(asked.start)
         if before and not owned and not mention.part.definite:  # what is asked names no part of its own
             features["introduced"] = 1.0
+        one = "link_pronoun" in features and mention.plural and text.has("its", "it") and not text.has("they", "their")
+        features |= {"pronoun_number": 1.0} if one else {}
         nearest += 1
         used = set(mention.used)
         if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
-        for holder in _part_of(mention.query):
-            yield Owner(holder, used, features)
+        for holder in _part_of(mention.query, one):
+            yield Owner(holder, used, {**features, "pronoun_number": 0.0})
     yield from _compound_of(text, linked, asked)
     yield from _cut_at(question, asked, linked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
@@ -80,10 +86,17 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     yield Owner(None, sides, features)
 
 
-def _part_of(query: PartQuery | None) -> Iterator[PartQuery]:
-    """'The narrower section of the keyway', 'the cone at its slender end': the cut or cone, as wide as is said."""
+def _part_of(query: PartQuery | None, one: bool) -> Iterator[PartQuery]:
+    """'The narrower section of the keyway', 'the cone at its slender end': the cut or cone, as wide as is said.
+
+    `one`: 'The holes lie on a circle. How wide is it?' asks of the circle.
+    """
     if query is None:
         return
+    yield from (what for _, what in places_of(query) if one and not what.plural)
+    for place, what in places_of(query, "on"):  # 'the holes lie on a circle of which diameter?'
+        if what.noun in _CIRCLES:
+            yield placed_in(replace_fields(what, noun=_CIRCLES[-1]), "of", without(query, place))
     for relation, ends in (("of", _CUTS | {"cone"}), ("", {"cone"})):
         for _, holder in places_of(query, relation) if query.noun in _SECTIONS else ():
             if (noun := lexicon().nouns.get(holder.noun)) is not None and ends.issuperset(noun.senses[0].kind):
@@ -109,11 +122,13 @@ def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention
         said = said or _CUT_BY[text.words[at]] in text.words[slice(*sentence)]
         adjective = text.find(at, "adjective") if said else None
         cut = _CUT_BY[text.words[at]] if adjective is not None and not noun_follows(text, adjective.end) else None
-        holder = next((m for m, _ in reversed(linked) if m.query is not None and m.start < at), None)
+        holder = next((m for m, _ in reversed(linked) if m.start < at), None)
+        holder = None if holder and holder.query and cut == "bend" else holder
         if cut is not None and not text.find(at, "trait") and holder is not None:
-            kept = tuple(name for name in holder.part.adjectives if adjective and name != adjective.value.name)
-            query = PartQuery(noun=cut, words=(cut,), plural=holder.part.plural)
-            held = placed_in(query, "of", replace_fields(holder.part, adjectives=kept))
+            held = PartQuery(noun=cut, words=(cut,), plural=holder.plural)
+            if (of := holder.query) is not None:
+                kept = tuple(name for name in of.adjectives if adjective and name != adjective.value.name)
+                held = placed_in(held, "of", replace_fields(of, adjectives=kept))
             yield Owner(held, {*holder.used, at, at + 1}, {"link_compound": 1.0, "link_compound_of": 1.0})
 
 

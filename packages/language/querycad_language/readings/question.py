@@ -38,6 +38,23 @@ class Question:
         return found
 
     @cached_property
+    def holders(self) -> list[tuple[Mention, str, str | None]]:
+        """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How wide is it?'
+
+        With the relation that others have to it, and the noun of those others; none where any may have it.
+        """
+        text, found = self.text, list[tuple[Mention, str, str | None]]()
+        first = self.parts[0] if self.parts else None
+        if first is not None and text.skip(0, "article") >= first.start and text.is_word(first.end, ":", ","):
+            found.append((first, "of", None))
+        for one, other in pairwise(self.parts):
+            joined = text.find(one.end, "have") and text.skip(one.end, "have", "article") >= other.start
+            said = joined and not any(text.find(i, "ask") for i in range(one.start))
+            if said and not self.in_question(one.start):
+                found += [(one, "of", other.part.noun), (other, "with", one.part.noun)]
+        return found
+
+    @cached_property
     def hardness(self) -> dict[str, float]:
         """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
         text = self.text

@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import islice
 
 from querycad_language.forms import Distance, Form, Several, Towards, mapped, queries
-from querycad_language.phrases import Mention
+from querycad_language.phrases import Mention, placed_in
 from querycad_language.weights import weights
 
 from .frames.comparisons import comparisons
@@ -45,6 +45,7 @@ class Reader(Question):
         """The readings, those that the words link best first."""
         parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
         parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
+        parses += [one for parse in parses for holder in self.holders for one in _held(parse, *holder)]
         words = passable(self)
         best: dict[Form, Reading] = {}
         for parse in parses:
@@ -68,6 +69,16 @@ def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
         return  # the part is named in the side: 'on the underside of the foot'
     form = mapped(parse.form, lambda query: seen_from(query, view) if query == target else query)
     yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
+
+
+def _held(parse: Parse, holder: Mention, relation: str, noun: str | None) -> Iterator[Parse]:
+    """The form of the parts that are so by what was named before: 'Small boss: bore diameter?'"""
+    target = next(queries(parse.form), None)
+    if target is not None and noun in (None, target.noun) and not parse.used & holder.used:
+        placed = placed_in(target, relation, holder.part)
+        form = mapped(parse.form, lambda query: placed if query == target else query)
+        name = "held_topic" if noun is None else f"held_{relation}"
+        yield Parse(form, {**parse.features, name: 1.0}, parse.used | holder.used)
 
 
 def _prior(reading: Reading) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -25,6 +26,8 @@ _EXTENDING = {
 }  # fmt: skip
 """Measures that a hollow part has twice: outside, and of the space within."""
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
+_MEASURED = ("its", "the", "a", "when", "it", "is", "measured", "taken", "so", "as", "i", "e", "meaning", "that", "be")
+_ACROSS = (Measure.ACROSS_FLATS, Measure.ACROSS_CORNERS, Measure.DIAGONAL)
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
 _ROUND = (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER)
@@ -57,7 +60,30 @@ def asked_in(question: Question) -> list[Requested]:
         if asked is not None and not (asked.start > between and asked.measures[0] in _ROUND):  # 'between A and B OD'
             found.append(_of_unit(question, asked))
         at = asked.end if asked is not None else at + 1
-    return [_radial(question.text, one) for one in found] or _by_density(question.text) or _by_rest(question.text)
+    found = [_radial(question.text, one) for one in found]
+    return _specified(question.text, found) or _by_density(question.text) or _by_rest(question.text)
+
+
+def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
+    """'How big is the wheel in diameter?', 'I need the window size, width and height': the size by what names it."""
+    kept: list[Requested] = []
+    for asked in found:
+        begin = asked.start
+        while text.is_word(begin - 1, *_MEASURED):
+            begin -= 1
+        size = kept[-1] if kept and kept[-1].measures[0] in (Measure.MAGNITUDE, Measure.SIZE) else None
+        joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
+        joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
+        if size and asked.how == "verb" and asked.measures == size.measures:  # 'how many mm does it measure in height'
+            kept[-1] = replace(size, used=size.used | asked.used)
+            continue
+        narrower = asked.how == "noun" and asked.measures[0] not in (Measure.MAGNITUDE, Measure.SIZE)
+        if size and len(size.measures) == 1 and narrower and joined:
+            used = size.used | asked.used | {*range(begin - 1, asked.start)}
+            kept[-1] = replace(size, measures=asked.measures, reduce=size.reduce or asked.reduce, used=used)
+        else:
+            kept.append(asked)
+    return kept
 
 
 def _radial(text: Text, asked: Requested) -> Requested:
@@ -142,6 +168,9 @@ def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
             return Requested(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
+    what = text.is_word(at, "measure") and any(text.is_word(i, "what", "does", "do") for i in range(at - 8, at))
+    if what and at not in taken and not text.find(at + 1, "measure"):  # 'what does the arm measure end to end'
+        return Requested(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
         return Requested(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
     if where := text.find(at, "where"):
@@ -248,7 +277,7 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
     measures, end = [span.value], span.end
     while True:
         after = end
-        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by"):
+        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by", "followed", "then"):
             after += 1
         after = text.skip(after, "article")
         again = after > end and text.find(after, "adjective") is not None and span.start > 0
@@ -268,4 +297,5 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
         measures.append(more.value)
         end = more.end
     lengths = [one for one in measures if one not in (Measure.SIZE, Measure.MAGNITUDE)]
-    return lengths if len(lengths) > 1 else measures, end  # 'size, width by height' asks for two
+    named = len(lengths) > 1 or (lengths and text.is_word(span.end, ","))  # 'size, width by height' asks for two
+    return lengths if named else measures, end

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise, takewhile
-from typing import cast
 
-from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import Check, Combine, Count, Distance, Get, Plane, Reduce, Target, Which
+from querycad_contracts import Measure, Relation, Side
+from querycad_language.forms import Check, Combine, Distance, Get, Plane, Reduce, Target, Which
 from querycad_language.lexicon import Span
 from querycad_language.measures import is_length
-from querycad_language.phrases import Mention, bare_of, replace_fields
+from querycad_language.phrases import Mention, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -25,12 +24,9 @@ _PLAIN = dict.fromkeys((Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER), Measure
 def comparisons(question: Question) -> Iterator[Parse]:
     """'How much longer is the spindle than the lever?', 'What is the ratio of length to width of the keyway?'"""
     yield from _compared(question)
-    yield from _of_two(question)
     yield from _which(question)
     yield from _combined(question)
-    yield from _shares(question)
     yield from _clearances(question)
-    yield from _more_of(question)
 
 
 def _compared(question: Question) -> Iterator[Parse]:
@@ -85,28 +81,33 @@ def _which(question: Question) -> Iterator[Parse]:
     """'Which is longer, the spindle or the lever?', 'Is the lug or the rib higher?'"""
     text, either = question.text, question.text.at_words("or")
     start = question.asking[0]  # 'which of the lug and the rib is thicker?'
-    both = text.find(start, "ask") and text.is_word(start + 1, "of", "between")
+    both = text.is_word(0, "compare") or (text.find(start, "ask") and text.is_word(start + 1, "of", "between"))
     either |= text.at_words("and") if both else set()
     pairs = ((a, b) for a, b in pairwise(question.parts) if not either.isdisjoint(range(a.end, b.start)))
     chosen = both or question.chooses or (question.closed and not text.has("than"))
     left, right = next(pairs, (None, None)) if chosen else (None, None)
     scale = next((span for span in text.all("scale") if span.value.degree != "positive"), None)
-    if left is None or right is None or scale is None:
+    has = next((i for i in text.at_words("more", "less") if text.find(i + 1, "measure")), None)  # 'has more thickness'
+    if left is None or right is None or (scale is None and has is None):
         return  # neither is asked for
-    relation = Relation.MORE if scale.value.degree in ("more", "most") else Relation.LESS
-    which = text.at_words("which", "what")
-    used = {question.asking[0], *which, *either, *scale.tokens, *left.used, *right.used}
+    more = text.is_word(has or 0, "more") if scale is None else scale.value.degree in ("more", "most")
+    which = text.at_words("which", "what", "compare")
+    said = scale.tokens if scale is not None else (has,)
+    used = {question.asking[0], *which, *either, *said, *left.used, *right.used}
     used = used.union(*(m.used for m in question.parts if m.start - 1 in which))  # 'which lug'
-    measure, used = _of_noun(question, scale.value.measure, used)
+    rank = next((rank for m in (left, right) for rank in m.part.ranks), None)  # 'A or B that has the greater height'
+    measure, used = _of_noun(question, scale.value.measure if scale is not None else Measure.MAGNITUDE, used)
+    measure = rank.measure if rank is not None and rank.measure else measure
     words = (_said(question, left), _said(question, right))
-    form = Which(Get((measure,), left.part), relation, Get((measure,), right.part), words)
-    yield Parse(form, {"combined": 1.0}, used)
+    a, b = (Get((measure,), replace_fields(m.part, ranks=())) for m in (left, right))
+    yield Parse(Which(a, Relation.MORE if more else Relation.LESS, b, words), {"combined": 1.0}, used)
 
 
 def _said(question: Question, mention: Mention) -> str:
     """The noun phrase without its article."""
     begin = question.text.skip(mention.start, "article")
-    tokens = takewhile(lambda token: token.kind is not Kind.POSSESSIVE, question.text.tokens[begin : mention.end])
+    own = question.text.tokens[begin : mention.end]
+    tokens = takewhile(lambda token: token.kind is not Kind.POSSESSIVE and token.word != "that", own)
     return " ".join(token.raw for token in tokens)
 
 
@@ -144,25 +145,6 @@ def _combined(question: Question) -> Iterator[Parse]:
             yield Parse(form, {"combined": 1.0}, used)
 
 
-def _shares(question: Question) -> Iterator[Parse]:
-    """'What percentage of the lugs are drilled?': of the ones that only their noun names."""
-    text = question.text
-    span = next((one for one in text.all("operation") if one.value == "share"), None)
-    targets = [m.part for m in question.parts if m.part.plural][:2]
-    if span is None or not targets:
-        return
-    whole = next((one for one in targets if bare_of(one, one.noun.split()[-1])), None)
-    part = next((one for one in targets if one is not whole), None)
-    used = set(span.tokens).union(*(m.used for m in question.parts))
-    said = next((one for one in text.all("adjective") if used.isdisjoint(one.tokens)), None)
-    if part is None and whole is not None and said is not None:  # '… of the lugs goes through'
-        part, used = replace_fields(whole, adjectives=(said.value.name,)), used | set(said.tokens)
-    if part is not None:
-        noun = part.noun.split()[-1]
-        whole = whole or PartQuery(noun=noun, words=(noun,), plural=True)
-        yield Parse(Combine("share", Count(part), Count(whole)), {"combined": 1.0}, used)
-
-
 def _clearances(question: Question) -> Iterator[Parse]:
     """'How much play has the pin in its bore, on diameter?': what a bore has more than what runs in it."""
     text = question.text
@@ -171,53 +153,3 @@ def _clearances(question: Question) -> Iterator[Parse]:
     for first, second, used in pairs_named(question.parts, "in", "on", "between") if asked else ():
         form = Distance(first, second, "on radius" if radial else "on diameter")
         yield Parse(form, {"combined": 1.0}, {*used, *said})
-
-
-def _more_of(question: Question) -> Iterator[Parse]:
-    """'How many more slots than lugs are there?': the number of one less that of the other."""
-    text = question.text
-    apart = {i for span in text.all("operation") if span.value == "apart" for i in span.tokens}
-    apart |= {i for i in text.at_words("minus", "subtract") if text.find(i, "minus") or text.is_word(i, "subtract")}
-    counted = {i for at in text.at_phrases("count") for i in (at, at + 1)}
-    several = [replace_fields(m.part, also=()) for m in question.parts if m.part.plural]
-    several += [also for m in question.parts for also in m.part.also]
-    if apart and len(several) == 2 and (counted or not asked_in(question)):  # 'the number of slots minus that of lugs'
-        fewer = Combine("apart", Count(several[0]), Count(several[1]))
-        yield Parse(fewer, {"combined": 1.0}, {*apart, *counted}.union(*(m.used for m in question.parts)))
-    than = min(text.at_words("than"), default=None)
-    more = next((i for i in text.at_words("more", "fewer") if text.is_word(i - 1, "many", "there")), None)
-    if than is None or more is None or not (text.is_word(more - 2, "how") or question.closed):
-        return
-    left = next((m for m in question.parts if more < m.start < than), None)
-    right = next((m for m in question.parts if m.start > than), None)
-    if left is not None and right is not None:
-        one, other = Count(left.part), Count(right.part)
-        relation = Relation.MORE if text.is_word(more, "more") else Relation.LESS
-        form: Check | Combine = Check(one, relation, other) if question.closed else Combine("apart", one, other)
-        yield Parse(form, {"combined": 1.0}, {more - 2, more - 1, more, than, *left.used, *right.used})
-
-
-def _of_two(question: Question) -> Iterator[Parse]:
-    """'Is one lug thicker than the other, and by how much?', 'Which of the two is thicker, and by how much?'"""
-    text = question.text
-    scales = (span for span in text.all("scale") if question.in_question(span.start))
-    scale = next((span for span in scales if span.value.degree in ("more", "less")), None)
-    one = next((m for m in question.parts if text.is_word(m.start, "one") or text.is_word(m.start - 2, "one")), None)
-    thans = (at for at in text.at_words("than") if question.in_question(at))
-    than = next((at for at in thans if text.is_word(text.skip(at + 1, "article"), "other")), None)
-    much = next((at for at in sorted(text.at_words("much", "many")) if text.is_word(at - 1, "how")), None)
-    two = (m for m in question.parts if text.is_word(m.start - 1, "which") or m.part.count == 2)
-    both = next((m for m in two if text.is_word(m.start - 1, "of", "which")), None)
-    if scale is None or ((one is None or than is None) and (both is None or much is None)):
-        return
-    named = cast("Mention", one if than is not None and one is not None else both)
-    said = {*scale.tokens, *named.used, *range(than or much or 0, len(text))}
-    measure, used = _of_noun(question, scale.value.measure, said)
-    target = replace_fields(named.part, plural=True, definite=False, sample=False)
-    most, least = (Get((measure,), target, reduce) for reduce in (Reduce.LARGEST, Reduce.SMALLEST))
-    apart = Combine("apart", most, least)
-    yield Parse(
-        apart if much is not None else Check(apart, Relation.MORE, 0.0),
-        {"combined": 1.0},
-        used | set(range(question.asking[0], scale.start)),
-    )

@@ -137,7 +137,10 @@ def exists(question: Question) -> Iterator[Parse]:
     owns = next((m for m in question.parts if m.start > has), None)
     start = _having(question)
     owned = [m for m in question.parts if start is not None and m.start >= start][:2]
-    if question.closed and owner is not None and owns is not None and not owns.part.count:
+    both = {i for m in (owner, owns) if m is not None for i in m.used}
+    several = both & text.at_words("both", "each", "every") and not text.has("end", "side")  # one is not enough
+    owned = [] if several else owned
+    if question.closed and owner is not None and owns is not None and not (owns.part.count or several):
         in_it = Exists(placed_in(owns.part, "of", owner.part))  # 'does the bore have a keyway'
         yield Parse(in_it, {"exists": 1.0, "count_far": 1.0}, owner.used | owns.used | {*range(owner.end, owns.start)})
         owned = [m for m in owned if m not in (owner, owns)]
@@ -155,7 +158,7 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
     compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
         query, span = mention.query, compared.get(mention.start)
-        if any(mention.start < at < mention.end for at in text.at_words("both")):
+        if not text.has("end", "side") and not mention.used.isdisjoint(text.at_words("both", "each", "every")):
             continue  # 'in both flanges': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
         many = query.count or (1 if text.is_word(mention.start, "one") else None) if query is not None else None

@@ -17,7 +17,17 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .anchors import NEAREST, WHOLE, Spot, anchors_of, ends_between, outside_walls, pairs_named, plane_of, planes_of
+from .anchors import (
+    NEAREST,
+    WHOLE,
+    Spot,
+    anchors_of,
+    ends_between,
+    outside_walls,
+    pairs_named,
+    plane_of,
+    planes_of,
+)
 from .axes import axes_listed, axis_named
 from .related_parts import floored, is_cut, rimmed
 
@@ -34,6 +44,7 @@ _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPT
 """Measures that between two parts are distances: 'the height of A above B'."""
 _WEBS = ("web", "bridge", "land", "ligament", "partition")
 """What is left between two cuts."""
+_REACHES = ("projection", "overhang", "protrusion")
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
 
 
@@ -155,7 +166,9 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(map(question.in_question, (*text.at_phrases("distance", "gap"), *counts))):
         return
     joining = text.at_words("to", "above", "from")
-    points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 else ()))
+    sized = [one for one in measures if one.value is Measure.SIZE and text.is_word(one.end, "from", "between")]
+    sizes = {i for one in sized for i in one.tokens}  # 'the dimension from the axis to the flat'
+    points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 or sized else ()))
     centred = bool(_centred(text))
     if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
@@ -164,7 +177,7 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     several = len(anchors_of(question)) > 1 or any(m.part.places for m in question.parts)
     inside = joining - {0, len(text) - 1} or joining & text.at_words("between")
     if centred or (inside and several):
-        yield _Words(-1, 0, "centers" if centred else "usual", joining, named=False)
+        yield _Words(-1, 0, "centers" if centred else "usual", joining | sizes, named=bool(sizes))
 
 
 def _how(question: Question, at: int) -> Iterator[_Words]:
@@ -355,15 +368,19 @@ def overhangs(question: Question) -> Iterator[Parse]:
     text = question.text
     reach = next(iter(text.all("reach")), None)
     nouns = question.parts
-    word = min(text.at_words(*_BEYOND, *(("from",) if reach else ())), default=None)
-    if word is None or not nouns or not (reach or text.has("projection", "overhang", "protrusion", "much", "far")):
+    named = bool(nouns) and nouns[0].part.noun in _REACHES
+    word = min(text.at_words(*_BEYOND, *(("from",) if reach or named else ())), default=None)
+    if word is None or not nouns or not (reach or text.has(*_REACHES, "much", "far")):
         return
-    first, other = nouns[0], next((mention for mention in nouns[1:] if mention.head > word), None)
+    first = nouns[0]
+    if named and (of := places_of(first.part, "of")):  # 'the overhang of the pin'
+        first = replace(first, query=of[0][1])
+    other = next((mention for mention in nouns[1:] if mention.head > word), None)
     if first.start > word and other is not None:  # 'how far below the rim do they end'
         first, other = other, first
     plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
     used = {word, *first.used, *(reach.tokens if reach else ())}
-    used |= text.at_words("how", "much", "far", "projection", "overhang")
+    used |= text.at_words("how", "much", "far", "length", *_REACHES)
     if plane is not None and isinstance(plane.anchor, Plane):
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
@@ -428,8 +445,11 @@ def angles(question: Question) -> Iterator[Parse]:
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
         for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
             used = {*asked.used, *first.used, *joining}
-            several = first.plural or text.at_phrases("neighbor")
+            next_to = text.at_phrases("neighbor")
+            several = first.plural or next_to
             if several or any(place.relation == "between" for place in first.part.places):
                 yield Parse(Angle(first.part, None), features, used)
+                if next_to:  # 'between two neighbouring holes': of all of them
+                    yield Parse(Angle(replace_fields(first.part, count=None, plural=True), None), features, used)
             if second is not None:
                 yield Parse(Angle(first.part, second.part), features, used | second.used)

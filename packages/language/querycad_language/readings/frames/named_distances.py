@@ -14,13 +14,10 @@ from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 
 from .anchors import anchors_of, ends_between
-from .axes import ALONG, axis_named
 from .distances import BORDERS
 from .related_parts import floored, is_cut
 
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
-_OFF = 4
-"""Words from 'off' to the middle that something is off."""
 _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
 """Words that say of parts that they are the corners of a figure."""
 
@@ -28,7 +25,6 @@ _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", 
 def named_distances(question: Question) -> Iterator[Parse]:
     """'The lugs form a square. What is its side?', 'How far is the hole off the middle of the plate?'"""
     yield from _behind_end(question)
-    yield from _off_middle(question)
     yield from _rectangle(question)
     yield from _round_ends(question)
 
@@ -75,34 +71,6 @@ def _round_ends(question: Question) -> Iterator[Parse]:
             used = {*range(*question.asking)} if inside is not None else {i for m in slots for i in m.used}
             length = Get((Measure.CENTRE_LENGTH,), cut)
             yield Parse(length, {"distance": 1.0}, {*used, *ends.used, *middles, *text.at_phrases("distance")})
-
-
-def _off_middle(question: Question) -> Iterator[Parse]:
-    """'How far is the hole off the middle of the plate's width?', 'By how much is it offset from the centre?'"""
-    text = question.text
-    off = next((at for at in sorted(text.at_words("off", "offset")) if question.in_question(at)), None)
-    middles = text.at_words("middle", "center", "centerline", "midline", "midplane")
-    at = next((i for i in sorted(middles) if off is not None and off < i <= off + _OFF), None)
-    if off is None or at is None:
-        return
-    moved = next((m for m in reversed(question.parts) if m.head < off), None)
-    moved = moved or next((m for m in question.parts if m.start > at), None)
-    owner = next((m for m in (question.phrases.at(i, 1) for i in (at + 2, at + 3)) if m is not None), None)
-    owner = owner if text.is_word(at + 1, "of") else None
-    measure = next((one for i in range(at + 1, min(at + 7, len(text))) if (one := text.find(i, "measure"))), None)
-    axis, along = axis_named(question, set())
-    if measure is not None and measure.value in ALONG:
-        axis, along = ALONG[measure.value], set(measure.tokens)
-    if moved is None:
-        return
-    middle = owner.query if owner is not None else None
-    noun = lexicon().nouns.get(middle.noun) if middle is not None else None
-    used = {*range(off, at + 1), *moved.used, *along, *(owner.used if owner is not None else ())}
-    used |= text.at_words("how", "far", "much", "by", "sideways")
-    if middle is None or (noun is not None and noun.product):
-        yield Parse(Distance(moved.part, None, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
-    if middle is not None:
-        yield Parse(Distance(moved.part, middle, "centers", axis), {"distance": 1.0, "two_anchors": 1.0}, used)
 
 
 def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:

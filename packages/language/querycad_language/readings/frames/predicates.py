@@ -5,15 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Literal
 
-from querycad_contracts import Measure, PartQuery, Relation
-from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Facing, Get, Parallel, Plane
+from querycad_contracts import PartQuery, Relation
+from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, Facing, Parallel
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, Phrases, placed_in, replace_fields, without
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-from .anchors import planes_of
 from .axes import ALONG, axis_named
 
 _SAYS = {"predicate": 1.0}
@@ -26,7 +25,7 @@ def predicates(question: Question) -> Iterator[Parse]:
     start = verb_start(question)
     if start is None:
         return
-    for says in (_openings, _full_extents, _middles, _in_line, _facing, _flush, _traits, _both):
+    for says in (_openings, _middles, _in_line, _facing, _traits, _both):
         yield from (parse.with_more({"check": 1.0}, {start}) for parse in says(question, start))
 
 
@@ -91,21 +90,6 @@ def _openings(question: Question, start: int) -> Iterator[Parse]:
         yield Parse(meets, _SAYS, used | other.used | {other.start - 1})
 
 
-def _full_extents(question: Question, start: int) -> Iterator[Parse]:
-    """'Do the ribs cover the entire width?', 'Does the slit run along the full height of the sleeve?'"""
-    text = question.text
-    for at in range(start + 1, len(text)):
-        measure = text.find(at + 1, "measure") if text.is_word(at, "full", "entire", "whole", "complete") else None
-        subject = _subject(question, start, at) if measure is not None and measure.value in ALONG else None
-        if measure is None or subject is None:
-            continue
-        owner = question.phrases.at(measure.end + 1, 1) if text.is_word(measure.end, "of") else None
-        target = owner.query if owner is not None else None
-        used = {*subject.used, at, *measure.tokens, *(owner.used if owner is not None else ()), measure.end}
-        check = Check(Get((Measure.LENGTH,), subject.part), Relation.AT_LEAST, Get((measure.value,), target))
-        yield Parse(check, _SAYS, used)
-
-
 def _middles(question: Question, start: int) -> Iterator[Parse]:
     """'Is the groove in the middle of the rim?', '… midway between the lugs?', '… at mid-height?'"""
     text = question.text
@@ -168,22 +152,6 @@ def _facing(question: Question, start: int) -> Iterator[Parse]:
         how: Literal["same", "opposite", "across"] = "opposite" if text.is_word(at, "opposite") else "same"
         how = how if sided else "across"
         yield Parse(Facing(subject.part, second, how), _SAYS, used)
-
-
-def _flush(question: Question, start: int) -> Iterator[Parse]:
-    """'Is the lug flush with the upper side of its flange?', 'Is the stud level with the shoulder?'"""
-    text = question.text
-    at = next((i for i in sorted(text.at_words("flush", "level")) if text.is_word(i + 1, "with")), None)
-    subject = _subject(question, start, at) if at is not None else None
-    if at is None or subject is None:
-        return
-    plane = next((one for one in planes_of(question) if one.at > at and isinstance(one.anchor, Plane)), None)
-    other = next(iter(_behind(question, at + 2)), None)
-    anchor = plane.anchor if plane is not None else Plane(None, other.part) if other is not None else None
-    named = plane.used if plane is not None else set(other.used) if other is not None else set()
-    if isinstance(anchor, Plane):
-        apart = Distance(Plane(anchor.side, subject.part), anchor)
-        yield Parse(Check(apart, Relation.EQUAL, 0.0), _SAYS, {*subject.used, *named, at, at + 1})
 
 
 def _traits(question: Question, start: int) -> Iterator[Parse]:

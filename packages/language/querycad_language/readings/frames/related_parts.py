@@ -225,7 +225,7 @@ def is_cut(target: Target) -> bool:
 
 def floored(query: PartQuery) -> PartQuery | None:
     """The cut of 'the floor of the keyway', 'the bottom of the groove', 'the counterbore floor'."""
-    if query.noun not in ("floor", "bottom", "ground", "base"):
+    if query.noun not in ("floor", "bottom", "ground", "base", "flat bottom", "flat floor"):
         return None
     said = [PartQuery(noun=name, words=(name,)) for name in query.adjectives if name in lexicon().nouns]
     return next((cut for _, cut in places_of(query, "of", "below", "")), next(iter(said), None))

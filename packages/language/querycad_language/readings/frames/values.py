@@ -32,6 +32,9 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, R
 """What becomes of the values of several parts."""
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
+_WIDE = ("big", "large", "larger", "wide", "wider", "thick", "thicker")
+_LENGTHWISE = ("lengthwise", "lengthways")
+_MOUTHS = ("mouth", "opening", "entrance")
 _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _JOINTS = ("and", ",", "&", "x", "then", "by")
@@ -50,7 +53,6 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
-            yield from _extremes(question, get, parse)
             if asked not in asked_for:
                 parse.features["asked_together"] = 1.0
             elif asked is not asked_for[0]:
@@ -152,20 +154,10 @@ def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Pars
     """'Both diameters of the bush', 'the bore and outside diameter of the ring': inner and outer."""
     text = question.text
     both = text.at_words("both", "two") if get.measures == (Measure.DIAMETER,) else set()
-    said = text.at_words("inside", "outside", "inner", "outer", "bore")
-    if both and said and get.target is not None and not get.target.plural:
+    said = text.at_words("inside", "outside", "inner", "outer", "bore", "stepped", "step")
+    if both and said and get.target is not None and (not get.target.plural or text.has("stepped", "step")):
         measures = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
         yield Parse(replace(get, measures=measures), parse.features, parse.used | both | said)
-
-
-def _extremes(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'the width of the largest and of the smallest lug', 'lug width, max and min': both of them."""
-    spans = [one for one in question.text.all("scale", "most", "least") if question.in_question(one.start)]
-    both = {getattr(one.value, "degree", one.category): one.start for one in spans if get.target is not None}
-    both = {degree: at for degree, at in both.items() if degree in EXTREMES}
-    if get.target is not None and len(both) == len(EXTREMES) and is_length(get.measures[0]):
-        form = replace(get, target=replace_fields(get.target, ranks=(), plural=True), reduce=Reduce.RANGE)
-        yield Parse(form, parse.features, parse.used | set(both.values()))
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -202,6 +194,14 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
     last = {i for i in over if i + 1 == len(text) or text.tokens[i + 1].kind is Kind.SYMBOL}
     if get.measures == (Measure.MAGNITUDE,) and last:  # 'how big is it across?'
         yield (Measure.DIAMETER,), last
+    for words, measure in (("over_all", Measure.LENGTH), ("facewise", Measure.WIDTH)):
+        ends = [
+            span
+            for span in text.all(words)
+            if text.is_word(span.start, *_LENGTHWISE) or "to" in text.words[span.start : span.end]
+        ]
+        if get.measures in ((Measure.MAGNITUDE,), (Measure.SIZE,)) and ends:  # 'what does it measure end to end?'
+            yield (measure,), {i for span in ends for i in span.tokens}
     if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
         yield (Measure.CENTRE_LENGTH,), centred
     if len(get.measures) == 1 and get.measures[0] in _ALONG and (own := own_axis_named(question)):
