@@ -1,8 +1,11 @@
 """`python -m benchmark.understanding`: collect candidates, fit the weights, print the cross-validated score.
 
-python -m benchmark.understanding fit              collect, cross-validate, fit, write weights.toml and the figures
-python -m benchmark.understanding score FILE ...   the score of questions that nothing was fitted on
-python -m benchmark.understanding ask FILE ...     likewise, of what the product answers, several questions in one too
+python -m benchmark.understanding fit               collect, cross-validate, fit, write weights.toml and the figures
+python -m benchmark.understanding score FILE ...    the score of questions that nothing was fitted on
+python -m benchmark.understanding ask FILE ...      likewise, of what the product answers, several questions in one too
+python -m benchmark.understanding compare OLD NEW   two collections beside each other: what was gained, what was lost
+
+`--rows PATH` keeps what fit and score collect, to compare it later; fit reads it instead where it is there.
 """
 
 from __future__ import annotations
@@ -14,9 +17,12 @@ import tomllib
 from pathlib import Path
 
 from benchmark.scoring.own_models import own_models
+from querycad_answering.affinity import packed
 from querycad_language.weights import calibration, weights
 
-from .collect import Row, collect
+from .affinity import Pairs
+from .collect import Row, collect, kept, read_kept
+from .compare import compared
 from .cross_validation import asks_for_missing, cross_validated, judged, risk_and_coverage, summary, weights_of
 from .data import Question, asked, questions
 from .fit import Table
@@ -26,42 +32,48 @@ from .table import write
 
 PRIOR = Path(__file__).with_name("prior.toml")
 RESULTS = Path(__file__).with_name("results.json")
+AFFINITY = Path("packages/answering/querycad_answering/data/affinity.bin")
 STORE = Path("build/understanding")
 
 
 def main() -> int:
     """Runs one of the commands; returns the exit code."""
     parser = argparse.ArgumentParser(prog="python -m benchmark.understanding", description=__doc__)
-    parser.add_argument("command", choices=("fit", "score", "ask"))
+    parser.add_argument("command", choices=("fit", "score", "ask", "compare"))
     parser.add_argument("files", nargs="*", type=Path, help="of score and ask: files as in benchmark/asked")
+    parser.add_argument("--rows", type=Path, help="where the candidates of all questions are kept")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument(
         "--rounds", type=int, default=1, help="of fit: candidates are collected anew with the new weights"
     )
     options = parser.parse_args()
+    if options.command == "compare":
+        print(compared(*map(read_kept, options.files)))
+        return 0
     own_models(options.jobs)
     own_models(options.jobs, last_look=True)
     if options.command == "fit":
-        return _fit(options.jobs, options.rounds)
+        return _fit(options.jobs, options.rounds, options.rows)
     data = [one for file in options.files for one in asked(file)] or questions(held_out=True)
     if options.command == "ask":
         print(summary(answered_by_product(data, STORE, options.jobs)))
     else:
-        rows: list[Row] = collect(data, STORE, options.jobs)
+        rows: list[Row] = kept(collect(data, STORE, options.jobs), options.rows)
         print(summary(judged(rows, weights(), calibration())))
     return 0
 
 
-def _fit(jobs: int, rounds: int) -> int:
+def _fit(jobs: int, rounds: int, path: Path | None) -> int:
     prior: Table = tomllib.loads(PRIOR.read_text(encoding="utf-8"))["weights"]
     data = questions()
     for _ in range(rounds):
-        rows = collect(data, STORE, jobs)
-        table, doubts = weights_of(rows, prior)
+        rows = read_kept(path) if path and path.exists() else kept(collect(data, STORE, jobs), path)
+        table, doubts, pairs = weights_of(rows, prior, Pairs(rows))
         told = cross_validated(rows, prior, jobs)
         text = summary(told)
         there = [one for one in told if not asks_for_missing(one.fold)]
         right = sum(one.right for one in there) / len(there)
+        AFFINITY.write_bytes(packed(pairs.tolist()))
         write(
             table,
             doubts,

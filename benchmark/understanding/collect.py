@@ -10,9 +10,11 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from pydantic import TypeAdapter
+
 from querycad_answering.candidates import absences, candidates, with_value
 from querycad_contracts import Grounded, Part, PartQuery, RunOutcome, RunStatus
-from querycad_language.readings import read
+from querycad_language.readings.reader import Reader
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.names import vocabulary
@@ -46,12 +48,27 @@ class Row:
     tried: tuple[Tried, ...]
 
 
+_ROWS = TypeAdapter(list[Row])
+
+
 def collect(asked: Sequence[Question], store: Path, jobs: int = 2) -> list[Row]:
     """The candidates of all questions, model by model."""
     ordered = sorted(asked, key=lambda one: str(one.file))
     groups = [list(group) for _, group in groupby(ordered, key=lambda one: str(one.file))]
     with ProcessPoolExecutor(jobs) as pool:
         return [row for part in pool.map(_of_model, groups, [store] * len(groups)) for row in part]
+
+
+def kept(rows: list[Row], path: Path | None) -> list[Row]:
+    """The rows, which `path` holds afterwards, if there is one."""
+    if path is not None:
+        path.write_bytes(_ROWS.dump_json(rows))
+    return rows
+
+
+def read_kept(path: Path) -> list[Row]:
+    """What `kept` wrote."""
+    return _ROWS.validate_json(path.read_bytes())
 
 
 def _of_model(asked: Sequence[Question], store: Path) -> list[Row]:
@@ -76,8 +93,9 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
         return ways
 
     try:
-        readings = read(one.question, names)
-        ranked = candidates(readings, ground, whole, LIMIT)
+        reader = Reader(one.question, names)
+        readings, words = reader.readings, reader.text.words
+        ranked = candidates(readings, ground, whole, words, LIMIT)
     except Exception as error:
         print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
         return []
@@ -97,9 +115,10 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
             found.append(Tried({**candidate.features, "run_failed": 1.0}, None, False, candidate.written.code))
             continue
         done = with_value(candidate, outcome.value, whole.extents)
-        found.append(Tried(done.features, outcome.value, is_right(outcome.value, one), candidate.written.code))
+        right = is_right(outcome.value, one)
+        found.append(Tried(done.features, outcome.value, right, candidate.written.code))
     lacking = one.kind == MISSING
     return [
         *found,
-        *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded, names)),
+        *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded, names, words)),
     ]

@@ -9,13 +9,16 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from multiprocessing import get_context
 
+from querycad_answering.affinity import FEATURE
+
+from .affinity import Pairs, Weights
 from .collect import Row
 from .data import MISSING
 from .fit import Answered, Table, answered, calibrate, fit, sure
 
 SURE = 0.8
 """An answer with this confidence passes as known: people do not check it."""
-PARTS = 5
+PARTS = 3
 """Calibration looks at questions that were left out, so many parts one after the other."""
 LOOKED_AT = 0.4
 """What a question that the lexicon was written with in view counts in calibration, beside one by a hand.
@@ -27,8 +30,12 @@ OWN = {"own": "own", "examples": "own", "plain_parts": "plain"}
 """Writers who know the product, and the name of their folds."""
 OWN_FOLDS = 5
 """The project's first questions have few writers: they are parted by model alone."""
-SPECIFIED_FOLDS = 8
-"""The writers of `benchmark/specified` are left out several at a time: a fold for each would take half an hour."""
+WRITER_FOLDS = 8
+"""Writers are left out several at a time: a fold for each would take an hour."""
+KNOWN = ("cad-qa",)
+"""Writers who have a fold of their own."""
+REWORDED = "reworded"
+"""Writers who ask again, in their own words, what others have asked."""
 KNOWN_COUNT = 3
 """How often one of the first questions, facts and CAD-Q&A counts in fitting, or the hands, six times as many, outweigh
 them."""
@@ -58,9 +65,11 @@ def fold_of(row: Row) -> str:
     writer = row.question.writer
     if writer in OWN:
         return f"{OWN[writer]}-{zlib.crc32(row.question.model.encode()) % OWN_FOLDS}"
-    if row.question.model.startswith("specified:"):
-        return f"specified-{zlib.crc32(writer.encode()) % SPECIFIED_FOLDS}"
-    return writer.partition(":")[0]
+    if row.question.model.startswith("specified:") and not writer.startswith(REWORDED):
+        return f"specified-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
+    if writer in KNOWN or asks_for_missing(writer) or ":" in writer:
+        return writer.partition(":")[0]
+    return f"{REWORDED if writer.startswith(REWORDED) else 'asked'}-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
 
 
 def is_hand(fold: str) -> bool:
@@ -73,21 +82,23 @@ def asks_for_missing(fold: str) -> bool:
     return fold.startswith("absent")
 
 
-_SHARED: list[tuple[Sequence[Row], Table, Table]] = []
-"""The rows, the prior and the weights of all rows: what the processes of a cross-validation inherit."""
+_SHARED: list[tuple[Sequence[Row], Table, Table, Pairs]] = []
+"""The rows, the prior, the weights of all rows, the pairs: what the processes of a cross-validation inherit."""
 
 
 def cross_validated(rows: Sequence[Row], prior: Table, jobs: int = 1) -> list[Told]:
     """Every question, answered by weights that were fitted without its writer and without its model."""
-    _SHARED[:] = [(rows, prior, fit(balanced(rows), prior))]
+    pairs = Pairs(rows)
+    _SHARED[:] = [(rows, prior, fit(balanced(rows), prior), pairs)]
     with ProcessPoolExecutor(jobs, get_context("fork")) as pool:
         return [one for told in pool.map(_left_out, by_fold(rows)) for one in told]
 
 
 def _left_out(fold: str) -> list[Told]:
-    ((rows, prior, whole),) = _SHARED
+    ((rows, prior, whole, pairs),) = _SHARED
     left_out = by_fold(rows)[fold]
-    return judged(left_out, *weights_of(without(rows, left_out), prior, whole))
+    table, doubts, weights = weights_of(without(rows, left_out), prior, pairs, whole)
+    return judged(pairs.scored(left_out, weights), table, doubts)
 
 
 def by_fold(rows: Sequence[Row]) -> dict[str, list[Row]]:
@@ -115,20 +126,30 @@ def _count(fold: str) -> int:
     return 1 if is_hand(fold) or fold.startswith("plain") else KNOWN_COUNT
 
 
-def weights_of(rows: Sequence[Row], prior: Table, begin: Table | None = None) -> tuple[Table, Table]:
-    """Weights fitted on these questions, and a calibration fitted on those that parts of the weights had not seen.
+def weights_of(
+    rows: Sequence[Row], prior: Table, pairs: Pairs, begin: Table | None = None
+) -> tuple[Table, Table, Weights]:
+    """The weights of features and a calibration fitted on these questions, and the weights of words with programs.
 
+    The calibration looks at questions that parts of the weights had not seen.
     What the lexicon was written with in view is answered better than what people ask: for how probable an answer is it
     counts `LOOKED_AT`. `begin`: where fitting begins.
     """
-    table = fit(balanced(rows), prior, begin)
+    table, weights = _fitted(rows, prior, pairs, begin)
     folds = by_fold(rows)
     answers: list[tuple[Answered, float]] = []
     for part in range(PARTS):
         names = list(folds)[part::PARTS]
-        seen = fit(balanced(without(rows, [row for name in names for row in folds[name]])), prior, table)
-        answers += [(answered(row, seen), 1.0 if is_hand(name) else LOOKED_AT) for name in names for row in folds[name]]
-    return table, calibrate(answers)
+        seen, seen_pairs = _fitted(without(rows, [row for name in names for row in folds[name]]), prior, pairs, table)
+        for name in names:
+            counts = 1.0 if is_hand(name) else LOOKED_AT
+            answers += [(answered(row, seen), counts) for row in pairs.scored(folds[name], seen_pairs)]
+    return table, calibrate(answers), weights
+
+
+def _fitted(rows: Sequence[Row], prior: Table, pairs: Pairs, begin: Table | None) -> tuple[Table, Weights]:
+    table = fit(balanced(rows), prior, begin)
+    return {**table, FEATURE: 1.0}, pairs.fitted(balanced(rows), table)
 
 
 def judged(rows: Sequence[Row], table: Table, calibration: Table) -> list[Told]:
@@ -185,8 +206,6 @@ def summary(told: Sequence[Told]) -> str:
         groups["all"].append(one)
         if is_hand(one.fold):
             groups["the hands"].append(one)
-            if not one.fold.startswith("specified"):
-                groups["asked"].append(one)
     titles = f"{'questions':>9} {'right':>6} {'reachable':>9} {'sure':>6} {'wrong and sure':>14} {'refused':>8}"
     lines = [f"{'left out':14} {titles}"]
     for name, ones in groups.items():

@@ -17,8 +17,8 @@ SHARED = Path("../shared")
 SPECIFIED = Path("benchmark/specified/models")
 UNREAD = frozenset((
     "buyer_and_teacher", "cell_task_writer", "drawing_lecturer", "fixture_integrator", "list_checker",
-    "path_programmer", "pipework_engineer", "polite_replacer", "script_publisher", "teacher_and_student",
-    "voice_mechanic",
+    "path_programmer", "pipework_engineer", "polite_replacer", "sample_rebuilder", "script_publisher",
+    "teacher_and_student", "voice_mechanic",
 ))  # fmt: skip
 """Writers of `benchmark/specified` whose questions nobody has read: nothing is fitted on them."""
 MISSING = "absent"
@@ -52,7 +52,7 @@ def questions(held_out: bool = False) -> list[Question]:
 
 def _others() -> Iterator[Question]:
     yield from _examples()
-    for folder in ("asked", "specified", "missing"):
+    for folder in ("asked", "specified", "reworded", "missing"):
         for path in sorted(Path("benchmark", folder).glob("*.json")):
             if path.stem not in UNREAD:
                 yield from asked(path)

@@ -9,7 +9,7 @@ near their rough first guess.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +18,7 @@ from scipy.optimize import minimize, minimize_scalar
 from scipy.sparse import csr_array
 from scipy.special import logsumexp
 
+from querycad_answering.affinity import FEATURE
 from querycad_answering.ranking import NONE, confidence, doubts, key, odds
 
 from .collect import Row, Tried
@@ -39,33 +40,45 @@ class Answered:
     features: Table
     score: float
     refused: bool
+    by: Tried | None = None
+    """The most probable candidate of this value."""
 
 
 def fit(rows: Sequence[Row], prior: Table, begin: Table | None = None, l2: float = L2) -> Table:
     """The weights that make the right values most likely. `begin`: near them, to be there sooner."""
     usable = [row for row in rows if any(one.right for one in row.tried) and not all(one.right for one in row.tried)]
-    names = sorted({name for row in usable for one in row.tried for name in one.features})
+    names = sorted({name for row in usable for one in row.tried for name in one.features} - {FEATURE})
     index = {name: i for i, name in enumerate(names)}
     start = np.array([prior.get(name, 0.0) for name in names])
     first = start if begin is None else np.array([begin.get(name, 0.0) for name in names])
     matrix, right = _matrix(usable, index)
     turned = matrix.T.tocsr()
-    counts = [len(row.tried) for row in usable]
-    begins = np.cumsum([0, *counts[:-1]])
-    owner = np.repeat(np.arange(len(usable)), counts)
+    of_right = log_odds_of_right(usable, right)
 
     def loss(w: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
-        scores = matrix @ w
-        whole = _logsumexp(scores, begins, owner)
-        good = _logsumexp(np.where(right, scores, -1e9), begins, owner)
-        weight = np.exp(scores - whole[owner]) - np.where(right, np.exp(scores - good[owner]), 0.0)
-        return float((whole - good).sum()) + l2 * float(((w - start) ** 2).sum()), turned @ weight + 2 * l2 * (
-            w - start
-        )
+        value, slope = of_right(matrix @ w)
+        return value + l2 * float(((w - start) ** 2).sum()), turned @ slope + 2 * l2 * (w - start)
 
     found = minimize(loss, first, jac=True, method="L-BFGS-B", options={"maxiter": 300})
     table = {name: round(float(value), 3) for name, value in zip(names, found.x, strict=True) if abs(value) >= 5e-4}
     return {**table, NONE: round(_none(rows, table), 3)}
+
+
+def log_odds_of_right(
+    rows: Sequence[Row], right: NDArray[np.bool_]
+) -> Callable[[NDArray[np.float64]], tuple[float, NDArray[np.float64]]]:
+    """How unlikely are the right candidates of these questions by their scores, and the slope by each score?"""
+    counts = [len(row.tried) for row in rows]
+    begins = np.cumsum([0, *counts[:-1]])
+    owner = np.repeat(np.arange(len(rows)), counts)
+
+    def told(scores: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
+        whole = _logsumexp(scores, begins, owner)
+        good = _logsumexp(np.where(right, scores, -1e9), begins, owner)
+        slope = np.exp(scores - whole[owner]) - np.where(right, np.exp(scores - good[owner]), 0.0)
+        return float((whole - good).sum()), slope
+
+    return told
 
 
 def _logsumexp(scores: NDArray[np.float64], begins: NDArray[np.int64], owner: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -78,7 +91,7 @@ def _none(rows: Sequence[Row], table: Table) -> float:
     """The score that none of the candidates has against theirs, so that it is as often right as they say."""
     right, whole = [], []
     for row in rows:
-        scores = [(one.right, _score(one, table)) for one in row.tried]
+        scores = [(one.right, score(one, table)) for one in row.tried]
         whole.append(logsumexp([score for _, score in scores] or [-math.inf]))
         right.append(logsumexp([score for is_right, score in scores if is_right] or [-math.inf]))
     good, all_told = np.array(right), np.array(whole)
@@ -90,16 +103,17 @@ def _none(rows: Sequence[Row], table: Table) -> float:
     return float(minimize_scalar(loss, bounds=(-10.0, 5.0), method="bounded").x)
 
 
-def _score(one: Tried, table: Table) -> float:
+def score(one: Tried, table: Table) -> float:
+    """The weights of a candidate's features, added up."""
     return math.fsum(table.get(name, 0.0) * value for name, value in one.features.items())
 
 
 def _matrix(rows: Sequence[Row], index: dict[str, int]) -> tuple[csr_array, NDArray[np.bool_]]:
     """(candidates, features), and which candidates are right."""
     tried = [one for row in rows for one in row.tried]
-    columns = [index[name] for one in tried for name in one.features]
-    values = [value for one in tried for value in one.features.values()]
-    ends = np.cumsum([0, *(len(one.features) for one in tried)])
+    told = [[(index[name], value) for name, value in one.features.items() if name in index] for one in tried]
+    columns, values = ([pair[i] for own in told for pair in own] for i in (0, 1))
+    ends = np.cumsum([0, *map(len, told)])
     matrix = csr_array((values, columns, ends), shape=(len(tried), len(index)))
     return matrix, np.array([one.right for one in tried], dtype=np.bool_)
 
@@ -109,7 +123,7 @@ def answered(row: Row, table: Table) -> Answered:
     runs = [one for one in row.tried if one.absent or (one.value is not None and one.value != [])]
     if not runs:
         return Answered(row.question.kind == MISSING, 0.0, {}, 0.0, True)
-    scores = np.array([_score(one, table) for one in runs])
+    scores = np.array([score(one, table) for one in runs])
     shares = np.exp(scores - logsumexp([*scores, table.get(NONE, -math.inf)]))
     absent = math.fsum(share for one, share in zip(runs, shares, strict=True) if one.absent)
     if absent > math.fsum(shares) - absent:
@@ -120,7 +134,9 @@ def answered(row: Row, table: Table) -> Answered:
             groups.setdefault(key(one.value), []).append(i)
     best = max(groups.values(), key=lambda members: float(shares[members].sum()))
     top = max(best, key=lambda i: float(scores[i]))
-    return Answered(runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False)
+    return Answered(
+        runs[top].right, float(shares[best].sum()), runs[top].features, float(scores[top]), False, runs[top]
+    )
 
 
 def calibrate(answers: Sequence[tuple[Answered, float]], l2: float = 5.0) -> Table:

@@ -41,7 +41,7 @@ def test_what_is_named_before_has_the_parts(question: str) -> None:
 
 
 def test_of_what_has_another_either_may_be_meant() -> None:
-    for said, a, b in filled("The {a} has a {b}. How wide is it?"):
+    for said, a, b in filled("The {a} has a {b}. How broad is it?"):
         assert any(place.what and place.what.noun == a for one in targets(said, b) for place in one.places), said
     for said, a, b in filled("One {a} has a {b}. How wide is this {a}?"):
         assert any(place.relation == "with" for one in targets(said, a) for place in one.places), (said, b)

@@ -38,7 +38,7 @@ def profile() -> TopoDS_Shape:
         (turned(DISC, (1, 0, 0), 90), "How high is the part?", 80, (20, "stands along y")),
         (turned(DISC, (0, 1, 0), 90), "What is the height of the part?", 80, (20, "stands along x")),
         (DISC, "How high is the part?", 20, None),
-        (plate(60, 40, 20), "How wide is the part?", 60, None),
+        (plate(60, 40, 20), "How wide is the part along x?", 60, None),
         (profile(), "How high is the profile?", 400, (80, "profile lies along z")),
         (profile(), "How high is the part?", 400, None),
         (plate(60, 40, 20), "How high is the profile?", 20, None),

@@ -102,4 +102,4 @@ def test_what_the_larger_of_two_has_more(runtime: EmbeddedRuntime, tmp_path: Pat
     assert lugs.part is not None
     export_step(lugs.part, tmp_path / "lugs.step")
     model = runtime.open(tmp_path / "lugs.step")
-    assert model.ask("By how much is one wall thicker than the other?").value == pytest.approx(3 * MM)
+    assert model.ask("By how much do the two walls differ in thickness?").value == pytest.approx(3 * MM)

@@ -107,18 +107,15 @@ def models(runtime: EmbeddedRuntime, tmp_path_factory: pytest.TempPathFactory) -
         ("block", "Does the 4 mm hole break into the 10 mm bore?", True),
         ("block", "Does the 6 mm hole break into the 10 mm bore?", False),
         ("block", "Is this slot open on both ends?", True),
-        ("block", "Does the slot run the full length of the block?", True),
         ("block", "Do the 10 mm bore and the 4 mm hole meet?", True),
         ("block", "Do the 10 mm bore and the 6 mm hole meet?", False),
         ("pulley", "Does the hub reach beyond the rim?", True),
         ("pulley", "Does the hub reach beyond the rim at both ends?", False),
-        ("pulley", "Is the hub flush with the rim?", False),
         ("bossed", "Are the 16 mm boss and the 12 mm boss on the same side?", True),
         ("bossed", "Are the 16 mm boss and the 10 mm boss on the same side?", False),
         ("bossed", "Do the bosses stand on opposite sides?", True),
         ("bossed", "Is the 12 mm boss 1.5 times as tall as the 16 mm boss?", True),
         ("bossed", "Is the 16 mm boss twice as tall as the 12 mm boss?", False),
-        ("bossed", "Is one boss taller than the other?", True),
     ],
 )
 def test_what_a_verb_says_is_checked(models: dict[str, Model], model: str, question: str, holds: bool) -> None:

@@ -15,6 +15,7 @@ from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reading
 from querycad_language.weights import weights
 
+from .affinity import FEATURE, Affinity
 from .programs import Unwritable, Written, write
 
 GROUNDINGS = 5
@@ -60,16 +61,21 @@ def _score(features: Features) -> float:
     return math.fsum(table.get(name, 0.0) * value for name, value in features.items())
 
 
-def candidates(readings: Sequence[Reading], ground: Ground, whole: Part, limit: int = RUNS) -> list[Candidate]:
-    """The candidates that are worth running, the best first. `whole`: the part that stands for the model."""
+def candidates(
+    readings: Sequence[Reading], ground: Ground, whole: Part, words: Sequence[str] = (), limit: int = RUNS
+) -> list[Candidate]:
+    """The candidates that are worth running, the best first.
+
+    `whole`: the part that stands for the model. `words`: those of the question, as they are read.
+    """
     asked: list[PartQuery] = []
     for reading in readings:
         asked += [query for query in queries(reading.form) if query not in asked]
     grounded = dict(zip(asked, ground(asked), strict=True)) if asked else {}
     best: dict[str, Candidate] = {}
-    told = _told(readings, grounded)
+    told, affinity = _told(readings, grounded), Affinity(words)
     for reading in readings:
-        for candidate in _of_reading(reading, grounded, whole, told):
+        for candidate in _of_reading(reading, grounded, whole, told, affinity):
             known = best.get(candidate.written.code)
             if known is None or candidate.score > known.score:
                 best[candidate.written.code] = candidate
@@ -91,13 +97,18 @@ class Absence:
 
 
 def absences(
-    readings: Sequence[Reading], grounded: Mapping[PartQuery, Sequence[Grounded]], names: AbstractSet[str]
+    readings: Sequence[Reading],
+    grounded: Mapping[PartQuery, Sequence[Grounded]],
+    names: AbstractSet[str],
+    words: Sequence[str] = (),
 ) -> list[Absence]:
-    """The readings of parts that the model may lack, the best first; a few. `names`: words of the file's product names.
+    """The readings of parts that the model may lack, the best first; a few.
 
-    How many there are, and whether there is one, is answered: none.
+    `names`: words of the file's product names; `words`: those of the question, as they are read. How many there
+    are, and whether there is one, is answered: none.
     """
     best: dict[PartQuery, Absence] = {}
+    affinity = Affinity(words)
     for reading in readings:
         if isinstance(reading.form, Count | Exists | Every):
             continue
@@ -105,6 +116,7 @@ def absences(
             for way in _lacking(query, grounded.get(query, ()), names):
                 features = {**reading.features, **_of_absence(query, way), "absent_place": float(index > 0)}
                 features[f"form_{type(reading.form).__name__.lower()}"] = 1.0
+                features[FEATURE] = affinity.of(features)
                 found = Absence(query, way, features)
                 if query not in best or found.score > best[query].score:
                     best[query] = found
@@ -162,6 +174,7 @@ def _of_reading(
     grounded: dict[PartQuery, Sequence[Grounded]],
     whole: Part,
     told: Sequence[tuple[frozenset[int], bool]],
+    affinity: Affinity,
 ) -> Iterable[Candidate]:
     own = list(queries(reading.form))
     each = GROUNDINGS if len(own) < 2 else 3
@@ -175,6 +188,7 @@ def _of_reading(
             except Unwritable:
                 continue
             features = _features(reading, grounds, written) | _passing(reading, told)
+            features[FEATURE] = affinity.of(features)
             yield Candidate(reading, grounds, written, features)
             if not written.reads:
                 break
@@ -186,8 +200,11 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
         return not _DECIDABLE.isdisjoint(way.features)
     if isinstance(reading.form, Count | Exists) and "thread_dropped" in way.features:
         return True  # how wide holes are is known
-    if isinstance(reading.form, Exists) and "place_dropped" in way.features:
-        return True  # that there is one elsewhere says nothing
+    noun = lexicon().nouns.get(query.noun)
+    if isinstance(reading.form, Count) and noun and noun.name == "object" and way.features.get("sense_stretch"):
+        return True  # the parts of a model are its bodies
+    if isinstance(reading.form, Exists) and not _ELSE.isdisjoint(way.features):
+        return True  # that there is one elsewhere, or something like it, says nothing
     if isinstance(reading.form, Exists) and "adjective_agrees" not in way.features:
         ordered = [found for name in query.adjectives if (found := lexicon().adjectives.get(name)) and found.order]
         if any(found.tags for found in ordered) and way.parts:
@@ -216,6 +233,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     if isinstance(form, Count | Exists | Parts):
         if not grounds[form.target].parts:
             features["counts_none"] = 1.0
+            features["exists_none"] = float(isinstance(form, Exists))
         if any(name.endswith("_empties") for name in features):
             features["count_empties"] = 1.0
         if any(name.endswith(("_dropped", "_unknown")) for name in features):
@@ -275,6 +293,10 @@ def _of_steps(form: Form, written: Written, grounds: dict[PartQuery, Grounded]) 
 
 _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
+_ELSE = frozenset((
+    "place_dropped", "adjective_dropped", "trait_dropped", "sense_kin", "kin_instead", "modifier_means",
+))  # fmt: skip
+"""Groundings to other parts than are asked for."""
 _STRETCHED = frozenset(("guessed", "sense_kin", "sense_wide", "sense_stretch", "whole_sense"))
 """Groundings of a noun that is no name of the parts' kind."""
 _INSTEAD = frozenset(("guessed", "sense_kin", "sense_wide", "unknown_words", "whole_sense"))

@@ -47,6 +47,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
     "miscounted": ("count_differs", "count_group", "one_for_plural"),
     "whole": ("whole_hollow",),
     "empty": ("empty", "nothing", "counts_none", "value_zero"),
+    "none_there": ("exists_none",),
     "yes_no": ("form_check", "form_every", "form_uniform", "form_exists", "form_parallel", "form_within"),
     "choice": ("form_towards", "form_either", "form_which"),
     "apart": ("form_distance", "form_combine", "form_angle"),

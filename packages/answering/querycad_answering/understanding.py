@@ -133,7 +133,7 @@ class Understanding:
     @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
-        found = candidates(self.reader.readings, self._ground, self._view.whole)
+        found = candidates(self.reader.readings, self._ground, self._view.whole, self.reader.text.words)
         found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
@@ -164,7 +164,7 @@ class Understanding:
     def absences(self) -> list[Absence]:
         """The readings of parts that the model may lack, the best first."""
         _ = self.ranked  # which grounds the queries
-        return absences(self.reader.readings, self.grounded, self._view.names)
+        return absences(self.reader.readings, self.grounded, self._view.names, self.reader.text.words)
 
     @property
     def readings(self) -> tuple[str, ...]:

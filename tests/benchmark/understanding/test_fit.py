@@ -6,7 +6,9 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from benchmark.understanding.affinity import Pairs
 from benchmark.understanding.collect import Row, Tried
+from benchmark.understanding.compare import compared
 from benchmark.understanding.cross_validation import (
     Told,
     calibration_error,
@@ -18,6 +20,9 @@ from benchmark.understanding.cross_validation import (
 from benchmark.understanding.data import MISSING, Question, is_right
 from benchmark.understanding.fit import answered, fit
 from benchmark.understanding.table import _inline
+
+from querycad_answering.affinity import FEATURE, Affinity
+from querycad_language.text import Text
 
 
 def question(writer: str = "w", model: str = "own:a", truth: object = 1.0, kind: str = "length") -> Question:
@@ -60,6 +65,31 @@ def test_that_the_part_is_not_there_is_learned_as_an_answer_of_its_own() -> None
     assert (answered(missing[0], table).right, answered(missing[0], table).refused) == (True, True)
 
 
+def test_words_tell_programs_apart_that_have_the_same_features_otherwise() -> None:
+    """'Bore' is said where the second of two measures is meant: no feature knows, the pairs of words do."""
+    rows = []
+    for i in range(60):
+        bored = i % 2 == 0
+        first = Tried({"height as {0}.height": 1.0}, 1.0, not bored, "a")
+        second = Tried({"height as {0}.depth": 1.0}, 2.0, bored, "b")
+        asked = Question(
+            f"own:{i}", Path("a.step"), "w", "How high is the bore?" if bored else "How high is it?", 1.0, ""
+        )
+        rows.append(Row(asked, (first, second)))
+    pairs, table = Pairs(rows), fit(rows, {})
+    assert not all(answered(one, table).right for one in rows)
+    scored = pairs.scored(rows, pairs.fitted(rows, table))
+    assert all(answered(one, {**table, FEATURE: 1.0}).right for one in scored)
+    product = Affinity(Text(rows[0].question.question).words)
+    assert product.of(rows[0].tried[0].features) == product.of(dict(rows[0].tried[0].features))
+
+
+def test_two_collections_are_compared_question_by_question() -> None:
+    old, new = [row("w", "own:a")], [row("w", "own:a", misleading=True)]
+    told = compared(old, new)
+    assert "1 right, 1 reachable" in told or "of 1 right" in told
+
+
 def test_several_programs_with_one_value_add_up() -> None:
     tried = [Tried({"a": 1.0}, 1.0, True, "a"), Tried({"b": 1.0}, 1.0, True, "b"), Tried({"c": 1.0}, 2.0, False, "c")]
     told = answered(Row(question(), tuple(tried)), {"a": 0.0, "b": 0.0, "c": 0.5})
@@ -71,13 +101,15 @@ def test_no_question_is_judged_by_weights_that_saw_its_writer_or_model() -> None
     """One writer means the opposite of all others: seen, its questions would be right; left out, none is."""
     rows = [row(f"w{i % 4}", f"own:{i}") for i in range(40)]
     odd = [row("odd", f"own:odd{i}", misleading=True) for i in range(400)]
-    assert answered(odd[0], weights_of([*rows, *odd], {})[0]).right
+    everything = [*rows, *odd]
+    assert answered(odd[0], weights_of(everything, {}, Pairs(everything))[0]).right
     told = cross_validated([*rows, *odd], {})
     assert not any(one.right for one in told if one.writer == "odd")
 
 
 def test_writers_are_folds_and_the_first_questions_are_parted_by_model() -> None:
-    assert fold_of(row("cad_chat", "own:a")) == "cad_chat"
+    assert fold_of(row("cad_chat", "own:a")) == fold_of(row("cad_chat", "specified:b")).replace("specified", "asked")
+    assert fold_of(row("reworded-x", "specified:a")).startswith("reworded-")
     assert fold_of(row("facts:nist", "own:a")) == fold_of(row("facts:ttt", "own:b")) == "facts"
     assert fold_of(row("own", "own:a")).startswith("own-")
 

@@ -89,7 +89,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
 def _part_of(query: PartQuery | None, one: bool) -> Iterator[PartQuery]:
     """'The narrower section of the keyway', 'the cone at its slender end': the cut or cone, as wide as is said.
 
-    `one`: 'The holes lie on a circle. How wide is it?' asks of the circle.
+    `one`: 'The holes lie on a circle. How broad is it?' asks of the circle.
     """
     if query is None:
         return

@@ -39,7 +39,7 @@ class Question:
 
     @cached_property
     def holders(self) -> list[tuple[Mention, str, str | None]]:
-        """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How wide is it?'
+        """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How broad is it?'
 
         With the relation that others have to it, and the noun of those others; none where any may have it.
         """

@@ -166,7 +166,7 @@ class Inventory:
         return part.diameter < body.diameter / orders.SAME_SIZE
 
     def _steps(self, holes: Sequence[Part], step: str) -> list[Part]:
-        """The wall of the widest or the narrowest step of each hole, visible from where it opens; or its counterbore."""
+        """The wall of the widest or the narrowest step of each hole, seen from where it opens; or its counterbore."""
         walls = []
         inner = sorted(self.kinds.get("cylinder"), key=lambda p: -(p.height or p.length or 0.0))
         grooved = {face for groove in self.kinds.get("groove") for face in groove.faces}

@@ -104,9 +104,10 @@ def _count_of(
     for _, holder in held[:1]:  # 'how many holes are in each flange'
         shares = Combine("per", Count(query), Count(replace_fields(holder, plural=True)))
         yield Parse(shares, {**features, "owner_placed": 1.0}, used | mention.used | each)
-    if not held:
+    sided = any(text.is_word(i + 1, "side", "face") for i in each)
+    if not held and not sided:
         yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
-    if each and any(text.is_word(i + 1, "side", "face") for i in each):
+    if sided:
         yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
         if owner.query is not None:

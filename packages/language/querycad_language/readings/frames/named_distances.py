@@ -1,4 +1,4 @@
-"""Distances of set phrases: between round ends, off the middle, sides of a figure; the material that is left."""
+"""Distances of set phrases: between round ends, sides of a figure; the material that is left."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", 
 
 
 def named_distances(question: Question) -> Iterator[Parse]:
-    """'The lugs form a square. What is its side?', 'How far is the hole off the middle of the plate?'"""
+    """'The lugs form a square. What is its side?', 'How far apart are the centres of the rounded ends of the slot?'"""
     yield from _behind_end(question)
     yield from _rectangle(question)
     yield from _round_ends(question)

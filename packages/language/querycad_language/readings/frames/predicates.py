@@ -21,7 +21,7 @@ _ENDS = ("end", "end face", "shaft end")
 
 
 def predicates(question: Question) -> Iterator[Parse]:
-    """'Does the keyway come out at the bottom?', 'Does the keyway run the full length of the shoulder?'"""
+    """'Does the keyway come out at the bottom?', 'Does the drilling break into the slot?'"""
     start = verb_start(question)
     if start is None:
         return

@@ -1,0 +1,103 @@
+"""How well the words of a question and a program go together, beyond what the named features say.
+
+Each word of a question, and each two neighbouring ones, are paired with each trait of a program: its form, its measure
+and what that means, the kind of its parts, how its words link them. `make fit` gives every pair a small weight; they
+stand in one table by hash, as two pairs may share a place (Weinberger et al., Feature Hashing, ICML 2009).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import struct
+import zlib
+from array import array
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from itertools import pairwise
+
+SLOTS = 1 << 18
+"""Places of the table; with four times as many nothing is answered better."""
+FEATURE = "affinity"
+_MIX = 2654435761  # the golden ratio of 32 bits: Knuth, The Art of Computer Programming, 6.4
+_NUMBER = re.compile(r"[\d.,]+")
+_SAYS_NOTHING = frozenset((
+    "the", "a", "an", "of", "be", "to", "and", "it", "in", "for", "at", "by", "with", "from", "this", "that",
+    "i", "you", "me", "my", "we", "do",
+))  # fmt: skip
+_TRAITS = frozenset((
+    "asked_how", "along_axis", "overhang", "distance", "material_between", "link_whole", "check_place", "which_side",
+    "level",
+    "two_anchors", "each_other", "place_between", "place_as_anchor", "step_widest", "step_narrowest", "whole_sense",
+    "sense_kin", "no_noun", "measure_option", "view_apart", "absent",
+))  # fmt: skip
+"""Features that say what a program is, beside its form, its measures and its kinds of part."""
+
+
+def grams(words: Sequence[str]) -> list[str]:
+    """The words of a question that may say something, and every two neighbouring ones; all numbers are one word."""
+    told = ["0" if _NUMBER.fullmatch(word) else word for word in words]
+    pairs = {f"{one} {other}" for one, other in pairwise(told)}
+    return sorted({*told} - _SAYS_NOTHING) + sorted(pairs)
+
+
+def traits(features: Mapping[str, float]) -> list[str]:
+    """What a program is, by the features of its candidate: measures and kinds by themselves too."""
+    found = [name for name, value in features.items() if value and _tells(name)]
+    measures = {f"measure {name.partition(' as ')[0]}" for name in found if " as " in name}
+    kinds = {f"kind {name.partition(' of ')[2]}" for name in found if " of " in name}
+    return [*found, *sorted(measures | kinds)]
+
+
+def _tells(name: str) -> bool:
+    return name in _TRAITS or name.startswith("form_") or " as " in name or " of " in name
+
+
+def code(text: str) -> int:
+    """The number that a word or a trait is known by."""
+    return zlib.crc32(text.encode())
+
+
+def slot(gram: int, trait: int) -> int:
+    """The place of a pair, by the codes of both."""
+    return (gram * _MIX ^ trait) % SLOTS
+
+
+@cache
+def _table() -> tuple[float, array[int]]:
+    """What one step of a weight is, and the steps of all places."""
+    return unpacked(files(__package__).joinpath("data").joinpath("affinity.bin").read_bytes())
+
+
+def packed(weights: Sequence[float]) -> bytes:
+    """The table as the package holds it: 8 bits a place, compressed."""
+    step = max(map(abs, weights)) / 127 or 1.0
+    steps = array("b", (round(weight / step) for weight in weights))
+    return zlib.compress(struct.pack("<d", step) + steps.tobytes(), 9)
+
+
+def unpacked(data: bytes) -> tuple[float, array[int]]:
+    """What `packed` wrote."""
+    raw = zlib.decompress(data)
+    return struct.unpack_from("<d", raw)[0], array("b", raw[8:])
+
+
+class Affinity:
+    """The weights of the words of one question, added up for each trait when it is first asked for."""
+
+    def __init__(self, words: Sequence[str]) -> None:
+        self._codes = [code(gram) for gram in grams(words)]
+        self._known: dict[str, float] = {}
+
+    def of(self, features: Mapping[str, float]) -> float:
+        """What speaks for a program of such features."""
+        return math.fsum(map(self._of_trait, traits(features)))
+
+    def _of_trait(self, trait: str) -> float:
+        if (known := self._known.get(trait)) is None:
+            step, steps = _table()
+            own = code(trait)
+            total = sum(steps[slot(gram, own)] for gram in self._codes)
+            known = self._known[trait] = step * total / math.sqrt(len(self._codes) or 1)
+        return known
