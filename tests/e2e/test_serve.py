@@ -413,7 +413,7 @@ def test_an_answer_does_not_wait_for_a_picture(service: Service, client: Client,
     try:
         with ThreadPoolExecutor(4) as pool:
             views = [pool.submit(client.view, model, width=1000 + number) for number in range(4)]
-            assert client.ask(model, "What is the depth of the part?").status is Status.ANSWERED
+            assert client.ask(model, "How many holes are there?").status is Status.ANSWERED
             assert client.find_parts(model, "hole").parts
             assert not any(view.done() for view in views)
             for pid in drawing:

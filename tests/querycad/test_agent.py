@@ -199,7 +199,7 @@ def test_several_values_are_no_doubt_where_several_are_asked_for_or_all_are_the_
 
 def test_the_model_is_told_how_the_parser_reads_the_question(runtime: EmbeddedRuntime, flange: Path) -> None:
     model = Recorded([ANSWER])
-    ask(runtime, flange, "What is the thickness of the flange?", model)
+    ask(runtime, flange, "How wide is the flange?", model)
     told = model.shown[0][-1]["text"].partition("How a parser reads it, the likeliest first:")[2]
     assert len(told.strip().splitlines()) > 1
 

@@ -45,7 +45,7 @@ class Reader(Question):
         """The readings, those that the words link best first."""
         parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
         parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
-        parses += [one for parse in parses for holder in self.holders for one in _held(parse, *holder)]
+        parses += [one for parse in parses for holder in self.holders[:MAX_VIEWS] for one in _held(parse, *holder)]
         words = passable(self)
         best: dict[Form, Reading] = {}
         for parse in parses:

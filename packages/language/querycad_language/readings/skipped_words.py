@@ -34,7 +34,8 @@ class Passable(NamedTuple):
     at: int
     kind: str
     raw: str
-    feature: str
+    features: tuple[str, ...]
+    """Of its class, and of the preposition before it."""
 
 
 def passable(question: Question) -> list[Passable]:
@@ -51,7 +52,8 @@ def passable(question: Question) -> list[Passable]:
         kind = _class(question, at)
         if kind not in ("function", "courtesy"):
             where = "skip" if question.in_question(at) and depth <= 0 else "aside"
-            found.append(Passable(at, kind, token.raw, f"{where}_{kind}"))
+            feature = f"{where}_{kind}"
+            found.append(Passable(at, kind, token.raw, (feature, *_behind(text, at, feature))))
     return found
 
 
@@ -60,9 +62,9 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     features = {**parse.features, **question.hardness}
     skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
-        for name in (word.feature, *_behind(question.text, word)):
+        for name in word.features:
             features[name] = features.get(name, 0.0) + 1.0
-        if word.feature == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
+        if word.features[0] == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
             features["skip_compound"] = 1.0  # 'head' of 'head diameter'
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
@@ -72,9 +74,9 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
 
 
-def _behind(text: Text, word: Passable) -> list[str]:
+def _behind(text: Text, at: int, feature: str) -> list[str]:
     """The feature of the preposition in front of a noun: 'from the free end' restricts more than 'for the screw'."""
-    before = range(word.at - 1, max(word.at - 5, -1), -1) if word.feature in ("skip_noun", "skip_unknown") else ()
+    before = range(at - 1, max(at - 5, -1), -1) if feature in ("skip_noun", "skip_unknown") else ()
     return [f"skip_behind_{text.words[i]}" for i in before if text.is_word(i, *_LEADING)][:1]
 
 
