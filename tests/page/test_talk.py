@@ -137,7 +137,7 @@ def test_a_measure_that_is_the_answer_is_drawn_where_it_is(
 
 def test_an_angle_that_is_the_answer_is_drawn_between_its_parts(seen: Opener, assembly_model: str) -> None:
     page = seen().model(assembly_model)
-    page.ask("What is the angle between the shaft and hole 1?")
+    page.ask("What angle do the axes of the shaft and hole 1 enclose?")
     expect(page.page.locator(".label.center")).to_have_text("90°")
     points = page.page.locator(".leaders polyline").get_attribute("points")
     assert len((points or "").split()) > 10, "an arc"
