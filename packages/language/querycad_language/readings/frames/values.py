@@ -32,9 +32,7 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, R
 """What becomes of the values of several parts."""
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
 _CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
-_WIDE = ("big", "large", "larger", "wide", "wider", "thick", "thicker")
 _LENGTHWISE = ("lengthwise", "lengthways")
-_MOUTHS = ("mouth", "opening", "entrance")
 _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _JOINTS = ("and", ",", "&", "x", "then", "by")
