@@ -30,10 +30,12 @@ from typing import Any, cast
 import querycad_language
 from benchmark.scoring.own_models import own_models
 from benchmark.understanding.data import MISSING, Question, asked, is_right, questions
+from querycad_answering.affinity import Affinity
 from querycad_answering.candidates import Candidate, candidates, with_value
 from querycad_contracts import RunStatus
 from querycad_language.forms import Form
 from querycad_language.readings import read
+from querycad_language.readings.reader import Reader
 from querycad_sandbox import Sandbox
 from querycad_segworker.errors import FileProblem
 from querycad_segworker.grounding.names import vocabulary
@@ -83,7 +85,8 @@ def _winners(group: Sequence[Question]) -> list[Asked]:
     with Sandbox(workers=1) as sandbox:
         for one in group:
             done: list[tuple[Candidate, bool]] = []
-            for candidate in candidates(read(one.question, names), segcad.ground, whole):
+            reader = Reader(one.question, names)
+            for candidate in candidates(reader.readings, segcad.ground, whole, Affinity(reader.text.words)):
                 outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
                 if outcome.status is RunStatus.OK:
                     value = outcome.value

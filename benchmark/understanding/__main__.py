@@ -66,8 +66,11 @@ def main() -> int:
 def _fit(jobs: int, rounds: int, path: Path | None) -> int:
     prior: Table = tomllib.loads(PRIOR.read_text(encoding="utf-8"))["weights"]
     data = questions()
-    for _ in range(rounds):
-        rows = read_kept(path) if path and path.exists() else kept(collect(data, STORE, jobs), path)
+    for number in range(rounds):
+        known = path is not None and path.exists() and number == 0
+        rows = read_kept(path) if path is not None and known else kept(collect(data, STORE, jobs), path)
+        if {_name(row.question) for row in rows} != set(map(_name, data)):
+            raise SystemExit(f"{path} holds other questions than there are now: collect them anew")
         table, doubts, pairs = weights_of(rows, prior, Pairs(rows))
         told = cross_validated(rows, prior, jobs)
         text = summary(told)
@@ -87,6 +90,10 @@ def _fit(jobs: int, rounds: int, path: Path | None) -> int:
         encoding="utf-8",
     )
     return 0
+
+
+def _name(one: Question) -> tuple[str, str, str]:
+    return one.model, one.writer, one.question
 
 
 def _hash(data: list[Question]) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
+from querycad_answering.affinity import Affinity
 from querycad_answering.candidates import absences, candidates, with_value
 from querycad_contracts import Grounded, Part, PartQuery, RunOutcome, RunStatus
 from querycad_language.readings.reader import Reader
@@ -94,8 +95,8 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
 
     try:
         reader = Reader(one.question, names)
-        readings, words = reader.readings, reader.text.words
-        ranked = candidates(readings, ground, whole, words, LIMIT)
+        readings, affinity = reader.readings, Affinity(reader.text.words)
+        ranked = candidates(readings, ground, whole, affinity, LIMIT)
     except Exception as error:
         print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
         return []
@@ -120,5 +121,8 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
     lacking = one.kind == MISSING
     return [
         *found,
-        *(Tried(each.features, None, lacking, "", absent=True) for each in absences(readings, grounded, names, words)),
+        *(
+            Tried(each.features, None, lacking, "", absent=True)
+            for each in absences(readings, grounded, names, affinity)
+        ),
     ]

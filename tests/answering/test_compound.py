@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from tests.made import hole, part, view
 
+from querycad_answering.affinity import Affinity
 from querycad_answering.candidates import candidates
 from querycad_answering.compound import clauses
 from querycad_language.readings.reader import Reader
@@ -14,7 +15,7 @@ MODEL = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, 
 
 def parted(question: str) -> tuple[str, ...]:
     reader = Reader(question)
-    return clauses(reader, candidates(reader.readings, MODEL.ground, MODEL.whole)[0])
+    return clauses(reader, candidates(reader.readings, MODEL.ground, MODEL.whole, Affinity(()))[0])
 
 
 @pytest.mark.parametrize(

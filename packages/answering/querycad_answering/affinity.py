@@ -28,9 +28,8 @@ _SAYS_NOTHING = frozenset((
 ))  # fmt: skip
 _TRAITS = frozenset((
     "asked_how", "along_axis", "overhang", "distance", "material_between", "link_whole", "check_place", "which_side",
-    "level",
-    "two_anchors", "each_other", "place_between", "place_as_anchor", "step_widest", "step_narrowest", "whole_sense",
-    "sense_kin", "no_noun", "measure_option", "view_apart", "absent",
+    "level", "two_anchors", "each_other", "place_between", "place_as_anchor", "step_widest", "step_narrowest",
+    "whole_sense", "sense_kin", "no_noun", "measure_option", "view_apart", "absent",
 ))  # fmt: skip
 """Features that say what a program is, beside its form, its measures and its kinds of part."""
 

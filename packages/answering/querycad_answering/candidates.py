@@ -62,18 +62,18 @@ def _score(features: Features) -> float:
 
 
 def candidates(
-    readings: Sequence[Reading], ground: Ground, whole: Part, words: Sequence[str] = (), limit: int = RUNS
+    readings: Sequence[Reading], ground: Ground, whole: Part, affinity: Affinity, limit: int = RUNS
 ) -> list[Candidate]:
     """The candidates that are worth running, the best first.
 
-    `whole`: the part that stands for the model. `words`: those of the question, as they are read.
+    `whole`: the part that stands for the model. `affinity`: of the question's words.
     """
     asked: list[PartQuery] = []
     for reading in readings:
         asked += [query for query in queries(reading.form) if query not in asked]
     grounded = dict(zip(asked, ground(asked), strict=True)) if asked else {}
     best: dict[str, Candidate] = {}
-    told, affinity = _told(readings, grounded), Affinity(words)
+    told = _told(readings, grounded)
     for reading in readings:
         for candidate in _of_reading(reading, grounded, whole, told, affinity):
             known = best.get(candidate.written.code)
@@ -100,15 +100,14 @@ def absences(
     readings: Sequence[Reading],
     grounded: Mapping[PartQuery, Sequence[Grounded]],
     names: AbstractSet[str],
-    words: Sequence[str] = (),
+    affinity: Affinity,
 ) -> list[Absence]:
     """The readings of parts that the model may lack, the best first; a few.
 
-    `names`: words of the file's product names; `words`: those of the question, as they are read. How many there
-    are, and whether there is one, is answered: none.
+    `names`: words of the file's product names; `affinity`: of the question's words. How many
+    there are, and whether there is one, is answered: none.
     """
     best: dict[PartQuery, Absence] = {}
-    affinity = Affinity(words)
     for reading in readings:
         if isinstance(reading.form, Count | Exists | Every):
             continue

@@ -30,6 +30,7 @@ from querycad_language.readings.reader import Reader
 from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
+from .affinity import Affinity
 from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, with_value
 from .companion_values import beside, is_of_whole, of_height, reads_height, standing
 from .drawing.callouts import ids_text, told_parts
@@ -131,9 +132,14 @@ class Understanding:
         return address(self.question, self._view.contents()[1])
 
     @cached_property
+    def affinity(self) -> Affinity:
+        """How well the words of the question go with programs."""
+        return Affinity(self.reader.text.words)
+
+    @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
-        found = candidates(self.reader.readings, self._ground, self._view.whole, self.reader.text.words)
+        found = candidates(self.reader.readings, self._ground, self._view.whole, self.affinity)
         found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
@@ -164,7 +170,7 @@ class Understanding:
     def absences(self) -> list[Absence]:
         """The readings of parts that the model may lack, the best first."""
         _ = self.ranked  # which grounds the queries
-        return absences(self.reader.readings, self.grounded, self._view.names, self.reader.text.words)
+        return absences(self.reader.readings, self.grounded, self._view.names, self.affinity)
 
     @property
     def readings(self) -> tuple[str, ...]:

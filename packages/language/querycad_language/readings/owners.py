@@ -24,7 +24,7 @@ _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
 """What closes a hollow model there."""
 _CUT_BY = {
     "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
-    "bent": "bend", "bored": "bore", "grooved": "groove", "filleted": "fillet",
+    "bored": "bore", "grooved": "groove", "filleted": "fillet",
 }  # fmt: skip
 MAX_OWNERS = 12
 """Parts further away are hardly meant; no question that was collected names more."""
@@ -123,7 +123,6 @@ def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention
         adjective = text.find(at, "adjective") if said else None
         cut = _CUT_BY[text.words[at]] if adjective is not None and not noun_follows(text, adjective.end) else None
         holder = next((m for m, _ in reversed(linked) if m.start < at), None)
-        holder = None if holder and holder.query and cut == "bend" else holder
         if cut is not None and not text.find(at, "trait") and holder is not None:
             held = PartQuery(noun=cut, words=(cut,), plural=holder.plural)
             if (of := holder.query) is not None:
