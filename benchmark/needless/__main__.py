@@ -86,7 +86,8 @@ def _winners(group: Sequence[Question]) -> list[Asked]:
         for one in group:
             done: list[tuple[Candidate, bool]] = []
             reader = Reader(one.question, names)
-            for candidate in candidates(reader.readings, segcad.ground, whole, Affinity(reader.text.words)):
+            affinity = Affinity(reader.text.words, whole)
+            for candidate in candidates(reader.readings, segcad.ground, whole, affinity):
                 outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
                 if outcome.status is RunStatus.OK:
                     value = outcome.value

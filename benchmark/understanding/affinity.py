@@ -1,4 +1,4 @@
-"""Fits the table of `querycad_answering.affinity`: a small weight for each word with each trait of a program."""
+"""Fits the table of `querycad_answering.affinity`: a weight for each word with each trait of a program or part."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.sparse import csr_array
 
-from querycad_answering.affinity import FEATURE, SLOTS, code, grams, slot, traits
+from querycad_answering.affinity import FEATURE, PART_SHARE, SLOTS, code, grams, placed, slot, traits
 from querycad_language.text import Text
 
 from .collect import Row
@@ -31,14 +31,22 @@ class Pairs:
         columns, values, ends = [np.zeros(0, np.int32)], [np.zeros(0, np.float32)], [0]
         self._of: dict[int, range] = {}
         for row in rows:
-            own = np.array([code(gram) for gram in grams(Text(row.question.question).words)], np.uint64)
+            told = grams(Text(row.question.question).words)
+            own = np.array([code(gram) for gram in told], np.uint64)
+            alone = np.array([code(gram) for gram in told if " " not in gram], np.uint64)
             share, known = 1 / math.sqrt(len(own) or 1), dict[str, NDArray[np.int32]]()
             begin = len(ends) - 1
             for one in row.tried:
-                found = [known.setdefault(trait, _slots(own, trait)) for trait in traits(one.features)]
-                columns += found
-                count = sum(map(len, found))
-                values.append(np.full(count, share, np.float32))
+                found = [_slots(own, trait, known) for trait in traits(one.features)]
+                parts = [
+                    _slots(alone, placed(place, trait), known)
+                    for place, group in enumerate(one.parts)
+                    for trait in group
+                ]
+                columns.append(np.concatenate([*found, *parts, np.zeros(0, np.int32)]))
+                of_program = sum(map(len, found))
+                count = len(columns[-1])
+                values.append(np.where(np.arange(count) < of_program, share, PART_SHARE * share).astype(np.float32))
                 ends.append(ends[-1] + count)
             self._of[id(row)] = range(begin, len(ends) - 1)
         shape = (len(ends) - 1, SLOTS)
@@ -77,5 +85,7 @@ class Pairs:
         return found
 
 
-def _slots(grams_of: NDArray[np.uint64], trait: str) -> NDArray[np.int32]:
-    return np.array([slot(int(gram), code(trait)) for gram in grams_of], np.int32)
+def _slots(grams_of: NDArray[np.uint64], trait: str, known: dict[str, NDArray[np.int32]]) -> NDArray[np.int32]:
+    if trait not in known:
+        known[trait] = np.array([slot(int(gram), code(trait)) for gram in grams_of], np.int32)
+    return known[trait]

@@ -6,14 +6,15 @@ import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import groupby, islice
 from pathlib import Path
 from typing import Any
 
 from pydantic import TypeAdapter
 
-from querycad_answering.affinity import Affinity
+from querycad_answering.affinity import MOST_WAYS, Affinity
 from querycad_answering.candidates import absences, candidates, with_value
+from querycad_answering.part_traits import part_traits
 from querycad_contracts import Grounded, Part, PartQuery, RunOutcome, RunStatus
 from querycad_language.readings.reader import Reader
 from querycad_sandbox import Sandbox
@@ -39,6 +40,8 @@ class Tried:
     code: str
     absent: bool = False
     """Is it the reading of a part that the model lacks? Then there is nothing to run, and that is the answer."""
+    parts: tuple[tuple[str, ...], ...] = ()
+    """The traits of the parts of each query, as the product looks at them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,12 +98,13 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
 
     try:
         reader = Reader(one.question, names)
-        readings, affinity = reader.readings, Affinity(reader.text.words)
+        readings, affinity = reader.readings, Affinity(reader.text.words, whole)
         ranked = candidates(readings, ground, whole, affinity, LIMIT)
     except Exception as error:
         print(f"{one.question!r}: {type(error).__name__}: {error}", file=sys.stderr)
         return []
     for candidate in ranked:
+        parts = tuple(part_traits(way, whole) for way in islice(candidate.grounds.values(), MOST_WAYS))
         try:
             outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
         except FileProblem as problem:  # a measurement that the kernel could not make
@@ -113,11 +117,12 @@ def _tried(one: Question, segcad: LocalSegCad, whole: Part, sandbox: Sandbox) ->
                 and "empty" not in outcome.message
             ):
                 print(f"{one.question!r}: {outcome.message[:200]}\n{candidate.written.code}", file=sys.stderr)
-            found.append(Tried({**candidate.features, "run_failed": 1.0}, None, False, candidate.written.code))
+            failed = {**candidate.features, "run_failed": 1.0}
+            found.append(Tried(failed, None, False, candidate.written.code, parts=parts))
             continue
         done = with_value(candidate, outcome.value, whole.extents)
         right = is_right(outcome.value, one)
-        found.append(Tried(done.features, outcome.value, right, candidate.written.code))
+        found.append(Tried(done.features, outcome.value, right, candidate.written.code, parts=parts))
     lacking = one.kind == MISSING
     return [
         *found,

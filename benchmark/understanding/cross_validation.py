@@ -65,10 +65,10 @@ def fold_of(row: Row) -> str:
     writer = row.question.writer
     if writer in OWN:
         return f"{OWN[writer]}-{zlib.crc32(row.question.model.encode()) % OWN_FOLDS}"
-    if row.question.model.startswith("specified:") and not writer.startswith(REWORDED):
-        return f"specified-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
     if writer in KNOWN or asks_for_missing(writer) or ":" in writer:
         return writer.partition(":")[0]
+    if row.question.model.startswith("specified:") and not writer.startswith(REWORDED):
+        return f"specified-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
     return f"{REWORDED if writer.startswith(REWORDED) else 'asked'}-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
 
 

@@ -15,7 +15,7 @@ MODEL = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004, 
 
 def parted(question: str) -> tuple[str, ...]:
     reader = Reader(question)
-    return clauses(reader, candidates(reader.readings, MODEL.ground, MODEL.whole, Affinity(()))[0])
+    return clauses(reader, candidates(reader.readings, MODEL.ground, MODEL.whole, Affinity((), MODEL.whole))[0])
 
 
 @pytest.mark.parametrize(
@@ -39,6 +39,8 @@ def parted(question: str) -> tuple[str, ...]:
         ("Slot width and lug height? Smaller one first.", ("Slot width?", "lug height?")),
         ("How many lugs, and what width has the first rib?", ("How many lugs?", "what width has the first rib?")),
         ("Lugs: how many, how thick each", ("Lugs: how many?", "Lugs: how thick each of them?")),
+        ("Spacing of the lugs along x and y?", ("Spacing of the lugs along x?", "Spacing of the lugs along y?")),
+        ("Lug spacing in the y and z direction?", ("Lug spacing along y?", "Lug spacing along z?")),
     ],
 )
 def test_what_is_asked_of_several_is_several_questions(question: str, said: tuple[str, ...]) -> None:

@@ -405,3 +405,11 @@ def test_of_many_bores_too_only_those_of_one_size_are_compared(checker: TypeChec
     code = write(Distance(HOLES, "each other"), {HOLES: (holes, 0)}, whole()).code
     assert "for size in different(" in code
     assert checker.problems(code) == ()
+
+
+def test_holes_are_on_the_side_that_they_open_to_and_others_where_they_are() -> None:
+    form = Towards(HOLES, tuple(Side))
+    drilled = write(form, {HOLES: ((hole(1, -20),), 0)}, whole(), 0)
+    assert "p.normal" in drilled.code
+    standing = write(form, {HOLES: ((part("boss-1", normal=(0.0, 0.0, 1.0)),), 0)}, whole(), 0)
+    assert "p.normal" not in standing.code

@@ -50,7 +50,9 @@ def ask(question: str, run: Any, model: ModelView, **options: Any) -> AnswerReco
 
 def test_candidates_are_ranked_and_each_program_is_one() -> None:
     model = view(*THREE)
-    found = candidates(read("What is the depth of the largest hole?"), model.ground, model.whole, Affinity(()))
+    found = candidates(
+        read("What is the depth of the largest hole?"), model.ground, model.whole, Affinity((), model.whole)
+    )
     scores = [one.score for one in found]
     assert scores == sorted(scores, reverse=True)
     assert len({one.written.code for one in found}) == len(found)
@@ -194,7 +196,7 @@ def test_the_programs_run_in_the_sandbox_on_the_same_query() -> None:
 def test_one_place_is_one_value_and_two_are_two() -> None:
     tips = ((0.0, 0.0, 0.1), (0.0, 0.0, -0.1))
     model = view(part("boss-1", tags=("shaft",), tip=tips[0], tips=tips))
-    asked = candidates(read("Where is the tip of the boss?"), model.ground, model.whole, Affinity(()))[0]
+    asked = candidates(read("Where is the tip of the boss?"), model.ground, model.whole, Affinity((), model.whole))[0]
     assert asked.written.expects is AnswerType.POINTS
     ends = [[0.0, 0.0, 0.1], [0.0, 0.0, -0.1]]
     assert "values_several_for_one" not in with_value(asked, ends[0], model.whole.extents).features
@@ -204,18 +206,24 @@ def test_one_place_is_one_value_and_two_are_two() -> None:
 @pytest.mark.parametrize(("value", "square"), [(math.pi / 2, True), (0.4, False), ([math.pi / 2] * 2, True)])
 def test_nobody_asks_how_far_what_stands_upright_leans(value: float | list[float], square: bool) -> None:
     model = view(part("wall-1", tags=("upright",), inclination=math.pi / 2))
-    asked = candidates(read("What is the inclination of the wall?"), model.ground, model.whole, Affinity(()))[0]
+    asked = candidates(
+        read("What is the inclination of the wall?"), model.ground, model.whole, Affinity((), model.whole)
+    )[0]
     assert ("value_square" in with_value(asked, value, model.whole.extents).features) is square
 
 
 def test_an_angle_of_its_own_may_well_be_a_right_one() -> None:
     model = view(part("countersink-1", angle=math.pi / 2))
-    asked = candidates(read("What is the angle of the countersink?"), model.ground, model.whole, Affinity(()))[0]
+    asked = candidates(
+        read("What is the angle of the countersink?"), model.ground, model.whole, Affinity((), model.whole)
+    )[0]
     assert "value_square" not in with_value(asked, math.pi / 2, model.whole.extents).features
 
 
 @pytest.mark.parametrize(("other", "same"), [("bore", 1.0), ("slot", 0.0)])
 def test_two_names_in_one_question_are_seldom_one_part(other: str, same: float) -> None:
     model = view(hole(1, faces=(1,)), part("slot-1", (0.03, 0.0, 0.0), width=0.004))
-    asked = candidates(read(f"How far is the hole from the {other}?"), model.ground, model.whole, Affinity(()))[0]
+    asked = candidates(
+        read(f"How far is the hole from the {other}?"), model.ground, model.whole, Affinity((), model.whole)
+    )[0]
     assert asked.features["same_parts"] == same

@@ -149,7 +149,7 @@ def test_a_length_from_end_to_end_is_no_distance() -> None:
         ("What is the thickness of the wall of the spigot?", Measure.WALL_THICKNESS, "spigot"),
         ("R at the top of the lugs", Measure.RADIUS, "rounded end of lug"),
         ("What is the inside diameter of the tank?", Measure.DIAMETER, "inner cylinder of tank"),
-        ("Clearance diameter of the bolt holes?", Measure.DIAMETER, "bolt hole"),
+        ("Clearance diameter of the dowel holes?", Measure.DIAMETER, "dowel hole"),
         ("Total keyway depth?", Measure.DEPTH, "keyway"),
     ],
 )

@@ -109,6 +109,24 @@ def test_which_side_is_asked_in_many_forms(question: str) -> None:
     assert any(isinstance(form, Towards) and not form.seen for form in forms(question))
 
 
+@pytest.mark.parametrize(
+    "question", ["On which side of the plate is the lug?", "Which side of the rib does the lug sit on?"]
+)
+def test_the_side_of_one_part_is_where_the_other_is(question: str) -> None:
+    assert {form.target.noun for form in forms(question) if isinstance(form, Towards)} == {"lug"}
+
+
+def test_the_side_that_something_is_open_on_is_that_of_its_inside() -> None:
+    asked = [form.target.noun for form in forms("On which side is the box open?") if isinstance(form, Towards)]
+    assert "inside" in asked
+
+
+@pytest.mark.parametrize("unit", ["mm", "inches", "cm", "centimetres", "square centimetres"])
+def test_the_unit_that_is_asked_for_is_no_place(unit: str) -> None:
+    found = [query for form in forms(f"What is the height of the lug in {unit}?") for query in queries(form)]
+    assert all(not query.places and query.noun == "lug" for query in found)
+
+
 def test_which_ones_is_no_question_of_its_own() -> None:
     plain = forms("Do any lugs share the same axis?")
     assert forms("Do any lugs share the same axis, and which ones?")[0] == plain[0]

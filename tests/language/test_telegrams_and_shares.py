@@ -79,7 +79,6 @@ def test_what_parts_lack_may_stand_behind_a_comma(question: str) -> None:
     "question",
     [
         "Tell me the number of lugs that are smaller than the largest",
-        "Count of lugs, largest width excluded",
         "Leave out the largest lugs; what number of others is there?",
         "Besides the largest lug, how many lugs has it?",
         "How many lugs are there (the long ones, not the largest lugs)?",

@@ -66,7 +66,7 @@ def candidates(
 ) -> list[Candidate]:
     """The candidates that are worth running, the best first.
 
-    `whole`: the part that stands for the model. `affinity`: of the question's words.
+    `whole`: the part that stands for the model. `affinity`: of the question's words with that model.
     """
     asked: list[PartQuery] = []
     for reading in readings:
@@ -187,7 +187,7 @@ def _of_reading(
             except Unwritable:
                 continue
             features = _features(reading, grounds, written) | _passing(reading, told)
-            features[FEATURE] = affinity.of(features)
+            features[FEATURE] = affinity.of(features, grounds.values())
             yield Candidate(reading, grounds, written, features)
             if not written.reads:
                 break
@@ -197,8 +197,8 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
     """Does the grounding leave out what is asked for: 'are the holes blind?', 'which holes are wider than 8 mm?'"""
     if "which" in reading.features:
         return not _DECIDABLE.isdisjoint(way.features)
-    if isinstance(reading.form, Count | Exists) and "thread_dropped" in way.features:
-        return True  # how wide holes are is known
+    if isinstance(reading.form, Count | Exists) and not _SURE.isdisjoint(way.features):
+        return True  # how wide holes are is known, and whether they are blind
     noun = lexicon().nouns.get(query.noun)
     if isinstance(reading.form, Count) and noun and noun.name == "object" and way.features.get("sense_stretch"):
         return True  # the parts of a model are its bodies
@@ -292,6 +292,8 @@ def _of_steps(form: Form, written: Written, grounds: dict[PartQuery, Grounded]) 
 
 _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
 """What a model surely shows, and cannot be left out where it says which parts are asked for."""
+_SURE = frozenset(("thread_dropped", "denied_dropped"))
+"""What is counted is never the parts that are surely not so."""
 _ELSE = frozenset((
     "place_dropped", "adjective_dropped", "trait_dropped", "sense_kin", "kin_instead", "modifier_means",
 ))  # fmt: skip

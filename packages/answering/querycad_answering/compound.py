@@ -29,6 +29,11 @@ _JOINING = ("as well as", "along with", "together with")
 _TOPIC_ENDS = (":", "-", ".", "?", ",", ";")
 _IF_SO = re.compile(r"^if so,? ", re.IGNORECASE)
 _EACH = re.compile(r"\beach$", re.IGNORECASE)
+_AXES = re.compile(
+    r"(?:along|in) (?:the )?([xyz])(?:[ -](?:axis|direction))?,? (?:and|&)"
+    r" (?:along |in )?(?:the )?([xyz])\b(?:[ -](?:axis|direction)s?)?",
+    re.IGNORECASE,
+)
 _LEANING = ("its", "their", "each")
 _VERBS = ("ask", "where", "be", "do", "exists")
 _EXPLAINING = ("as", "namely", "meaning", "measured", "to", "from", "over", "across", "along", "not", "past")
@@ -69,6 +74,15 @@ def clauses(asked: Question, best: Candidate | None) -> tuple[str, ...]:
     text = asked.text
     if len(text.question) > MAX_CHARS:
         return ()
+    axes = _AXES.search(text.question)  # 'the spacing along x and along y?'
+    if (
+        axes is not None
+        and best is not None
+        and any(word.lower() == axes[2].lower() for _, word in best.reading.skipped)
+    ):
+        return tuple(
+            f"{text.question[: axes.start()]}along {axis}{text.question[axes.end() :]}" for axis in axes.groups()
+        )
     topic, found = _listed(asked)
     used = best.reading.used if best is not None else frozenset[int]()
     named = [[{m.head} for m in one.mentions if not m.pronoun] for one in found[1:]]

@@ -60,9 +60,15 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
 """What may speak against an answer, whatever else there is: the groups of features that calibration looks at."""
 
 
+SAY_NOTHING = ("chatter", "function", "courtesy")
+"""Classes of words that may be skipped without a word about it."""
+TOLD = 0.1
+"""Of readings with one value that which passes over least is told, where it is so likely beside the likeliest."""
+
+
 @dataclass(frozen=True, slots=True)
 class Value:
-    """One value that can be the answer, with the best candidate that gives it."""
+    """One value that can be the answer, with the candidate that it is told by."""
 
     candidate: Candidate
     share: float
@@ -115,9 +121,17 @@ def ranked(tried: Sequence[Candidate], untried: Sequence[float] = (), absences: 
     for members in groups.values():
         best = max(members, key=lambda i: shares[i])
         share = math.fsum(shares[i] for i in members)
-        found.append(Value(runs[best], share, confidence(share, runs[best].features, runs[best].score)))
+        told = min(
+            (i for i in members if shares[i] >= TOLD * shares[best]), key=lambda i: (_passed(runs[i]), -shares[i])
+        )
+        found.append(Value(runs[told], share, confidence(share, runs[best].features, runs[best].score)))
     absent = math.fsum(shares[len(runs) : len(runs) + len(lacking)])
     return Ranked(tuple(sorted(found, key=lambda one: one.share, reverse=True)), absent)
+
+
+def _passed(one: Candidate) -> int:
+    """How many words that mean something does a reading pass over?"""
+    return sum(kind not in SAY_NOTHING for kind, _ in one.reading.skipped)
 
 
 def softmax(scores: Sequence[float]) -> list[float]:

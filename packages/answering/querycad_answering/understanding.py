@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -39,15 +40,13 @@ from .drawing.numbers import significant
 from .drawing.threads import asks_for_screw, with_screw
 from .judging import Verdict, judge
 from .programs.builder import Read
-from .ranking import SHOWN, Ranked, Value, ranked, softmax
+from .ranking import SAY_NOTHING, SHOWN, Ranked, Value, ranked, softmax
 from .typed import is_like
 from .unanswerable import TAKEN_FOR_WHOLE, Refused, cannot_know, nothing_asked, unread
 from .value_order import in_order, order_of
 
 UNTRIED = 0.05
 """Share of the probability that programs may hold which are never run: what they would give counts as another value."""
-SAY_NOTHING = ("chatter", "function", "courtesy")
-"""Classes of words that may be skipped without a word about it."""
 RESTRICTING = frozenset(("noun", "measure", "comparison", "side", "number", "negation", "unknown"))
 """Classes of words without which a yes or no is as often wrong as right: of 137 so answered 70 were right."""
 GRAMS_BELOW_KG = 0.1
@@ -66,6 +65,9 @@ like kind where the model has none of its own: less would be an answer about par
 NONE_COUNTED = 0.7
 """So sure, at most, is that there are none: people count what there is. Of 44 surer answers to collected questions 30
 were right."""
+_HOW_FAR = re.compile(r"\bhow (far|long|wide|deep|high|tall|thick)\b", re.IGNORECASE)
+_PLACES = (AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS)
+"""What nobody means who asks how far something is."""
 _ALL_SUCH = {"ids": (), "definite": False, "plural": True, "count": None}
 OTHER_CLASS = 0.35
 """So sure, at most, is a value that answers a question which asks for yes or no, or one of parts that are guessed, or
@@ -134,13 +136,15 @@ class Understanding:
     @cached_property
     def affinity(self) -> Affinity:
         """How well the words of the question go with programs."""
-        return Affinity(self.reader.text.words)
+        return Affinity(self.reader.text.words, self._view.whole)
 
     @cached_property
     def ranked(self) -> list[Candidate]:
         """The programs that may answer, the best first; those of the expected type where any is."""
         found = candidates(self.reader.readings, self._ground, self._view.whole, self.affinity)
         found = [one for one in found if names_all(one.reading, self.addressed.ids)] or found
+        if _HOW_FAR.search(self.question):
+            found = [one for one in found if one.written.expects not in _PLACES] or found
         wanted = self._expect.type
         fitting = [one for one in found if wanted is None or is_like(one.written.expects, wanted)]
         return [self._ordered(one) for one in fitting or found]

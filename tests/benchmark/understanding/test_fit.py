@@ -20,8 +20,12 @@ from benchmark.understanding.cross_validation import (
 from benchmark.understanding.data import MISSING, Question, is_right
 from benchmark.understanding.fit import answered, fit
 from benchmark.understanding.table import _inline
+from tests.made import hole, whole
 
-from querycad_answering.affinity import FEATURE, Affinity
+from querycad_answering import affinity
+from querycad_answering.affinity import FEATURE, Affinity, packed, unpacked
+from querycad_answering.part_traits import part_traits
+from querycad_contracts import Grounded
 from querycad_language.text import Text
 
 
@@ -80,8 +84,33 @@ def test_words_tell_programs_apart_that_have_the_same_features_otherwise() -> No
     assert not all(answered(one, table).right for one in rows)
     scored = pairs.scored(rows, pairs.fitted(rows, table))
     assert all(answered(one, {**table, FEATURE: 1.0}).right for one in scored)
-    product = Affinity(Text(rows[0].question.question).words)
+    product = Affinity(Text(rows[0].question.question).words, whole())
     assert product.of(rows[0].tried[0].features) == product.of(dict(rows[0].tried[0].features))
+
+
+def test_words_tell_parts_apart_and_the_product_says_of_them_what_was_fitted(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing but the parts differs: the drain is the lower one."""
+    high, low = (Grounded(parts=(hole(1, x=x),), features={}) for x in (-45, 45))
+    model = whole()
+    rows = []
+    for i in range(60):
+        drain = i % 2 == 0
+        said = "Where is the drain?" if drain else "Where is the vent?"
+        tried = tuple(
+            Tried({"form_get": 1.0}, value, (way is low) == drain, name, parts=(part_traits(way, model),))
+            for value, way, name in ((1.0, high, "a"), (2.0, low, "b"))
+        )
+        rows.append(Row(Question(f"own:{i}", Path("a.step"), "w", said, 1.0, ""), tried))
+    pairs, table = Pairs(rows), fit(rows, {})
+    weights = pairs.fitted(rows, table)
+    scored = pairs.scored(rows, weights)
+    assert all(answered(one, {**table, FEATURE: 1.0}).right for one in scored)
+    monkeypatch.setattr(affinity, "_table", lambda: unpacked(packed(list(weights))))
+    for one in scored[:2]:
+        product = Affinity(Text(one.question.question).words, model)
+        for tried, way in zip(one.tried, (high, low), strict=True):
+            said_of_it = product.of({"form_get": 1.0}, [way])
+            assert said_of_it == pytest.approx(tried.features[FEATURE], abs=0.05 * abs(weights).max())
 
 
 def test_two_collections_are_compared_question_by_question() -> None:

@@ -77,9 +77,25 @@ def test_an_adjective_that_agrees_narrows_and_one_that_none_has_is_not_dropped_i
     agrees = best(asked(adjectives=("blind",)))
     assert ids(agrees) == {"hole-3"}
     assert "adjective_agrees" in agrees.features
-    ways = ground(PLATE, asked(adjectives=("counterbored",)))
+    ways = ground(PLATE, asked(adjectives=("rectangular",)))
     assert all("adjective_dropped" in way.features or not way.parts for way in ways)
     assert all(way.unchecked for way in ways if way.parts)
+
+
+@pytest.mark.parametrize("name", ["counterbored", "countersunk"])
+def test_plain_holes_are_denied_what_recognition_always_finds(name: str) -> None:
+    ways = ground(PLATE, asked(adjectives=(name,)))
+    assert all("denied_dropped" in way.features for way in ways if way.parts and "sense_kin" not in way.features)
+    chamfered = hole(4, 30, tags=("through", "circular", "chamfered"))
+    wider = ground(inventory(SMALL, chamfered), asked(adjectives=("countersunk",)))
+    assert ids(wider[0]) == {"hole-4"}
+
+
+def test_pieces_of_holes_are_taken_for_one_another_and_for_no_other_cuts() -> None:
+    sunk = PartQuery(noun="countersink", words=("countersink",), plural=True)
+    assert not any("sense_kin" in way.features and way.parts for way in ground(PLATE, sunk))
+    bored = inventory(SMALL, part("counterbore-1", (0.03, 0.0, 0.0), diameter=0.01))
+    assert any("sense_kin" in way.features and ids(way) == {"counterbore-1"} for way in ground(bored, sunk))
 
 
 def test_what_must_be_lacking_leaves_the_others() -> None:
@@ -107,13 +123,6 @@ def test_a_size_that_none_has_empties_or_is_unchecked() -> None:
     assert all(way.unchecked for way in ways if way.parts)
 
 
-def test_a_side_keeps_what_is_seen_from_there() -> None:
-    assert ids(best(asked(sides=(Side.BOTTOM,)))) == {"hole-1", "hole-2"}
-    away = ground(PLATE, asked(sides=(Side.LEFT,)))
-    assert any("side_empties" in way.features and not way.parts for way in away)
-    assert ids(best(asked(unseen=(Side.BOTTOM,)))) == {"hole-3"}
-
-
 def test_a_place_holds_where_parts_are_and_is_unchecked_where_there_is_none() -> None:
     carrier = part(
         "boss-1",
@@ -128,15 +137,6 @@ def test_a_place_holds_where_parts_are_and_is_unchecked_where_there_is_none() ->
     assert ids(best(in_boss, of)) == {"hole-1", "hole-2"}
     ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="pinion", words=("pinion",))),)))
     assert any("place_unknown" in way.features and way.unchecked for way in ways)
-
-
-def test_a_side_of_what_is_the_whole_restricts_as_one_that_is_said_alone() -> None:
-    plate = PartQuery(noun="plate", words=("plate",), definite=True)
-    on_top = asked(places=(Place(relation="of", what=plate, side=Side.TOP),))
-    below = asked(places=(Place(relation="of", what=plate, side=Side.BOTTOM),))
-    one_body = inventory(SMALL, LARGE, DEAD, whole("plate"))
-    assert ids(best(on_top, one_body)) == {"hole-1", "hole-2", "hole-3"}
-    assert ids(best(below, one_body)) == {"hole-1", "hole-2"}
 
 
 def test_with_a_ring_is_with_any_of_them() -> None:
@@ -352,11 +352,6 @@ def test_an_upright_plate_may_be_an_upright_floor() -> None:
     lying = part("floor-2", (0.1, 0.0, 0.0), tags=("lying",))
     found = find(inventory(floor, gusset, lying), "the vertical plates").parts
     assert [p.id for p in found] == ["floor-1", "wall-1"]
-
-
-def test_a_side_port_opens_sideways() -> None:
-    ports = (hole(1), hole(2, 20, tags=("through", "circular", "horizontal")))
-    assert [p.id for p in find(inventory(*ports), "side ports").parts] == ["hole-2"]
 
 
 def sized_hole(number: int, diameter_mm: float, *steps_mm: float) -> Part:

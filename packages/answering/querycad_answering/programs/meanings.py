@@ -82,7 +82,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
         "": "~height; ~depth; ~extents[2]",
     },
     Measure.WIDTH: {
-        "WHOLE": "extents[0]; ~extents[along]; ~sorted(extents)[1]; ~extents[1]",  # along the axis: of a roller
+        "WHOLE": "extents[0]; ~extents[along]; ~min(extents[:2]); ~extents[1]",  # along the axis: of a roller
         "BORE": "2 * max(radii)",
         "chamfer": _CHAMFER,
         "pocket+ASKEW+SLIM cutout+ASKEW+SLIM": "min(local_size[:2]); ~width",

@@ -150,6 +150,10 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None, 
     return f"min([angle for angle in angles if angle > {SLANT}] or angles)"
 
 
+_DRILLED = frozenset((PartKind.HOLE, PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE))
+"""Kinds that plainly open to one side, that of their wider end."""
+
+
 def _axis_of(side: Side) -> str:
     """The axis that a side looks along: '+x'."""
     i, sign = side_axis(side)
@@ -158,6 +162,8 @@ def _axis_of(side: Side) -> str:
 
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
+
+    Holes are on the side that they open to.
 
     Or the side that 'most' of them are seen from, those that 'none' is, or how many are from 'each'.
     """
@@ -175,9 +181,10 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
         most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
         return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
     point = "opening" if all(part.opening is not None for part in parts) else "center"
+    facing = " + p.normal[{}]" if all(part.kind in _DRILLED and part.normal is not None for part in parts) else ""
     for side in form.sides:
         i, sign = side_axis(side)
-        share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]"
+        share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]{facing.format(i)}"
         build.lines.append(f"{side.value} = {sign.strip('+')}sum({share} for p in {name})")
     found = ", ".join(f'({side.value}, "{_axis_of(side) if form.axes else side.value}")' for side in form.sides)
     return f"max({found})[1]", AnswerType.TEXT

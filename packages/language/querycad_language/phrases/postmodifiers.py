@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from querycad_contracts import PartQuery, Place, Rank, Relation
+from querycad_contracts import Place, Rank, Relation
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
@@ -288,18 +288,9 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
 
 
 def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
-    """', the dowel holes left out', ', largest diameter excluded'."""
-    text = phrases.text
-    start = text.skip(at, "article")
-    most = superlative(text, start) or text.find(start, "most", "least")
-    size = text.find(most.end, "measure") if most is not None else None
-    out = text.find(size.end, "left_out") if size is not None else None
-    if most is not None and size is not None and out is not None:
-        degree = "most" in (most.category, getattr(most.value, "degree", ""))
-        build.excluded.append(PartQuery(ranks=(Rank(measure=size.value, most=degree),), definite=True))
-        return out.end
+    """', the dowel holes left out', ', dowel holes not counted'."""
     other = phrases.inner(at, depth) if depth == 0 else None
-    span = text.find(other.end, "left_out") if other is not None else None
+    span = phrases.text.find(other.end, "left_out") if other is not None else None
     if other is None or span is None:
         return at
     build.excluded.append(other.part)

@@ -80,6 +80,11 @@ class Inventory:
         """The longest extent of the model, metres."""
         return max(self.model.extents) if self.model is not None else 1.0
 
+    @property
+    def lies(self) -> bool:
+        """Is it less high than wide and deep?"""
+        return self.model is not None and self.model.extents[2] < min(self.model.extents[:2])
+
     @cached_property
     def cores(self) -> list[tuple[float, float]]:
         """Tap drills and cores of the usual threads, and how near to them a hole is taken for one, metres."""

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from querycad_contracts import Grounded, Part, Place, Side
+from querycad_contracts import Grounded, Part, PartQuery, Place, Side
 from querycad_segworker.relations.related import related
 
 from .candidates import Candidate, Request, pruned, score, through
 from .names import all_words
 
+_LYING = {Side.FRONT: Side.TOP, Side.BACK: Side.BOTTOM}
+"""What people call front and back of a flange or plate that lies."""
 MOST_DEEP = 3
 """Places are looked at in queries that stand in no more others than that."""
 
@@ -33,6 +35,8 @@ def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Gro
         return [way]
     name = "compound" if not place.relation else "trait" if place.relation == "with" else "place"
     held = [after for grounded in holders if grounded.parts for after in _held_by(request, way, place, grounded, name)]
+    if place.what.sides and _says_nothing_of(request, place.what, holders):  # 'on the plate visible from the top'
+        held = [after for one in held for after in _from_sides(request, one, place.what.sides)]
     if place.relation == "for":
         return [*held, way.to(way.parts, "purpose")]
     said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
@@ -43,6 +47,12 @@ def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Gro
     if place.relation != "with":
         return [unknown]
     return [unknown, way.to(way.parts if place.negated else (), f"{name}_empties")]
+
+
+def _says_nothing_of(request: Request, what: PartQuery, holders: Sequence[Grounded]) -> bool:
+    """Do the sides of a holder not tell it from others? Then what it holds is visible from them."""
+    plain = request.ground(what.model_copy(update={"sides": ()}), 1)
+    return bool(plain and holders) and plain[0].parts == holders[0].parts
 
 
 def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded, name: str) -> Sequence[Candidate]:
@@ -100,8 +110,11 @@ def _from_sides(request: Request, way: Candidate, sides: Sequence[Side]) -> Sequ
     if not way.parts:
         return [way]
     seen, ends = _seen(way, sides), request.inventory.at_end(way.parts, sides)
-    first = way.to(seen, "side_agrees" if seen else "side_empties")
-    return [first, way.to(ends, "side_end_instead" if seen else "side_end")] if len(ends) < len(way.parts) else [first]
+    ways = [way.to(seen, "side_agrees" if seen else "side_empties")]
+    reversible = not seen and request.inventory.lies and _LYING.keys() >= set(sides)
+    if reversible and (turned := _seen(way, [_LYING[side] for side in sides])):
+        ways.append(way.to(turned, "side_turned", unchecked=f"'{sides[0]}', taken for the {_LYING[sides[0]]}"))
+    return [*ways, way.to(ends, "side_end_instead" if seen else "side_end")] if len(ends) < len(way.parts) else ways
 
 
 def _seen(way: Candidate, sides: Sequence[Side]) -> list[Part]:

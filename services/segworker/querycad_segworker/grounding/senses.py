@@ -15,14 +15,15 @@ from .inventory import Inventory
 
 SOLID = frozenset((PartKind.BODY, PartKind.PIPE, PartKind.RING_SECTOR, PartKind.TORUS, PartKind.GEAR))
 """Kinds that all of a model can be: a pin, a nut, a ring. No model is a keyway or a head."""
+PIECES = (PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE)
+"""Pieces of holes: who says 'the holes' does not mean them, nor other cuts who says 'the counterbores'."""
 KIN = (
+    PIECES,
     tuple(kind for kind in PartKind if kind.cuts_in),
     (*(kind for kind in PartKind if kind.stands_out), PartKind.WALL, PartKind.TOOTH),
     (*(kind for kind in PartKind if kind.breaks_edge), PartKind.TORUS),
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
-PIECES = frozenset((PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE))
-"""Pieces of holes: who says 'the holes' does not mean them."""
 GUESSES = 6
 """So many groups of like parts may be what an unknown noun means."""
 _GENERIC = {"whole_generic": 1.0, "whole_sense": 1.0}
@@ -56,8 +57,10 @@ def _meant(request: Request) -> Iterator[Candidate]:
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
+        thing = noun.senses and noun.senses[0].name and not (any(way.features.get("sense_rank") == 0 for way in found))
+        generic = generic or (thing and not others and inventory.alone and not request.depth)
         if generic and not noun.product and not query.plural and inventory.model is not None:
-            yield Candidate((inventory.model,), _GENERIC)  # 'the pin' is all there is, 'this pin' may be
+            yield Candidate((inventory.model,), _GENERIC)  # 'the pin', 'the plug' is all there is, 'this pin' may be
     elif not query.noun:
         yield Candidate(tuple(inventory.kinds.get("hole") or inventory.parts), {"no_noun": 1.0})
     elif not named:

@@ -70,6 +70,15 @@ def test_a_hub_reaches_through_the_web_from_end_to_end(longer: float, length: fl
     assert (hub.length, hub.diameter) == pytest.approx((length * MM, 42 * MM))
 
 
+def test_a_tube_through_two_plates_is_one_and_a_shorter_hub_is_none() -> None:
+    plates = fuse(box((80, 80, 8), (-40, -40, 20)), box((80, 80, 8), (-40, -40, 120)), cylinder(12, 148))
+    tubes = [part for part in find(cut(plates, cylinder(8, 148))).parts if {"hub", "tube"} <= set(part.tags)]
+    assert [(tube.length, tube.diameter) for tube in tubes] == [pytest.approx((148 * MM, 24 * MM))]
+    thick = [part for part in find(cut(plates, cylinder(4, 148))).parts if "hub" in part.tags]
+    assert len(thick) == 1
+    assert "tube" not in thick[0].tags
+
+
 def test_what_stands_out_on_one_side_alone_is_no_such_hub() -> None:
     flange = fuse(ring(55, 10, 12), ring(21, 10, 20, 12))
     assert not [part for part in find(flange).parts if "hub" in part.tags]

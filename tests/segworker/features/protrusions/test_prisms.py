@@ -4,7 +4,7 @@ import math
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import chamfered, cut, cylinder, extruded, find, fuse, turned, upright
+from tests.segworker.shapes import chamfered, cone, cut, cylinder, extruded, find, fuse, turned, upright
 
 FLATS = 10.0
 HEXAGON = [
@@ -58,3 +58,13 @@ def test_a_shaft_with_two_flats_is_no_prism() -> None:
 def test_broken_corners_of_a_block_make_no_octagon_across_flats() -> None:
     block = extruded([(0, 0), (50, 0), (50, 20), (0, 20)], 0, 10)
     assert not any(one.across_flats for one in find(chamfered(block, 0.5, *upright(block))).of("prism"))
+
+
+def test_corners_turned_off_by_a_cone_leave_a_hexagon_as_high_as_it_is() -> None:
+    """As of a nut (ISO 4032); a long point, as of a pencil, is none of its height."""
+    nut = extruded(HEXAGON, 0, 10)
+    turned_off = cut(nut, fuse(cylinder(8, 8.1), cone(8, 4.7, 1.9, (0, 0, 8.1))))
+    assert hexagons(cut(nut, turned_off)) == [(10.0, FLATS)]
+    pencil = extruded(HEXAGON, 0, 30)
+    sharpened = cut(pencil, fuse(cylinder(8, 5), cone(8, 0.5, 25, (0, 0, 5))))
+    assert all(height < 20 for height, _ in hexagons(cut(pencil, sharpened)))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from OCP.TopoDS import TopoDS_Shape
-from tests.segworker.shapes import DOWN, Found, box, compound, cut, cylinder, extruded, find, fuse, gear, turned
+from tests.segworker.shapes import DOWN, Found, box, compound, cone, cut, cylinder, extruded, find, fuse, gear, turned
 
 from querycad_contracts import Part
 
@@ -47,6 +47,19 @@ def test_the_tip_of_a_shaft_in_a_blind_bore_is_the_end_outside(move: float) -> N
     assert shaft.tip == pytest.approx(outside)
     (boss,) = found.of("boss")
     assert boss.tip == pytest.approx(outside)
+
+
+@pytest.mark.parametrize("move", [0, 73], ids=["upright", "oblique"])
+def test_a_spindle_with_a_point_has_its_tip_there_and_one_with_two_points_has_both(move: float) -> None:
+    point, other = cone(8, 2, 10, (0, 0, 60)), cone(8, 2, 10, along=(0, 0, -1))
+    spindle = fuse(cylinder(8, 60), cylinder(14, 6, (0, 0, 40)), point)
+    shaft = body(find(turned(spindle, (1, 2, 3), move)), 0)
+    assert len(shaft.tips) == 1
+    if not move:
+        assert tips(shaft) == [(0, 0, 70)]
+        (tapered,) = [boss for boss in find(spindle).of("boss") if "conical" in boss.tags]
+        assert tips(tapered) == [(0, 0, 70)]
+    assert len(body(find(fuse(spindle, other)), 0).tips) == 2
 
 
 def test_both_ends_of_a_shaft_through_a_housing_are_free() -> None:

@@ -434,7 +434,7 @@ def _is_kind(query: PartQuery, *kinds: PartKind) -> bool:
 
 
 def angles(question: Question) -> Iterator[Parse]:
-    """'What is the angle between the two arms?', 'At which angle does the rib meet the lever?'"""
+    """'What is the angle between the two flaps?', 'At which angle does the rib meet the lever?'"""
     text = question.text
     for asked in asked_in(question):
         if asked.measures not in ((Measure.ANGLE,), (Measure.INCLUDED_ANGLE,)) or not question.in_question(asked.start):

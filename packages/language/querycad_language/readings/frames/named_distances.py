@@ -8,7 +8,6 @@ from dataclasses import replace
 
 from querycad_contracts import Measure, PartKind, PartQuery
 from querycad_language.forms import Behind, Combine, Distance, Get, Plane, Reduce
-from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
@@ -23,10 +22,9 @@ _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", 
 
 
 def named_distances(question: Question) -> Iterator[Parse]:
-    """'The lugs form a square. What is its side?', 'How far apart are the centres of the rounded ends of the slot?'"""
+    """'The lugs form a square. What is its side?', 'What is left between the bottom of the hole and the far side?'"""
     yield from _behind_end(question)
     yield from _rectangle(question)
-    yield from _round_ends(question)
 
 
 def _behind_end(question: Question) -> Iterator[Parse]:
@@ -57,20 +55,6 @@ def _rectangle(question: Question) -> Iterator[Parse]:
             used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *said}
             form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
             yield Parse(form, {"distance": 1.0, "each_other": 1.0}, used)
-
-
-def _round_ends(question: Question) -> Iterator[Parse]:
-    """'How far apart do the slot's rounded ends have their centres?': how long it is from centre to centre."""
-    text, slots = question.text, [m for m in question.parts if is_cut(m.part)]
-    middles = text.at_words("center", "middle", "apart") | text.at_phrases("center_to_center")
-    several = (m for m in question.parts if m.part.plural and m.part.noun in lexicon().nouns and middles)
-    for ends in (m for m in several if lexicon().nouns[m.part.noun].name in ("rounded end", "end radius")):
-        inside = next((what for _, what in places_of(ends.part, "of", "") if is_cut(what)), None)
-        cut = inside or next((m.part for m in slots if not m.plural), None)
-        if cut is not None:
-            used = {*range(*question.asking)} if inside is not None else {i for m in slots for i in m.used}
-            length = Get((Measure.CENTRE_LENGTH,), cut)
-            yield Parse(length, {"distance": 1.0}, {*used, *ends.used, *middles, *text.at_phrases("distance")})
 
 
 def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:

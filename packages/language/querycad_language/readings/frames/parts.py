@@ -29,15 +29,21 @@ def parts(question: Question) -> Iterator[Parse]:
     yield from (compared := list(_side_by_numbers(question, offered, named)))
     side, offered = (None, ()) if compared else (side, offered)
     begin = 0 if side is not None or offered else start  # 'the lug, which side?'
-    for index, mention in enumerate([m for m in question.parts if m.start >= begin][:3]):
+    at = text.skip(side + 3, "article") if side is not None and text.is_word(side + 2, "of") else -1
+    owner = next((m for m in question.parts if m.start <= at < m.end), None)  # 'on which side of the plate is the lug'
+    mentions = [m for m in question.parts if m.start >= begin and (m is not owner or len(question.parts) < 2)]
+    for index, mention in enumerate(mentions[:3]):
         query = mention.part
-        used = {*mention.used, *(range(side - 1, side + 2) if side is not None else ())}
+        used = {*mention.used, *(owner.used if owner else ()), *(range(side - 1, side + 2) if side is not None else ())}
         features = {"which_side": 1.0, "count_far": float(index)}
         measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
         is_side = side is not None and mention.start <= side + 1 < mention.end  # 'in which wall is the window'
         if (offered or side is not None) and not (measured or is_side):  # 'which is thicker, the upper or the lower'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
             yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
+            if opens := text.at_words("open"):  # 'which side is the box open on'
+                inside = Towards(PartQuery(noun="inside", words=("inside",), definite=True), towards.sides)
+                yield Parse(inside, {**features, "opens": 1.0}, named | used | opens)
         lead = range(start, mention.start + 1)
         way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
@@ -47,7 +53,11 @@ def parts(question: Question) -> Iterator[Parse]:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Parse(Parts(query), {"which": 1.0}, used)
             yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, used)
-        elif index == 0 and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead):
+        elif (
+            index == 0
+            and not value
+            and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead)
+        ):
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
 

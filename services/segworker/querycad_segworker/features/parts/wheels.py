@@ -14,10 +14,12 @@ from querycad_segworker.features.shared.part_measures import (
     millimetres,
     stance,
 )
-from querycad_segworker.features.turned.bosses import Boss
+from querycad_segworker.features.turned.bosses import TUBE_RATIO, Boss
 from querycad_segworker.topology import Brep
 from querycad_segworker.vectors import add, box_extents, dot, line_distance, mid, parallel, scale, sub
 
+SLENDER = 2.0
+"""A tube is longer than this many of its diameters."""
 ON_AXIS = 0.02
 """Two axes are one that are nearer to each other than this share of the radius."""
 
@@ -115,7 +117,10 @@ class _End:
 
 
 def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator[Part]:
-    """What is around a bore and ends on both sides in a boss, or in the middle of a recess, of one radius."""
+    """What is around a bore and ends on both sides in a boss, or in the middle of a recess, of one radius.
+
+    A thin and slender one is a tube, as those that go through the plates of a heat exchanger.
+    """
     ends = [_End(boss.tip, boss.normal, boss.radius, boss.body, boss.faces) for boss in bosses if boss.hole is not None]
     ends += [_End(one.opening, one.normal, one.core_radius, one.body, one.faces) for one in holes if one.core_radius]
     through = [hole for hole in holes if hole.bottom is Bottom.THROUGH and hole.core_radius is None]
@@ -131,11 +136,13 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
         high = max(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) > 0)
         low = min(level for level, end in zip(levels, own, strict=True) if dot(end.normal, first.normal) < 0)
         faces = tuple(sorted({face for end in own for face in end.faces}))
+        is_tube = bore.radius > TUBE_RATIO * first.radius and high - low > SLENDER * 2 * first.radius
+        name = "tube" if is_tube else "hub"
         yield Part(
-            id="hub",
+            id=name,
             kind="prism",
-            tags=("circular", "cylindrical", "hub"),
-            label=f"hub, diameter {millimetres(2 * first.radius)}, length {millimetres(high - low)}",
+            tags=("circular", "cylindrical", "hub", *(("tube", "hollow", "slender") if is_tube else ())),
+            label=f"{name}, diameter {millimetres(2 * first.radius)}, length {millimetres(high - low)}",
             faces=faces,
             center=add(first.at, scale(first.normal, (high + low) / 2)),
             extents=box_extents(faces_box(brep, faces)),
@@ -147,6 +154,8 @@ def _hubs(brep: Brep, holes: Sequence[Hole], bosses: Sequence[Boss]) -> Iterator
             height=high - low,
             length=high - low,
             radii=(first.radius, bore.radius),
+            outer_diameter=2 * first.radius,
+            inner_diameter=2 * bore.radius,
             area=faces_area(brep, faces),
             evidence=geometry("cylinders around a bore that end on both sides"),
         )

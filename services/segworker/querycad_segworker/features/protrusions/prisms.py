@@ -229,9 +229,18 @@ def _edge_breaks(brep: Brep, ring: set[int], axis: Vector) -> set[int]:
             slanted = face.kind is SurfaceKind.PLANE and 0.3 < abs(dot(face.axis, axis)) < 0.95
             chamfer = slanted and edge.convexity is EdgeConvexity.CONVEX and face.area < 0.5 * brep.faces[side].area
             rounding = face.outward > 0 and is_blend(brep, face) and edge.convexity is EdgeConvexity.SMOOTH
-            if other not in ring and (chamfer or rounding):
+            turned = edge.convexity is EdgeConvexity.CONVEX and _is_turned_chamfer(brep, face, ring, axis)
+            if other not in ring and (chamfer or rounding or turned):
                 breaks.add(other)
     return breaks
+
+
+def _is_turned_chamfer(brep: Brep, face: FaceRecord, ring: set[int], axis: Vector) -> bool:
+    """Is it a cone around the prism that takes the corners off, as of a nut (ISO 4032), lower than the sides are?"""
+    if face.kind is not SurfaceKind.CONE or face.outward < 0 or not parallel(face.axis, axis, 1e-3):
+        return False
+    (low, high), (bottom, top) = (span(face_points(brep, faces), axis) for faces in ((face.id,), tuple(ring)))
+    return ring.issubset(brep.beside(face.id, EdgeConvexity.CONVEX)) and high - low < (top - bottom) / 2
 
 
 def _caps(brep: Brep, around: set[int], axis: Vector) -> set[int]:

@@ -398,10 +398,14 @@ def _bore_radius(hole: Hole, axis: Axis, low: float, high: float) -> float:
 def _tip_is_high(stack: Stack, wall: Wall) -> bool:
     """Which end is free?
 
-    The open one; with both open, the one away from the widest wall; else the end facing top, then front, then right.
+    The open one; with both open, a cone's narrow one; that away from the widest wall; else the end facing top, then
+    front, then right.
     """
     if (stack.low_end is End.OPEN) != (stack.high_end is End.OPEN):
         return stack.high_end is End.OPEN
+    if wall.kind is SurfaceKind.CONE:
+        narrow, wide = (wall.low, wall.high) if wall.radius_low < wall.radius_high else (wall.high, wall.low)
+        return stack.axis.position(wall.axis.at(narrow)) > stack.axis.position(wall.axis.at(wide))
     widest = max(stack.walls, key=lambda w: w.radius)
     if widest is not wall and widest.radius > 1.001 * wall.radius:
         return sum(wall_range(stack.axis, wall)) > sum(wall_range(stack.axis, widest))

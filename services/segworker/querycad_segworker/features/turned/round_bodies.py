@@ -60,6 +60,8 @@ class TurnedBody:
     """Where along the axis the middle of the widest step lies."""
     disc: float | None
     """How thick the widest step is, where it is a disc."""
+    pointed: tuple[Vector, ...]
+    """Ends of it that are narrow ends of cones."""
 
     @property
     def length(self) -> float:
@@ -145,7 +147,13 @@ def turned_body(
         wall=_wall(steps),
         widest_at=_widest_at(axis, widest, toothed),
         disc=widest.height if "flat" in widest.tags else None,
+        pointed=tuple(end for end in (low, high) if _is_point(end, steps)),
     )
+
+
+def _is_point(end: Vector, steps: Sequence[Boss]) -> bool:
+    """Does a cone narrow towards this end?"""
+    return any("conical" in step.tags and dist(step.tip, end) < COAXIAL * step.radius for step in steps)
 
 
 def _wall(steps: Sequence[Boss]) -> float | None:
@@ -177,7 +185,8 @@ def _bore(holes: Sequence[Hole], axis: Axis, near: float, length: float) -> Hole
 def tips_of(body: TurnedBody, is_clear: IsClear, model_m: float) -> tuple[Vector, ...]:
     """Which ends of a turned body are free? One or both; of two, first the end away from the widest step.
 
-    With the widest step in the middle, the one that faces top, then front, then right.
+    With the widest step in the middle, the one that faces top, then front, then right. Of two free ends one of which
+    alone is pointed, that is the tip.
     """
     at_widest = body.widest_at - body.axis.position(mid(body.low, body.high))
     if abs(at_widest) > 1e-3 * body.length:
@@ -185,7 +194,9 @@ def tips_of(body: TurnedBody, is_clear: IsClear, model_m: float) -> tuple[Vector
     else:
         first = body.high if points_up(body.axis.direction) else body.low
     second = body.low if first is body.high else body.high
-    return free_ends((first, second), body.radius, is_clear, model_m)
+    free = free_ends((first, second), body.radius, is_clear, model_m)
+    pointed = tuple(end for end in free if end in body.pointed)
+    return pointed if len(pointed) == 1 else free
 
 
 def free_ends(ends: tuple[Vector, Vector], radius: float, is_clear: IsClear, model_m: float) -> tuple[Vector, ...]:
