@@ -108,9 +108,9 @@ def test_words_tell_parts_apart_and_the_product_says_of_them_what_was_fitted(mon
     monkeypatch.setattr(affinity, "_table", lambda: unpacked(packed(list(weights))))
     for one in scored[:2]:
         product = Affinity(Text(one.question.question).words, model)
-        for tried, way in zip(one.tried, (high, low), strict=True):
+        for each, way in zip(one.tried, (high, low), strict=True):
             said_of_it = product.of({"form_get": 1.0}, [way])
-            assert said_of_it == pytest.approx(tried.features[FEATURE], abs=0.05 * abs(weights).max())
+            assert said_of_it == pytest.approx(each.features[FEATURE], abs=0.05 * abs(weights).max())
 
 
 def test_two_collections_are_compared_question_by_question() -> None:

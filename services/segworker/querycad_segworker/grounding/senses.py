@@ -57,8 +57,9 @@ def _meant(request: Request) -> Iterator[Candidate]:
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
-        thing = noun.senses and noun.senses[0].name and not (any(way.features.get("sense_rank") == 0 for way in found))
-        generic = generic or (thing and not others and inventory.alone and not request.depth)
+        own = any(way.features.get("sense_rank") == 0 for way in found)
+        thing = bool(noun.senses and noun.senses[0].name) and not (own or others or request.depth)
+        generic = generic or (thing and inventory.alone)
         if generic and not noun.product and not query.plural and inventory.model is not None:
             yield Candidate((inventory.model,), _GENERIC)  # 'the pin', 'the plug' is all there is, 'this pin' may be
     elif not query.noun:
