@@ -62,7 +62,7 @@ GEAR: list[dict[str, Any]] = [
 BLOCK: list[dict[str, Any]] = [
     {"name": "shaft_axis", "type": "approach", "question": "Where is the tip of the shaft?"},
     {"name": "shaft_diameter", "type": "length"},
-    {"name": "shaft_length", "type": "length", "description": "length of the shaft"},
+    {"name": "shaft_length", "type": "length", "description": "how far the shaft stands out"},
     {"name": "mates", "type": "mates", "description": "which bore of the gear takes the shaft"},
 ]
 

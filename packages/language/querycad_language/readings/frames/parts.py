@@ -32,16 +32,17 @@ def parts(question: Question) -> Iterator[Parse]:
     at = text.skip(side + 3, "article") if side is not None and text.is_word(side + 2, "of") else -1
     owner = next((m for m in question.parts if m.start <= at < m.end), None)  # 'on which side of the plate is the lug'
     mentions = [m for m in question.parts if m.start >= begin and (m is not owner or len(question.parts) < 2)]
+    compared_by = {i for i, word in enumerate(text.words) if text.lexicon.is_comparative(word)}
     for index, mention in enumerate(mentions[:3]):
         query = mention.part
         used = {*mention.used, *(owner.used if owner else ()), *(range(side - 1, side + 2) if side is not None else ())}
         features = {"which_side": 1.0, "count_far": float(index)}
-        measured = any(text.lexicon.is_comparative(text.words[i]) for i in range(len(text)) if i not in used)
+        measured = not used.issuperset(compared_by)
         is_side = side is not None and mention.start <= side + 1 < mention.end  # 'in which wall is the window'
         if (offered or side is not None) and not (measured or is_side):  # 'which is thicker, the upper or the lower'
             towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
             yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
-            if opens := text.at_words("open"):  # 'which side is the box open on'
+            if index == 0 and (opens := text.at_words("open")):  # 'which side is the box open on'
                 inside = Towards(PartQuery(noun="inside", words=("inside",), definite=True), towards.sides)
                 yield Parse(inside, {**features, "opens": 1.0}, named | used | opens)
         lead = range(start, mention.start + 1)
