@@ -25,7 +25,7 @@ from querycad_language.tokens import MAX_CHARS
 WHOLE = os.environ.get("QUERYCAD_ATTACK") == "whole"
 MAX_ANSWER_CALLS = 800_000
 """Of all that is done with a question but run its programs, and with one before it."""
-MAX_CALLS = 430_000
+MAX_CALLS = 400_000
 """Function calls in reading one text, some 40 ms. 'hole depth' said 200 times took 26 million."""
 REPEATED = (
     " ",

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 from tests.made import body, hole, inventory, part, whole
+from tests.segworker.grounding.plate import DEAD, HOLES, LARGE, PLATE, SMALL, asked, best, ids
 
 from querycad_contracts import Grounded, Measure, Part, PartKind, PartQuery, Place, Rank, Relation, Side, SizeFilter
 from querycad_segworker.grounding import ground as grounding
@@ -13,24 +12,6 @@ from querycad_segworker.grounding.candidates import taken_for
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.ground import KEPT, ground
 from querycad_segworker.grounding.inventory import Inventory
-
-BLIND: dict[str, Any] = {"tags": ("blind", "circular", "vertical"), "sides": (Side.TOP,), "bottom": "flat"}
-SMALL, LARGE, DEAD = hole(1, -20), hole(2, 0, diameter=0.012), hole(3, 20, **BLIND)
-SLOT = part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.02, depth=0.003, sides=(Side.TOP,), tags=("open",))
-PLATE = inventory(SMALL, LARGE, DEAD, SLOT)
-HOLES = PartQuery(noun="hole", words=("hole",), plural=True)
-
-
-def best(query: PartQuery, of: Inventory = PLATE) -> Grounded:
-    return ground(of, query)[0]
-
-
-def ids(grounded: Grounded) -> set[str]:
-    return {one.id for one in grounded.parts}
-
-
-def asked(**fields: Any) -> PartQuery:
-    return HOLES.model_copy(update=fields)
 
 
 def test_a_kind_that_people_take_for_the_noun_is_a_way_too_and_said() -> None:

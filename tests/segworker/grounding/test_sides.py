@@ -5,29 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from tests.made import body, hole, inventory, part, whole
+from tests.segworker.grounding.plate import DEAD, LARGE, PLATE, SMALL, asked, best, ids
 
-from querycad_contracts import Grounded, PartQuery, Place, Side
+from querycad_contracts import PartQuery, Place, Side
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.ground import ground
-from querycad_segworker.grounding.inventory import Inventory
-
-BLIND: dict[str, Any] = {"tags": ("blind", "circular", "vertical"), "sides": (Side.TOP,), "bottom": "flat"}
-SMALL, LARGE, DEAD = hole(1, -20), hole(2, 0, diameter=0.012), hole(3, 20, **BLIND)
-SLOT = part("slot-1", (0.03, 0.0, 0.0), width=0.004, length=0.02, depth=0.003, sides=(Side.TOP,), tags=("open",))
-PLATE = inventory(SMALL, LARGE, DEAD, SLOT)
-HOLES = PartQuery(noun="hole", words=("hole",), plural=True)
-
-
-def best(query: PartQuery, of: Inventory = PLATE) -> Grounded:
-    return ground(of, query)[0]
-
-
-def ids(grounded: Grounded) -> set[str]:
-    return {one.id for one in grounded.parts}
-
-
-def asked(**fields: Any) -> PartQuery:
-    return HOLES.model_copy(update=fields)
 
 
 def test_a_side_keeps_what_is_seen_from_there() -> None:

@@ -68,10 +68,10 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
             features["skip_compound"] = 1.0  # 'head' of 'head diameter'
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
-    edits = sum(token.corrected for at, token in enumerate(question.text.tokens) if at in parse.used)
-    if edits:
+    if edits := len(question.text.corrected & parse.used):
         features["corrected"] = float(edits)
-    return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
+    passed = [(word.kind, word.raw) for word in skipped]
+    return Reading(parse.form, features, tuple(passed), frozenset(parse.used))
 
 
 def _behind(text: Text, at: int, feature: str) -> list[str]:

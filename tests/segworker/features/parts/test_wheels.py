@@ -70,7 +70,7 @@ def test_a_hub_reaches_through_the_web_from_end_to_end(longer: float, length: fl
     assert (hub.length, hub.diameter) == pytest.approx((length * MM, 42 * MM))
 
 
-def test_a_tube_through_two_plates_is_one_and_a_shorter_hub_is_none() -> None:
+def test_a_thin_tube_through_two_plates_is_one_and_a_thick_hub_is_none() -> None:
     plates = fuse(box((80, 80, 8), (-40, -40, 20)), box((80, 80, 8), (-40, -40, 120)), cylinder(12, 148))
     tubes = [part for part in find(cut(plates, cylinder(8, 148))).parts if {"hub", "tube"} <= set(part.tags)]
     assert [(tube.length, tube.diameter) for tube in tubes] == [pytest.approx((148 * MM, 24 * MM))]

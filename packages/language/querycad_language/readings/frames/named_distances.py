@@ -1,4 +1,4 @@
-"""Distances of set phrases: between round ends, sides of a figure; the material that is left."""
+"""Distances of set phrases: sides of a figure; the material that is left."""
 
 from __future__ import annotations
 

@@ -50,15 +50,12 @@ def parts(question: Question) -> Iterator[Parse]:
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
         value = any(text.find(i, "distance", "gap", "measure") for i in lead)  # 'find the distance from the lug'
         led = any(text.is_word(i, "which", "name") or (text.find(i, "showing") and not value) for i in lead)
+        what = any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead)
         if (listed or led) and not way and index == 0:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Parse(Parts(query), {"which": 1.0}, used)
             yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, used)
-        elif (
-            index == 0
-            and not value
-            and any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead)
-        ):
+        elif what and index == 0 and not value:
             used = {i for i in lead if not text.is_content(i)} | mention.used
             yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
 

@@ -33,10 +33,7 @@ _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.POSITION: {("surface", "face", "mouth", "underside"): Measure.OPENING},
 }  # fmt: skip
 """What a measure is at one end or on one side, and the words for those, which follow one of these within so many."""
-_AT, _NEAR = (
-    ("at", "on", "pierce", "enter", "meet", "cross", "leave", "cut", "hit", "exit"),
-    6,
-)  # 'at the level of the top face'
+_AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross", "leave", "cut", "hit", "exit"), 6
 _TUBES = ("ring", "pipe", "cavity")
 _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Measure.DRAFT: "cone"}
 """What has a measure that the whole has not."""
