@@ -23,7 +23,7 @@ from querycad_language.weights import calibration, weights
 from .affinity import Pairs
 from .collect import Row, collect, kept, read_kept
 from .compare import compared
-from .cross_validation import asks_for_missing, cross_validated, judged, risk_and_coverage, summary, weights_of
+from .cross_validation import asks_for_missing, cross_validated, fitted, judged, risk_and_coverage, summary
 from .data import Question, asked, questions
 from .fit import Table
 from .plot import draw
@@ -71,8 +71,8 @@ def _fit(jobs: int, rounds: int, path: Path | None) -> int:
         rows = read_kept(path) if path is not None and known else kept(collect(data, STORE, jobs), path)
         if {_name(row.question) for row in rows} != set(map(_name, data)):
             raise SystemExit(f"{path} holds other questions than there are now: collect them anew")
-        table, doubts, pairs = weights_of(rows, prior, Pairs(rows))
-        told = cross_validated(rows, prior, jobs)
+        told, doubts = cross_validated(rows, prior, jobs)
+        table, pairs = fitted(rows, prior, Pairs(rows))
         text = summary(told)
         there = [one for one in told if not asks_for_missing(one.fold)]
         right = sum(one.right for one in there) / len(there)

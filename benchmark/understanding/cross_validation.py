@@ -6,7 +6,7 @@ import zlib
 from collections import defaultdict
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing import get_context
 
 from querycad_answering.affinity import FEATURE
@@ -18,8 +18,6 @@ from .fit import Answered, Table, answered, calibrate, fit, sure
 
 SURE = 0.8
 """An answer with this confidence passes as known: people do not check it."""
-PARTS = 3
-"""Calibration looks at questions that were left out, so many parts one after the other."""
 LOOKED_AT = 0.4
 """What a question that the lexicon was written with in view counts in calibration, beside one by a hand.
 
@@ -28,10 +26,11 @@ the hands' answers are wrong and sure.
 """
 OWN = {"own": "own", "examples": "own", "plain_parts": "plain"}
 """Writers who know the product, and the name of their folds."""
-OWN_FOLDS = 5
+OWN_FOLDS = 3
 """The project's first questions have few writers: they are parted by model alone."""
-WRITER_FOLDS = 8
-"""Writers are left out several at a time: a fold for each would take an hour."""
+WRITER_FOLDS = 5
+"""Writers are left out several at a time: a fold takes minutes."""
+MISSING_FOLDS = 3
 KNOWN = ("cad-qa",)
 """Writers who have a fold of their own."""
 REWORDED = "reworded"
@@ -65,7 +64,9 @@ def fold_of(row: Row) -> str:
     writer = row.question.writer
     if writer in OWN:
         return f"{OWN[writer]}-{zlib.crc32(row.question.model.encode()) % OWN_FOLDS}"
-    if writer in KNOWN or asks_for_missing(writer) or ":" in writer:
+    if asks_for_missing(writer):
+        return f"absent-{zlib.crc32(writer.encode()) % MISSING_FOLDS}"
+    if writer in KNOWN or ":" in writer:
         return writer.partition(":")[0]
     if row.question.model.startswith("specified:") and not writer.startswith(REWORDED):
         return f"specified-{zlib.crc32(writer.encode()) % WRITER_FOLDS}"
@@ -84,21 +85,35 @@ def asks_for_missing(fold: str) -> bool:
 
 _SHARED: list[tuple[Sequence[Row], Table, Table, Pairs]] = []
 """The rows, the prior, the weights of all rows, the pairs: what the processes of a cross-validation inherit."""
+Judged = list[tuple[Row, Answered]]
 
 
-def cross_validated(rows: Sequence[Row], prior: Table, jobs: int = 1) -> list[Told]:
-    """Every question, answered by weights that were fitted without its writer and without its model."""
+def cross_validated(rows: Sequence[Row], prior: Table, jobs: int = 1) -> tuple[list[Told], Table]:
+    """Every question, answered by weights that were fitted without its writer and without its model; a calibration.
+
+    The calibration of a fold is fitted on what the others came to when they were left out themselves, the one that is
+    returned on all of that. What the lexicon was written with in view is answered better than what people ask: there it
+    counts `LOOKED_AT`.
+    """
     pairs = Pairs(rows)
     _SHARED[:] = [(rows, prior, fit(balanced(rows), prior), pairs)]
     with ProcessPoolExecutor(jobs, get_context("fork")) as pool:
-        return [one for told in pool.map(_left_out, by_fold(rows)) for one in told]
+        answers = pool.map(_left_out, by_fold(rows))
+    folds = [list(zip(own, given, strict=True)) for own, given in zip(by_fold(rows).values(), answers, strict=True)]
+    told = [one for i, own in enumerate(folds) for one in _told(own, _calibrated([*folds[:i], *folds[i + 1 :]]))]
+    return told, _calibrated(folds)
 
 
-def _left_out(fold: str) -> list[Told]:
+def _left_out(fold: str) -> list[Answered]:
     ((rows, prior, whole, pairs),) = _SHARED
     left_out = by_fold(rows)[fold]
-    table, doubts, weights = weights_of(without(rows, left_out), prior, pairs, whole)
-    return judged(pairs.scored(left_out, weights), table, doubts)
+    table, weights = fitted(without(rows, left_out), prior, pairs, whole)
+    return [replace(answered(row, table), by=None) for row in pairs.scored(left_out, weights)]
+
+
+def _calibrated(folds: Sequence[Judged]) -> Table:
+    told = (one for fold in folds for one in fold)
+    return calibrate([(answer, 1.0 if is_hand(fold_of(row)) else LOOKED_AT) for row, answer in told])
 
 
 def by_fold(rows: Sequence[Row]) -> dict[str, list[Row]]:
@@ -126,50 +141,30 @@ def _count(fold: str) -> int:
     return 1 if is_hand(fold) or fold.startswith("plain") else KNOWN_COUNT
 
 
-def weights_of(
-    rows: Sequence[Row], prior: Table, pairs: Pairs, begin: Table | None = None
-) -> tuple[Table, Table, Weights]:
-    """The weights of features and a calibration fitted on these questions, and the weights of words with programs.
-
-    The calibration looks at questions that parts of the weights had not seen.
-    What the lexicon was written with in view is answered better than what people ask: for how probable an answer is it
-    counts `LOOKED_AT`. `begin`: where fitting begins.
-    """
-    table, weights = _fitted(rows, prior, pairs, begin)
-    folds = by_fold(rows)
-    answers: list[tuple[Answered, float]] = []
-    for part in range(PARTS):
-        names = list(folds)[part::PARTS]
-        seen, seen_pairs = _fitted(without(rows, [row for name in names for row in folds[name]]), prior, pairs, table)
-        for name in names:
-            counts = 1.0 if is_hand(name) else LOOKED_AT
-            answers += [(answered(row, seen), counts) for row in pairs.scored(folds[name], seen_pairs)]
-    return table, calibrate(answers), weights
-
-
-def _fitted(rows: Sequence[Row], prior: Table, pairs: Pairs, begin: Table | None) -> tuple[Table, Weights]:
+def fitted(rows: Sequence[Row], prior: Table, pairs: Pairs, begin: Table | None = None) -> tuple[Table, Weights]:
+    """The weights of features, and of words with programs, fitted on these questions. `begin`: where fitting begins."""
     table = fit(balanced(rows), prior, begin)
     return {**table, FEATURE: 1.0}, pairs.fitted(balanced(rows), table)
 
 
 def judged(rows: Sequence[Row], table: Table, calibration: Table) -> list[Told]:
     """What these weights make of questions."""
-    found = []
-    for row in rows:
-        answer = answered(row, table)
-        reachable = any(one.right for one in row.tried)
-        found.append(
-            Told(
-                fold_of(row),
-                row.question.writer,
-                answer.right,
-                reachable,
-                answer.refused,
-                sure(answer, calibration),
-                row.question.kind == MISSING,
-            )
+    return _told([(row, answered(row, table)) for row in rows], calibration)
+
+
+def _told(answers: Judged, calibration: Table) -> list[Told]:
+    return [
+        Told(
+            fold_of(row),
+            row.question.writer,
+            answer.right,
+            any(one.right for one in row.tried),
+            answer.refused,
+            sure(answer, calibration),
+            row.question.kind == MISSING,
         )
-    return found
+        for row, answer in answers
+    ]
 
 
 def calibration_error(told: Sequence[Told], bins: int = 10) -> float:

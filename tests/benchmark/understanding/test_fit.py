@@ -13,9 +13,9 @@ from benchmark.understanding.cross_validation import (
     Told,
     calibration_error,
     cross_validated,
+    fitted,
     fold_of,
     risk_and_coverage,
-    weights_of,
 )
 from benchmark.understanding.data import MISSING, Question, is_right
 from benchmark.understanding.fit import answered, fit
@@ -131,8 +131,8 @@ def test_no_question_is_judged_by_weights_that_saw_its_writer_or_model() -> None
     rows = [row(f"w{i % 4}", f"own:{i}") for i in range(40)]
     odd = [row("odd", f"own:odd{i}", misleading=True) for i in range(400)]
     everything = [*rows, *odd]
-    assert answered(odd[0], weights_of(everything, {}, Pairs(everything))[0]).right
-    told = cross_validated([*rows, *odd], {})
+    assert answered(odd[0], fitted(everything, {}, Pairs(everything))[0]).right
+    told, _ = cross_validated([*rows, *odd], {})
     assert not any(one.right for one in told if one.writer == "odd")
 
 
@@ -168,6 +168,8 @@ def test_confidence_that_is_honest_has_no_calibration_error() -> None:
         ([0.03, 0.02, 0.01], [0.01, 0.02, 0.03], "size", True),
         ([0.03, 0.02, 0.01], [0.01, 0.02, 0.03], "point", False),
         ("Front", "front", "text", True),
+        (["z", "z"], "z", "text", True),
+        (["z", "x"], "z", "text", False),
         (None, 0.01, "length", False),
     ],
 )
