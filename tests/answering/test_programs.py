@@ -51,6 +51,9 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Get((Measure.DEPTH,), HOLES, Reduce.TOTAL), AnswerType.LENGTH),
     (Get((Measure.DEPTH,), HOLES, Reduce.MEAN), AnswerType.LENGTH),
     (Get((Measure.POSITION,), HOLES), AnswerType.POINT),
+    (Get((Measure.FLOOR_CENTER,), HOLES), AnswerType.POINT),
+    (Get((Measure.MIN_CORNER,), None), AnswerType.POINT),
+    (Get((Measure.MAX_CORNER,), None), AnswerType.POINT),
     (Get((Measure.VOLUME,), None), AnswerType.VOLUME),
     (Get((Measure.MASS,), None, density=7850.0), AnswerType.NUMBER),
     (Get((Measure.CENTER_OF_MASS,), None), AnswerType.POINT),
@@ -413,3 +416,17 @@ def test_holes_are_on_the_side_that_they_open_to_and_others_where_they_are() -> 
     assert "p.normal" in drilled.code
     standing = write(form, {HOLES: ((part("boss-1", normal=(0.0, 0.0, 1.0)),), 0)}, whole(), 0)
     assert "p.normal" not in standing.code
+
+
+def test_an_axis_passes_the_origin_at_less_than_its_middle_does() -> None:
+    form = Distance(HOLES, Origin())
+    apart = [write(form, {HOLES: ((hole(1, 20),), 0)}, whole(), option).code for option in (0, 1)]
+    assert "distance(p.center, (0.0, 0.0, 0.0))" in apart[0]
+    assert "center[2]" not in apart[1]
+    assert "p.center[0]" in apart[1]
+
+
+def test_a_face_is_on_the_side_that_it_looks_to() -> None:
+    face = PartQuery(noun="face")
+    written = write(Towards(face, tuple(Side)), {face: ((part("face-1", normal=(0.0, 0.0, 1.0)),), 0)}, whole(), 0)
+    assert "p.normal[2]" in written.code

@@ -23,6 +23,7 @@ from querycad_contracts import (
     RunStatus,
     Status,
 )
+from querycad_language.forms import Which
 from querycad_language.readings import read
 from querycad_sandbox import Sandbox
 from querycad_segworker.grounding.find import find
@@ -227,3 +228,12 @@ def test_two_names_in_one_question_are_seldom_one_part(other: str, same: float) 
         read(f"How far is the hole from the {other}?"), model.ground, model.whole, Affinity((), model.whole)
     )[0]
     assert asked.features["same_parts"] == same
+
+
+def test_two_that_are_alike_are_hardly_meant_where_one_is_asked_for() -> None:
+    model = view(*(part(f"boss-{i}", (0.02 * i, 0.0, 0.0), width=0.01 * i, sides=()) for i in (1, 2)))
+    question = read("Which is wider, the left boss or the right boss?")
+    found = candidates(question, model.ground, model.whole, Affinity((), model.whole))
+    which = next(one for one in found if isinstance(one.reading.form, Which))
+    assert "value_alike" in with_value(which, "left boss and right boss alike", model.whole.extents).features
+    assert "value_alike" not in with_value(which, "left boss", model.whole.extents).features

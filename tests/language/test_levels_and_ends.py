@@ -99,18 +99,6 @@ def test_what_is_left_below_a_cut_is_not_the_whole_thickness(place: str, whole: 
     assert any(form.measures == (Measure.BOTTOM_THICKNESS,) for form in found)
 
 
-def test_two_ends_that_are_named_are_not_passed_over() -> None:
-    def passed(question: str) -> set[float]:
-        return {
-            reading.features["each_other_passes"]
-            for reading in read(question)
-            if reading.features.get("each_other_passes") is not None
-        }
-
-    assert passed("What is the distance between the lug and the spindle?") == {1.0}
-    assert passed("What is the distance between the lugs of the spindle?") <= {0.0}
-
-
 def written(form: Form, *grounds: tuple[PartQuery, Part]) -> str:
     return write(form, {query: ((one,), 0) for query, one in grounds}, whole(extents=(0.1, 0.1, 0.1))).code
 

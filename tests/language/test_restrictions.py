@@ -161,7 +161,7 @@ def test_what_is_included_owns_no_measure() -> None:
     asks = [form for form in forms("Overall thickness of it, including the rib?") if isinstance(form, Get)]
     assert asks
     assert all(form.target is None and form.overall for form in asks)
-    behind = next(one for one in read("How long is the lever overall?") if isinstance(one.form, Get))
+    behind = next(one for one in read("How long is this lever overall?") if isinstance(one.form, Get))
     assert "overall_part" in behind.features
     over_all = next(one for one in read("Length of the lever incl. the pin") if isinstance(one.form, Get))
     assert "overall_part" in over_all.features

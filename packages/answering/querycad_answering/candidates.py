@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
-from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, queries
+from querycad_language.forms import Count, Distance, Either, Every, Exists, Form, Get, Parts, Reduce, Which, queries
 from querycad_language.lexicon import lexicon
 from querycad_language.readings import Reading
 from querycad_language.weights import weights
@@ -240,7 +240,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
         if "sense_kin" in features:
             features["count_kin"] = 1.0
     features.update(_of_two(form, grounds))
-    features.update(_of_steps(form, written, grounds))
+    features.update(_of_steps(written))
     return features
 
 
@@ -252,42 +252,11 @@ def _of_two(form: Form, grounds: dict[PartQuery, Grounded]) -> Features:
     return {"same_parts": float(len(named) > len(set(named.values())))}
 
 
-def _of_steps(form: Form, written: Written, grounds: dict[PartQuery, Grounded]) -> Features:
-    """Which step of a stepped part is read, and do its adjectives speak of one: 'the large bore'?
-
-    The largest of several is largest by its widest step: then the narrowest, which is its usual size, is not meant.
-    """
-    code = written.code
-    words = {
-        word
-        for query in queries(form)
-        for name in (*query.adjectives, *query.unknown, query.noun)
-        for word in name.split()
-    }
-    ranks = [
-        rank
-        for query in queries(form)
-        for rank in query.ranks
-        if rank.measure in (Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
-    ]
-    words |= {"large" if rank.most else "small" for rank in ranks}
-    if "max(p.radii)" in code or "outer_diameter" in code:
-        return {
-            "step_widest": 1.0,
-            "step_widest_said": float(bool(words & lexicon().steps["widest"])),
-            "step_widest_denied": float(bool(words & lexicon().steps["narrowest"])),
-        }
-    if "min(p.radii)" in code or "inner_diameter" in code:
-        return {
-            "step_narrowest": 1.0,
-            "step_narrowest_said": float(bool(words & lexicon().steps["narrowest"])),
-            "step_narrowest_denied": float(bool(words & lexicon().steps["widest"])),
-        }
-    usual = any(read.expression in ("{0}.radius", "{0}.diameter") for read in written.reads)
-    largest = {query for query in queries(form) for rank in query.ranks if rank.most and rank in ranks}
-    if usual and any(len(part.radii) > 1 for query in largest for part in grounds[query].parts):
-        return {"step_narrowest_denied": 1.0}
-    return {}
+def _of_steps(written: Written) -> Features:
+    """Which step of a stepped part is read? Which words go with it is left to `affinity`."""
+    widest = "max(p.radii)" in written.code or "outer_diameter" in written.code
+    narrowest = not widest and ("min(p.radii)" in written.code or "inner_diameter" in written.code)
+    return {name: 1.0 for name, holds in (("step_widest", widest), ("step_narrowest", narrowest)) if holds}
 
 
 _DECIDABLE = frozenset(("size_dropped", "color_dropped", "denied_dropped"))
@@ -368,6 +337,8 @@ def with_value(candidate: Candidate, value: Any, extents: Sequence[float]) -> Ca
         features["values_several_for_one"] = 1.0
     if isinstance(form, Get) and len(form.measures) == 1 and form.reduce is Reduce.EACH and distinct > 1:
         features["values_differ_for_each"] = 1.0
+    if isinstance(form, Which) and str(value).endswith("alike"):
+        features["value_alike"] = 1.0  # neither is wider: then other parts are meant
     features |= _of_angle(candidate, flat)
     if candidate.written.expects in (AnswerType.LENGTH, AnswerType.LENGTHS):
         sizes = [v for v in listed if isinstance(v, float | int) and not isinstance(v, bool)]

@@ -266,10 +266,14 @@ class Understanding:
     def _certain(self, best: Value, told: float) -> Value:
         """The value with the confidence that it has where every part is named by its id, and no word is passed over.
 
-        Then nothing is left to find: it is as sure as the share of its meaning among all that is told, `told`.
+        Then nothing is left to find: it is as sure as the share of its meaning among all that is told, `told`. So is
+        the centre of the whole, where the words name the whole.
         """
         ids = self.addressed.ids
-        named = ids and is_certain(best.candidate.reading.form) and names_all(best.candidate.reading, ids)
+        form = best.candidate.reading.form
+        whole = isinstance(form, Get) and form.target is None and form.measures == (Measure.POSITION,)
+        named = bool(ids) and is_certain(form) and names_all(best.candidate.reading, ids)
+        named = named or (whole and bool(self.reader.text.at_phrases("whole")))  # 'the center of the object' is one
         sure = max(best.confidence, best.share / told) if named and not skipped(best.candidate) else best.confidence
         if ids and not (names_all(best.candidate.reading, ids) and self._fits(best.candidate)):
             sure = min(sure, PASSED_OVER)

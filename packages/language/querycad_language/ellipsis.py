@@ -32,6 +32,7 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     found: list[Token] = []
     which: tuple[Token, ...] = ()
     told: dict[str, tuple[Token, ...]] = {}
+    ends = ("or", "?") if any(token.word == "or" for token in tokens) else ()
     for at, token in enumerate(tokens):
         way = next((category for category in _TELLING if finds(at - 1, category)), None) if at else None
         end = next((end for end in range(at + 1, at + 1 + MOST_OF_NOUN) if not finds(end, "noun")), at)
@@ -41,7 +42,7 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
             lead = [before.word for before in tokens[max(0, at - 4) : at]]
             if not which and (lead[-1:] in (["which"], ["what"]) or lead[:2] == ["which", "of"]):
                 which = tuple(replace(one, raw=one.word, plural=False) for one in tokens[at:end])  # 'of the two lugs'
-        elif token.word == "or" and way is not None and tokens[at - 2].word == "the":
+        elif token.word in ends and way is not None and tokens[at - 2].word == "the":
             found += which  # 'the upper or the lower one'
         meant = told.get(way or "", which) if token.word == "one" and found and found[-1].word != "which" else ()
         found += (*meant[:-1], replace(meant[-1], plural=token.plural)) if meant else (token,)

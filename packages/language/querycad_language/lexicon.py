@@ -117,8 +117,6 @@ class Lexicon:
     units: dict[str, tuple[float, int]] = field(default_factory=dict)
     spelling: dict[str, str] = field(default_factory=dict)
     irregular: dict[str, str] = field(default_factory=dict)
-    steps: dict[str, frozenset[str]] = field(default_factory=dict)
-    """Words that tell the widest or the narrowest step of a stepped part."""
     uninflected: frozenset[str] = frozenset()
     phrases: dict[str, list[tuple[str, Any]]] = field(default_factory=dict)
     """Phrase to its meanings: (category, value)."""
@@ -224,7 +222,6 @@ def lexicon() -> Lexicon:
         spelling=dict(pair.split(": ") for pairs in words.pop("spelling").values() for pair in pairs),
         irregular=words.pop("irregular"),
         uninflected=frozenset(words.pop("singular")["words"]),
-        steps={step: frozenset(names) for step, names in words.pop("step").items()},
     )  # fmt: skip
     _add_parts(lex, _load("parts"))
     _add_adjectives(lex, _load("adjectives")["adjective"])

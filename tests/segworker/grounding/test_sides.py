@@ -7,7 +7,7 @@ from typing import Any
 from tests.made import body, hole, inventory, part, whole
 from tests.segworker.grounding.plate import DEAD, LARGE, PLATE, SMALL, asked, best, ids
 
-from querycad_contracts import PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Place, Rank, Side
 from querycad_segworker.grounding.find import find
 from querycad_segworker.grounding.ground import ground
 
@@ -65,3 +65,27 @@ def test_a_side_of_what_is_the_whole_restricts_as_one_that_is_said_alone() -> No
 def test_a_side_port_opens_sideways() -> None:
     ports = (hole(1), hole(2, 20, tags=("through", "circular", "horizontal")))
     assert [p.id for p in find(inventory(*ports), "side ports").parts] == ["hole-2"]
+
+
+def test_the_one_beside_another_part_is_the_nearest_there() -> None:
+    near, far = part("slot-1", (0.01, 0.0, 0.0)), part("slot-2", (0.03, 0.0, 0.0), extents=(0.02, 0.01, 0.01))
+    beside = Place(relation="right", what=PartQuery(noun="boss", words=("boss",), definite=True))
+    slot = PartQuery(noun="slot", words=("slot",), definite=True, places=(beside,))
+    model = inventory(part("boss-1"), near, far, part("slot-3", (-0.03, 0.0, 0.0)))
+    assert ids(next(way for way in ground(model, slot) if "place_next" in way.features)) == {"slot-1"}
+    several = slot.model_copy(update={"plural": True})
+    assert ids(next(way for way in ground(model, several) if "place_holds" in way.features)) == {"slot-1", "slot-2"}
+
+
+def test_the_lowest_cut_is_the_one_that_lies_lowest() -> None:
+    high, low = part("groove-1", (0.0, 0.0, 0.02)), part("groove-2", (0.0, 0.0, -0.02), extents=(0.01, 0.01, 0.03))
+    lowest = PartQuery(noun="groove", definite=True, ranks=(Rank(measure=Measure.HEIGHT, most=False),))
+    assert ids(ground(inventory(high, low), lowest)[0]) == {"groove-2"}
+
+
+def test_no_neck_is_a_collar() -> None:
+    flat = ("cylindrical", "circular", "flat")
+    neck = part("boss-1", tags=(*flat, "undercut", "neck"), radius=0.01, diameter=0.02)
+    disc = part("boss-2", (0.02, 0.0, 0.0), tags=flat, radius=0.02, diameter=0.04)
+    collar = PartQuery(noun="collar", words=("collar",), definite=True)
+    assert ids(ground(inventory(neck, disc), collar)[0]) == {"boss-2"}

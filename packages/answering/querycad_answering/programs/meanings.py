@@ -32,6 +32,7 @@ def _end(side: Side) -> str:
 
 _CHAMFER = "chamfer_size; min(extents); ~width"
 """A chamfer is as wide as what it takes off the edge (ISO 13715); across its face is another reading."""
+_FLOOR = f"({', '.join(f'{{0}}.opening[{i}] - {{0}}.depth * {{0}}.normal[{i}]' for i in range(3))})"
 _WINDOW = "extents; [*local_size[:2]]; ~max(extents)"
 _LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs({0}.axis[2])))"
 """Of an axis: to the z axis, and to the horizontal plane."""
@@ -155,6 +156,7 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     **{measure: f"center[{i}]" for i, measure in enumerate(COORDINATES)},
     Measure.POSITION: "center",
     Measure.OPENING: "opening; ~center",
+    Measure.FLOOR_CENTER: {"CUT": f"{_FLOOR}; ~center", "": _end(Side.BOTTOM)},
     Measure.TIP: "tip",
     Measure.DIRECTION: {"CUT": "normal; axis", "": "axis; normal"},
     Measure.APPROACH: "approach[0]",
@@ -284,7 +286,7 @@ def _across(part: Part) -> int | None:
     return next((i for i, j in ((0, 1), (0, 2), (1, 2)) if abs(part.extents[i] - part.extents[j]) < alike), None)
 
 
-_ALWAYS = ("min_corner", "half_extents", "edge_distance", "sides")
+_ALWAYS = ("min_corner", "max_corner", "half_extents", "edge_distance", "sides")
 """What the guest API gives of every part."""
 
 

@@ -150,8 +150,8 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None, 
     return f"min([angle for angle in angles if angle > {SLANT}] or angles)"
 
 
-_DRILLED = frozenset((PartKind.HOLE, PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE))
-"""Kinds that plainly open to one side, that of their wider end."""
+_DRILLED = frozenset(getattr(PartKind, name) for name in ("HOLE", "COUNTERBORE", "COUNTERSINK", "SPOTFACE", "FACE"))
+"""Kinds that plainly open or look to one side."""
 
 
 def _axis_of(side: Side) -> str:

@@ -16,8 +16,8 @@ from .distances import SLACK, distance, overlapping, side_axis
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
 _OF_SHAPE = {
-    "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "half_extents", "volume", "area",
-    "thickness", "name",
+    "width", "depth", "height", "center_of_mass", "center", "extents", "min_corner", "max_corner", "half_extents",
+    "volume", "area", "thickness", "name",
 }  # fmt: skip
 """What the guest's `shape` has; the rest is read of the part that stands for the model."""
 _SIZES = ({Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT}, {Measure.WIDTH, Measure.DEPTH, Measure.HEIGHT})

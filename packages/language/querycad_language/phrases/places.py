@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
+    beside = text.find(at, "place")
+    if beside is not None and beside.value in ("left", "right"):
+        return at  # 'to the left of the collar'
     negated = text.is_word(at, "not", "invisible", "hidden")
     start = text.skip(at + 1, "passing") if negated else at
     seeing, view = text.find(start, "seeing"), text.find(start, "view")
@@ -36,12 +39,14 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
         return end
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
+    at_end = seeing is None and (text.is_word(end - 1, "end") or text.is_word(start, "near"))  # 'at the left end'
+    build.ends += sides if at_end and not negated else []
     other = phrases.at(end + 1, depth + 1) if text.is_word(end, "of") and depth < MAX_DEPTH else None
     if other is not None and other.query is not None:  # 'on the left side of the flange'
-        build.places.append(Place(relation="of", what=other.query, side=sides[0]))
+        build.places.append(Place(relation="of", what=other.query, side=None if at_end else sides[0]))
         return other.end
     end = other.end if other is not None else end
-    (build.unseen if negated else build.sides).extend(sides)
+    (build.unseen if negated else build.sides).extend(sides if negated or not at_end else [])
     return end
 
 

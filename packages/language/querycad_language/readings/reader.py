@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 
-from querycad_language.forms import Distance, Form, Several, Towards, mapped, queries
+from querycad_language.forms import Combine, Distance, Form, Several, Towards, mapped, queries
 from querycad_language.phrases import Mention, placed_in
 from querycad_language.weights import weights
 
@@ -55,6 +55,9 @@ class Reader(Question):
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading
+        operations = self.text.at_phrases("operation")
+        if operations and any(isinstance(one.form, Combine) and operations <= one.used for one in best.values()):
+            best = {form: one for form, one in best.items() if not operations.isdisjoint(one.used)}
         decided = [one for one in best.values() if isinstance(one.form, CLOSED)] if self.closed else []
         whole = any(not one.skipped for one in decided)  # yes or no to every word: no value is asked
         return sorted(decided if whole else best.values(), key=_prior, reverse=True)[:MAX_READINGS]

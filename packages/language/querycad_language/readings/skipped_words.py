@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Facing, Parallel, Uniform, Which
-from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .parses import Parse, Reading
@@ -22,8 +21,6 @@ _CLASSES: tuple[tuple[str, set[str]], ...] = (
     ("adjective", {"adjective"}), ("function", {"side_noun", "article", "axis_preposition", "total"}),
 )  # fmt: skip
 """The class of a word by the categories that the lexicon has it in; the first that fits."""
-_LEADING = ("above", "at", "below", "between", "for", "from", "in", "of", "on", "to", "with")
-"""Prepositions: what stands behind them restricts in different degrees."""
 CLOSED = AtBothEnds | Check | Either | Every | Exists | Facing | Parallel | Uniform | Which
 """Forms whose answer is yes or no, or the one of two."""
 
@@ -34,8 +31,8 @@ class Passable(NamedTuple):
     at: int
     kind: str
     raw: str
-    features: tuple[str, ...]
-    """Of its class, and of the preposition before it."""
+    feature: str
+    """Of its class."""
 
 
 def passable(question: Question) -> list[Passable]:
@@ -52,8 +49,7 @@ def passable(question: Question) -> list[Passable]:
         kind = _class(question, at)
         if kind not in ("function", "courtesy"):
             where = "skip" if question.in_question(at) and depth <= 0 else "aside"
-            feature = f"{where}_{kind}"
-            found.append(Passable(at, kind, token.raw, (feature, *_behind(text, at, feature))))
+            found.append(Passable(at, kind, token.raw, f"{where}_{kind}"))
     return found
 
 
@@ -62,22 +58,11 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     features = {**parse.features, **question.hardness}
     skipped = [word for word in words if word.at not in parse.used]
     for word in skipped:
-        for name in word.features:
-            features[name] = features.get(name, 0.0) + 1.0
-        if word.features[0] == "skip_noun" and word.at + 1 in parse.used and question.text.find(word.at + 1, "measure"):
-            features["skip_compound"] = 1.0  # 'head' of 'head diameter'
+        features[word.feature] = features.get(word.feature, 0.0) + 1.0
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
-    if edits := len(question.text.corrected & parse.used):
-        features["corrected"] = float(edits)
     passed = [(word.kind, word.raw) for word in skipped]
     return Reading(parse.form, features, tuple(passed), frozenset(parse.used))
-
-
-def _behind(text: Text, at: int, feature: str) -> list[str]:
-    """The feature of the preposition in front of a noun: 'from the free end' restricts more than 'for the screw'."""
-    before = range(at - 1, max(at - 5, -1), -1) if feature in ("skip_noun", "skip_unknown") else ()
-    return [f"skip_behind_{text.words[i]}" for i in before if text.is_word(i, *_LEADING)][:1]
 
 
 def _axis_asides(question: Question) -> set[int]:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from querycad_contracts import Grounded, Part, PartQuery, Place, Side
-from querycad_segworker.relations.related import related
+from querycad_segworker.relations.related import DIRECTIONS, nearest, related
 
 from .candidates import Candidate, Request, pruned, score, through
 from .names import all_words
@@ -59,7 +59,6 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
     """The parts that stand so to one way of grounding the place."""
     if grounded.parts[0].kind == "model":
         whole = way.to(way.parts, f"{name}_whole")
-        whole = whole.to(way.parts, "whole_deictic") if place.what and place.what.deictic else whole
         return [whole] if place.side is None else _from_sides(request, whole, [place.side])  # 'from its top'
     floor = place.side is Side.BOTTOM and grounded.parts[0].kind.cuts_in  # 'at the bottom of the pocket' is in it
     side = None if floor else place.side
@@ -77,6 +76,8 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
         return []
     sided = [p for p in kept if side is None or side in p.sides]
     holding = way.to(sided or kept, f"{name}_holds").to(sided or kept, f"{name}_score", _worth(grounded))
+    if place.relation in DIRECTIONS and len(kept) > 1 and not request.query.plural:  # 'the section left of the collar'
+        return [holding.to(nearest(kept, grounded.parts), "place_next"), holding]
     return [holding] if sided or side is None else _from_sides(request, holding, [side])
 
 

@@ -144,8 +144,7 @@ def _ordered(
     ordered = inventory.ordered(way.parts, adjective, count)
     empty = [way.to((), "adjective_empties")] if adjective.tags else []  # the nearest to the middle is not 'central'
     if len(ordered) == len(way.parts):
-        same = way.to(ordered, "adjective_nothing")  # 'the smaller bore' where there is one: a step of it is meant
-        return [same.to(ordered, "comparative_nothing") if lexicon().is_comparative(name) else same, *empty]
+        return [way.to(ordered, "adjective_nothing"), *empty]
     return [
         way.to(ordered, "adjective_order"),
         way.to(way.parts, "adjective_dropped", unchecked=f"'{name}'"),

@@ -78,8 +78,8 @@ def _first_of(request: Request, parts: Sequence[Part], rank: Rank) -> list[Part]
 
 def _values(parts: Sequence[Part], rank: Rank) -> list[float]:
     """What a superlative compares: of stepped holes the diameter that is told of them."""
-    if rank.measure is Measure.HEIGHT and all(p.kind == "hole" for p in parts):
-        return [p.center[2] for p in parts]  # 'the highest hole' by where it is
+    if rank.measure is Measure.HEIGHT and all(p.kind.cuts_in for p in parts):
+        return [p.center[2] for p in parts]  # 'the highest hole', 'the lowest groove': where they are
     sized = rank.measure in (None, Measure.MAGNITUDE, Measure.DIAMETER, Measure.RADIUS)
     if sized and all(p.kind == "face" for p in parts):
         return [p.area or 0.0 for p in parts]
@@ -121,8 +121,7 @@ def single(request: Request, way: Candidate) -> Sequence[Candidate]:
         return [every, *_of_groups(query, way, [group for group in groups if len(group) > 1])]
     if len(groups) == 1:
         alone = len(way.parts) == 1 or any(rank.measure for rank in query.ranks)  # of several largest ones any is it
-        way = way.to(way.parts, "one_for_one" if alone else "alike_for_one")
-        return [way if alone or query.definite else way.to(way.parts, "alike_bare")]  # 'stud height?', 'of a stud'
+        return [way.to(way.parts, "one_for_one" if alone else "alike_for_one")]
     if query.sample:
         groups = []
     elif len(groups) > MOST_GROUPS:
@@ -149,7 +148,6 @@ def _of_groups(query: PartQuery, way: Candidate, groups: Sequence[Sequence[Part]
     for group, own in zip(groups, sizes, strict=True):
         features = {
             "group_for_plural" if query.plural else "group_for_one": True,
-            "group_unchecked": bool(way.unchecked and query.plural),
             "group_one": len(group) == 1,
             "group_largest": own == max(sizes),
             "group_most": len(group) == max(map(len, groups)) > 1,

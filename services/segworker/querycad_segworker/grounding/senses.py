@@ -33,12 +33,6 @@ NAMELESS = frozenset((PartKind.DEPRESSION, PartKind.ELEVATION))
 
 def bases(request: Request) -> Iterator[Candidate]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
-    pointing = request.query.deictic
-    for way in _meant(request):
-        yield (way.to(way.parts, "whole_deictic") if pointing and "whole_sense" in way.features else way)
-
-
-def _meant(request: Request) -> Iterator[Candidate]:
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
     said_nothing = {"the", *lexicon().wholes}
@@ -109,9 +103,8 @@ def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
     if not all(map(is_english, query.noun.split())):
         return
     groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
-    for rank, group in enumerate(groups[:GUESSES]):
-        features = {"guessed": 1.0, "guessed_most": float(rank == 0 and len(group) > 1)}
-        yield Candidate(tuple(group), features, (taken_for(query.noun, group[0].kind),))
+    for group in groups[:GUESSES]:
+        yield Candidate(tuple(group), {"guessed": 1.0}, (taken_for(query.noun, group[0].kind),))
 
 
 def _senses(inventory: Inventory, noun: Noun, query: PartQuery) -> Iterator[Candidate]:

@@ -12,7 +12,7 @@ from .nearby import Nearby, to_nearest
 from .places import RING_M, carries, coaxial, encloses, is_inside, surrounding, touches
 
 STANDING_OUT = frozenset(kind for kind in PartKind if kind.stands_out) | {PartKind.BODY}
-_DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
+DIRECTIONS = {"above": (2, 1), "below": (2, -1), "left": (0, -1), "right": (0, 1), "front": (1, -1), "behind": (1, 1)}
 """(axis, sign) of words for places beside others."""
 
 
@@ -24,7 +24,7 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             having = {p.id for h, near in pairs for p in near if h.id != p.id and is_inside(h, p)}
             return [p for p in found if p.id in having] or next_to(found, holders, nearby)
         case "near":
-            return next_to(found, holders, nearby) or _nearest(found, holders)
+            return next_to(found, holders, nearby) or nearest(found, holders)
         case "between":
             ids = {h.id for h in holders}
             apart = lying_between([p for p in found if p.id not in ids], holders)
@@ -33,8 +33,8 @@ def related(found: Sequence[Part], relation: str, holders: Sequence[Part], nearb
             around = [p for p in found if any(encloses(p, h) for h in holders)]
             edges = [p for p in found if p.kind.breaks_edge]
             return around or next_to(edges, holders, nearby) or _ringed(found, holders)
-        case "above" | "below" | "left" | "right" | "front" | "behind":
-            axis, sign = _DIRECTIONS[relation]
+        case _ if relation in DIRECTIONS:
+            axis, sign = DIRECTIONS[relation]
             first = min((sign * h.center[axis] for h in holders), default=float("inf"))
             return [p for p in found if sign * p.center[axis] - first > 5e-5]
         case "opposite":
@@ -63,7 +63,7 @@ def next_to(found: Sequence[Part], holders: Sequence[Part], nearby: Nearby) -> l
     return [p for p, near in nearby.pairs(found, holders) if any(h.id != p.id and touches(p, h) for h in near)]
 
 
-def _nearest(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
+def nearest(found: Sequence[Part], holders: Sequence[Part]) -> list[Part]:
     """Those that are nearest to a holder, where none meets one: 'the hole next to the slot'."""
     ids = {h.id for h in holders}
     others = [p for p in found if p.id not in ids]

@@ -14,11 +14,12 @@ from querycad_language.phrases import Mention, places_of, replace_fields, withou
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-from .related_parts import floored, rimmed
+from .related_parts import floored, is_cut, rimmed
 
 _ROUND_WALLS = {Measure.OUTER_DIAMETER: "outer cylinder", Measure.INNER_DIAMETER: "inner cylinder"}
 WHOLE = PartQuery(noun="object", words=("object",))
 _ENDS = ("end", "end face")
+_RIMS = ("rim", "edge", "border", "outline")
 NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
@@ -83,7 +84,8 @@ def anchors_of(question: Question) -> list[Spot]:
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
     """Of 'the top face of the flange', 'the left face', 'the floor of the slot': the plane that is meant."""
     sides = (*query.ends, *query.sides)
-    if _is_edge(query):
+    around = rimmed(query) if query.noun in _RIMS else None
+    if _is_edge(query) or (around is not None and not is_cut(around)):  # 'the outer rim of the flange'
         return Boundary(None)
     if (cut := floored(query)) is not None:
         return Plane(Side.BOTTOM, cut)

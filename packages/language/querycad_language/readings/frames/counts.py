@@ -24,7 +24,6 @@ def counts(question: Question) -> Iterator[Parse]:
         if not _counts(question, span) or (text.is_word(span.end, "more", "fewer") and text.has("than")):
             continue  # 'how many more slots than lugs'
         used = set(span.tokens)
-        elsewhere: Features = {} if question.in_question(span.start) else {"count_elsewhere": 1.0}
         at = text.skip(span.end + text.is_word(span.end, "of"), "article")
         different = text.find(at, "different")
         inner = different.end if different else at
@@ -35,11 +34,14 @@ def counts(question: Question) -> Iterator[Parse]:
             yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = question.parts
         owner = next((m for m in question.parts if different and m.start == inner), None)
-        if owner is not None and (size := text.find(owner.end, "measure")):  # 'how many different hole sizes'
+        size = text.find(owner.end, "measure") if owner is not None else None
+        if owner is not None and size is not None:  # 'how many different hole sizes'
             measured = Measure.DIAMETER if size.value in (Measure.SIZE, Measure.MAGNITUDE) else size.value
             values = Count(replace_fields(owner.part, plural=True), measured)
             said = used | owner.used | {*range(at, inner), *size.tokens}
             yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, said)
+        if different and (measure or size):
+            continue  # nobody counts the holes themselves by 'how many different diameters'
         yield from _treated(question, at, used)
         restricted = text.at_phrases("side", "adjective", "operation", "with")
         yield from (of_all := [] if restricted else list(_topology(question, at, used)))
@@ -49,9 +51,9 @@ def counts(question: Question) -> Iterator[Parse]:
         for index, mention in enumerate(after[:3]):
             next_to = index == 0 and not any(map(text.is_content, range(at, mention.start)))
             link = "count_next" if next_to else "count_far"
-            yield from _count_of(text, mention, used, {link: 1.0, **elsewhere}, after[index + 1 :] + before)
+            yield from _count_of(text, mention, used, {link: 1.0}, after[index + 1 :] + before)
         for mention in before[-2:]:
-            yield from _count_of(text, mention, used, {"count_before": 1.0, **elsewhere}, [])
+            yield from _count_of(text, mention, used, {"count_before": 1.0}, [])
 
 
 def _counts(question: Question, span: Span) -> bool:
@@ -98,15 +100,13 @@ def _count_of(
     """How many of them; on each side, or of another part, or of each: 'how many ribs does the lever have?'"""
     each = text.at_words("each", "every", "per")
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
-    noun = text.lexicon.nouns.get(query.noun)
-    of_whole: Features = {"pieces_in": 1.0} if noun is not None and noun.senses[0].kind == ("body",) else {}
     held = places_of(query, "in", "on", "of", "through") if each & set(range(mention.head + 1, mention.end)) else []
     for _, holder in held[:1]:  # 'how many holes are in each flange'
         shares = Combine("per", Count(query), Count(replace_fields(holder, plural=True)))
         yield Parse(shares, {**features, "owner_placed": 1.0}, used | mention.used | each)
     sided = any(text.is_word(i + 1, "side", "face") for i in each)
     if not held and not sided:
-        yield Parse(Count(query), {**features, **(of_whole if query.places else {})}, used | mention.used)
+        yield Parse(Count(query), features, used | mention.used)
     if sided:
         yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
     for owner in others[:2]:
@@ -118,7 +118,7 @@ def _count_of(
             shared = each & {owner.start, owner.start - 1}
             form = Combine("per", owned, Count(replace_fields(owner.query, plural=True))) if shared else owned
             tokens = used | mention.used | owner.used | each | {*(stands.tokens if stands is not None else ())}
-            yield Parse(form, {**features, **of_whole, link: 1.0}, tokens)
+            yield Parse(form, {**features, link: 1.0}, tokens)
 
 
 def exists(question: Question) -> Iterator[Parse]:
@@ -159,8 +159,8 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
     compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
         query, span = mention.query, compared.get(mention.start)
-        if not text.has("end", "side") and not mention.used.isdisjoint(text.at_words("both", "each", "every")):
-            continue  # 'in both flanges': one is not enough
+        if not mention.used.isdisjoint(text.at_words("both", "each", "every")):
+            continue  # 'in both flanges', 'at both ends': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
         many = query.count or (1 if text.is_word(mention.start, "one") else None) if query is not None else None
         if query is not None and many and span is not None:

@@ -97,7 +97,6 @@ def distances(question: Question) -> Iterator[Parse]:
             of_all = Reduce.LARGEST if across else Reduce.SMALLEST if every and near else reduce
             form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
-            features["distance_overall"] = float(question.text.is_word(start - 1, "overall", "total"))
             yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
             if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
                 several = Several(tuple(replace(form, axis=one) for one in axes))
@@ -122,7 +121,8 @@ def _distance_words(question: Question) -> Iterator[_Words]:
         yield _Words(span.start, span.end, "outsides", {*span.tokens, *near})
     for span in text.all("distance", "gap"):
         noun = text.find(span.start, "noun")
-        if question.in_question(span.start) and not (noun and noun.end > span.end):  # a pitch circle is no pitch
+        other = (noun and noun.end > span.end) or text.is_word(span.start - 1, "angular")  # a pitch circle is no pitch
+        if question.in_question(span.start) and not other:
             used = {*span.tokens, *text.at_phrases("between")}
             for at in text.at_words("how") if span.category == "gap" else ():  # 'how wide is the gap'
                 used |= {at, *(scale.tokens if (scale := text.find(at + 1, "scale")) else ())}
@@ -242,6 +242,8 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
     ends = text.at_words("first"), text.at_words("last")
     if all(ends) and min(ends[0]) < max(ends[1]):  # 'from the first hole to the last one'
         return Reduce.LARGEST, ends[0] | ends[1]
+    if ends[0] and text.has("from") and not ends[1]:  # 'how far from the left end to the first hole'
+        return Reduce.SMALLEST, ends[0]
     each = {i for i in text.at_phrases("different") if question.in_question(i)}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 
@@ -259,16 +261,12 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
-    joined = _joined(question, ends)
     neighbors = question.text.at_phrases("neighbor")
     for spots in [*after[:3], *before[-2:]]:
-        for at, anchor, used, plural, mate in spots:
+        for _, anchor, used, _, mate in spots:
             if isinstance(anchor, PartQuery) and not (mate or anchor.also):
-                features: Features = {"each_other": 1.0, "each_other_singular": float(not plural and not neighbors)}
-                features["count_two"] = float(anchor.count == 2)
-                features["each_other_passes"] = float(joined)
-                if at < start:
-                    features["anchor_before"] = 1.0
+                anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
+                features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
                 yield _Pair(anchor, "each other", used | neighbors, features)
     yield from _two(question, before, after)
     yield from _levels(question, ends)
@@ -294,22 +292,6 @@ def _ends(question: Question) -> list[list[Spot]]:
         else:
             found.append([spot])
     return found
-
-
-def _joined(question: Question, ends: Sequence[list[Spot]]) -> bool:
-    """Are two ends named: 'between the slot and the edge', 'from the rim'? Then it is not asked of every two slots."""
-    text = question.text
-    for at in text.at_words("between"):
-        for also in sorted(i for i in text.at_words("and", "to") if i > at):
-            first = any(all(at < i < also for spot in spots for i in spot.used) for spots in ends)
-            if first and any(also < min(min(spot.used) for spot in spots) <= also + 3 for spots in ends):
-                return True
-    begins = {min(min(spot.used) for spot in spots) for spots in ends}
-    return (
-        len(ends) > 1
-        and not text.at_phrases("neighbor")
-        and any(at < begin <= at + 6 for at in text.at_words("from") for begin in begins)
-    )
 
 
 def _two(question: Question, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:

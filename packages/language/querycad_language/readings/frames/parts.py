@@ -14,9 +14,12 @@ from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
 from .named_distances import material
+from .related_parts import is_cut
 
 MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
+_TURNED = ("open", "opens", "face", "facing", "point", "lean", "look")
+"""Verbs of which way something is turned."""
 _WHOLE = (("body",), ("model",))
 
 
@@ -40,9 +43,10 @@ def parts(question: Question) -> Iterator[Parse]:
         measured = not used.issuperset(compared_by)
         is_side = side is not None and mention.start <= side + 1 < mention.end  # 'in which wall is the window'
         if (offered or side is not None) and not (measured or is_side):  # 'which is thicker, the upper or the lower'
-            towards = Towards(replace_fields(query, sides=(), ends=()), offered or tuple(Side))
+            bare = tuple(name for name in query.adjectives if name != "open")  # 'which way does the seat open'
+            towards = Towards(replace_fields(query, sides=(), ends=(), adjectives=bare), offered or tuple(Side))
             yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
-            if index == 0 and (opens := text.at_words("open")):  # 'which side is the box open on'
+            if index == 0 and not is_cut(query) and (opens := text.at_words("open")):  # 'which side is the box open on'
                 inside = Towards(PartQuery(noun="inside", words=("inside",), definite=True), towards.sides)
                 yield Parse(inside, {**features, "opens": 1.0}, named | used | opens)
         lead = range(start, mention.start + 1)
@@ -82,13 +86,17 @@ def _named_by(query: PartQuery) -> Measure:
 
 
 def _asks_for_side(text: Text, at: int) -> bool:
-    """'which side', 'on what face', 'the side on which', 'side with the lug'."""
-    face = text.is_word(at + 1, "face", "wall", "end", "edge", "flank") and text.is_word(at - 1, "on", "in", "at")
+    """'which side', 'on what face', 'which way does it face', 'the side on which', 'side with the lug'."""
+    behind = range(at + 2, min(at + 9, len(text)))
     if text.is_word(at, "which", "what"):
-        return text.is_word(at + 1, "side") or face
-    said = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
-    carries = text.find(at + 2, "have", "carry") or text.is_word(at + 2, "with", "where", "carrying", "having")
-    return said and bool(carries or (text.is_word(at + 2, "on", "in", "at") and text.is_word(at + 3, "which")))
+        turned = text.is_word(at + 1, "way", "direction") and text.has(*_TURNED)
+        carries = any(text.find(i, "have", "carry") for i in behind) or text.is_word(at - 1, "on", "in", "at")
+        end = text.is_word(at + 1, "face", "wall", "end", "edge", "flank")
+        return text.is_word(at + 1, "side") or turned or (end and carries)
+    side = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
+    carries = text.find(at + 2, "have", "carry") is not None or text.is_word(at + 2, "with", "carrying", "having")
+    where = carries or any(text.is_word(i, "where", "which", "that") for i in behind)
+    return where and (side or (text.is_word(at, "the") and text.is_word(at + 1, "end")))
 
 
 def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:

@@ -60,6 +60,8 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
             behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=within(None))
             yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
+        case (Measure.POSITION,) if get.target is not None and (cut := floored(get.target)) is not None:
+            yield Parse(replace(get, measures=(Measure.FLOOR_CENTER,), target=cut), parse.features, parse.used)
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
@@ -152,8 +154,9 @@ def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
 def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How wide is the pulley?', 'the width of the mouth of the slot', 'the angle of the flanks of the groove'."""
     match get.measures:
-        case (Measure.WIDTH,) if target.noun in lexicon().turning:
-            form = replace(get, measures=(Measure.AXIAL_EXTENT,))
+        case measures if Measure.WIDTH in measures and target.noun in lexicon().turning:
+            along = (Measure.AXIAL_EXTENT if one is Measure.WIDTH else one for one in measures)
+            form = replace(get, measures=tuple(along))
             yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):

@@ -9,7 +9,7 @@ from itertools import pairwise
 from querycad_contracts import Measure
 from querycad_language.forms import LONGEST, Get, Reduce, Target
 from querycad_language.measures import EXTENTS, is_length
-from querycad_language.phrases import places_of, replace_fields
+from querycad_language.phrases import replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -51,10 +51,6 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
-            if asked not in asked_for:
-                parse.features["asked_together"] = 1.0
-            elif asked is not asked_for[0]:
-                parse.features["later_measure"] = 1.0
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
             yield from less(question, get, parse.features, parse.used)
@@ -116,14 +112,6 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     features = {**owner.features, f"asked_{asked.how}": 1.0}
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
-        how = [at + 1 for at in text.at_words("how")]
-        lengths = (text.is_word(i, "far", "much") or text.find(i, "scale") or question.unit(i + 1) for i in how)
-        end = asked.measures == (Measure.AXIS,) and text.has("to", "above") and not text.has("what", "which", "where")
-        way = (text.has("from") and text.has("to")) or text.is_word(asked.end, "to")  # 'from pin centre to tip'
-        way = way and not text.has("what", "which", "where", "position", "coordinate", "point")
-        features["vector_for_length"] = float(end or way or any(lengths))
-    if asked.measures == (Measure.HEIGHT,) and places_of(target, "above", "below"):
-        features["height_above"] = 1.0  # 'how high is the window above the floor': not how tall
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
     overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
     counted = text.at_words("incl", "included", "including") and not text.has("not")

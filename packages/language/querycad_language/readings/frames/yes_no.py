@@ -234,7 +234,7 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
     target = named or PartQuery(noun="object")
     for at in range(mention.end, len(text)):
         span = text.find(at, "adjective")
-        if at in mention.used or span is None or not span.value.tags:
+        if at in mention.used or span is None or not span.value.tags or text.is_word(at, "side"):
             continue
         if any(at in one.used for one in others):
             return  # said of another part

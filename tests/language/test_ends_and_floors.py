@@ -1,0 +1,93 @@
+"""Ends that parts lie at, floors and corners as points, neighbours, and which way something is turned."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, PartQuery, Side
+from querycad_language.forms import Angle, Boundary, Distance, Form, Get, Reduce, Towards, Which, queries
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def targets(question: str) -> list[PartQuery]:
+    return [query for form in forms(question) for query in queries(form)]
+
+
+@pytest.mark.parametrize("place", ["at the left end", "on the left end of the spindle", "near the left end"])
+def test_what_is_at_an_end_is_the_one_farthest_out_there_and_not_what_is_seen_from_there(place: str) -> None:
+    found = [query for query in targets(f"How deep is the keyway {place}?") if query.noun == "keyway"]
+    assert any(query.ends == (Side.LEFT,) and not query.sides for query in found)
+    seen = [query for query in targets("How deep is the keyway on the left?") if query.noun == "keyway"]
+    assert any(query.sides == (Side.LEFT,) for query in seen)
+
+
+@pytest.mark.parametrize("words", ["to the right of", "directly to the right of"])
+def test_what_lies_beside_another_part_is_no_side_of_it(words: str) -> None:
+    found = [query for query in targets(f"How wide is the groove {words} the lug?") if query.noun == "groove"]
+    assert any(place.relation == "right" and place.what for query in found for place in query.places)
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("Where is the bottom centre of the blind bore?", Measure.FLOOR_CENTER),
+        ("Where is the middle of the floor of the keyway?", Measure.FLOOR_CENTER),
+        ("The minimum corner of the bounding box?", Measure.MIN_CORNER),
+        ("The bounding box maximum?", Measure.MAX_CORNER),
+        ("Unit normal of the largest face?", Measure.NORMAL),
+    ],
+)
+def test_points_and_directions_have_names_of_their_own(question: str, measure: Measure) -> None:
+    assert any(isinstance(form, Get) and form.measures == (measure,) for form in forms(question))
+
+
+def test_neighbours_are_two_of_all_and_no_group_of_two() -> None:
+    found = [form for form in forms("The distance between two adjacent lugs?") if isinstance(form, Distance)]
+    every = [form.first for form in found if form.second == "each other"]
+    assert every
+    assert all(isinstance(first, PartQuery) and first.count is None for first in every)
+
+
+def test_an_angular_spacing_is_no_distance() -> None:
+    found = forms("The angular spacing of neighbouring lugs?")
+    assert any(isinstance(form, Angle) for form in found)
+    assert not any(isinstance(form, Distance) for form in found)
+
+
+def test_the_rim_of_what_is_no_cut_is_an_edge() -> None:
+    found = [form for form in forms("How far is the keyway from the rim of the lid?") if isinstance(form, Distance)]
+    assert any(Boundary(None) in (form.first, form.second) for form in found)
+    cut = [form for form in forms("How far is the lug from the rim of the slot?") if isinstance(form, Distance)]
+    assert not any(Boundary(None) in (form.first, form.second) for form in cut)
+
+
+def test_the_first_one_from_an_end_is_the_nearest() -> None:
+    found = forms("How far is it from the left end to the first lug?")
+    assert any(isinstance(form, Distance) and form.reduce is Reduce.SMALLEST for form in found)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "Which way does the keyway open?",
+        "Which face of the spindle carries the keyway?",
+        "I need the side of the spindle where the keyway is.",
+    ],
+)
+def test_a_side_may_be_asked_for_in_many_ways(question: str) -> None:
+    found = [form for form in forms(question) if isinstance(form, Towards)]
+    assert any(form.target.noun == "keyway" and "open" not in form.target.adjectives for form in found)
+
+
+def test_a_noun_may_be_missing_at_the_end() -> None:
+    (which, *_) = [form for form in forms("Which lug is wider, the left or the right?") if isinstance(form, Which)]
+    assert which.words == ("left lug", "right lug")
+
+
+def test_the_width_of_what_is_turned_is_axial_beside_its_diameter_too() -> None:
+    found = [form.measures for form in forms("Diameter and width of that collar?") if isinstance(form, Get)]
+    assert (Measure.DIAMETER, Measure.AXIAL_EXTENT) in found
