@@ -31,6 +31,7 @@ OWN_FOLDS = 3
 WRITER_FOLDS = 5
 """Writers are left out several at a time: a fold takes minutes."""
 MISSING_FOLDS = 3
+"""Those who ask for what is missing are few."""
 KNOWN = ("cad-qa",)
 """Writers who have a fold of their own."""
 REWORDED = "reworded"
@@ -86,6 +87,7 @@ def asks_for_missing(fold: str) -> bool:
 _SHARED: list[tuple[Sequence[Row], Table, Table, Pairs]] = []
 """The rows, the prior, the weights of all rows, the pairs: what the processes of a cross-validation inherit."""
 Judged = list[tuple[Row, Answered]]
+"""Questions with their answers by weights that had not seen them."""
 
 
 def cross_validated(rows: Sequence[Row], prior: Table, jobs: int = 1) -> tuple[list[Told], Table]:

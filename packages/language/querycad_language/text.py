@@ -103,11 +103,6 @@ class Text:
         """Is the token here one of these words or symbols?"""
         return 0 <= at < len(self.tokens) and self.words[at] in words
 
-    @cached_property
-    def corrected(self) -> frozenset[int]:
-        """Where words stand whose spelling was mended."""
-        return frozenset(at for at, token in enumerate(self.tokens) if token.corrected)
-
     def has(self, *words: str) -> bool:
         """Does one of these words occur at all?"""
         return not self._said.isdisjoint(words)

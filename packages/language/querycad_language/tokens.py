@@ -177,8 +177,6 @@ class Token:
     power: int | None = None
     measure: Measure | None = None
     plural: bool = False
-    corrected: int = 0
-    """Edits between what was typed and the word that it is taken for."""
 
 
 def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...]:
@@ -265,11 +263,10 @@ def _words(raw: str, names: frozenset[str]) -> list[Token]:
     pieces: tuple[str, ...] = (folded,)
     if folded not in known and folded[:2] == "un" and folded[2:] in lex.adjectives:  # 'unchamfered'
         return [Token("non", raw), Token(folded[2:], raw)]
-    edits = 0
     spellable = TYPO_MIN_LETTERS <= len(folded) <= TYPO_MAX_LETTERS and folded.isalpha()
     if spellable and folded not in known and names.isdisjoint((folded, lower)):
-        pieces, edits = _compound(folded) or _correct(folded)
-    return [Token(piece, raw, plural=folded != spelt, corrected=edits) for piece in pieces]
+        pieces = _compound(folded) or (_correct(folded),)
+    return [Token(piece, raw, plural=folded != spelt) for piece in pieces]
 
 
 @cache
@@ -280,13 +277,13 @@ def _pieces() -> frozenset[str]:
 
 
 @lru_cache(maxsize=4096)
-def _compound(word: str) -> tuple[tuple[str, ...], int] | None:
-    """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives, and no edits."""
+def _compound(word: str) -> tuple[str, ...] | None:
+    """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
     lex, known = lexicon(), _pieces()
     for cut in range(3, len(word) - 2):
         second = lex.singular(word[cut:])
         if word[:cut] in known and second in known:
-            return (word[:cut], second), 0
+            return word[:cut], second
     return None
 
 
@@ -298,7 +295,7 @@ def _spelt_with(first: str) -> tuple[str, ...]:
 
 
 @lru_cache(maxsize=4096)
-def _correct(word: str) -> tuple[tuple[str, ...], int]:
+def _correct(word: str) -> str:
     """The known word that a typing error was made in: one edit, two from nine letters; else the word itself."""
     allowed = 1 if len(word) < 9 else 2
     best = (allowed + 1, word)
@@ -311,8 +308,8 @@ def _correct(word: str) -> tuple[tuple[str, ...], int]:
         if not (substituted and len(word) < 6):
             best = min(best, (int(OSA.distance(word, known, score_cutoff=allowed)), known))
     if best[0] > allowed or is_english(word):  # 'closer' is no slip of 'closed'
-        return (word,), 0
-    return (best[1],), best[0]
+        return word
+    return best[1]
 
 
 def is_english(word: str) -> bool:

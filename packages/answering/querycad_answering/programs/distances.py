@@ -28,7 +28,6 @@ _FLAT = frozenset((PartKind.BODY, PartKind.PRISM, PartKind.RIB, PartKind.PROTRUS
 _PLAY = "sum(found) if len(found) > 1 else 2 * min(found)"  # on both sides
 _CORNERS = 4
 """Of a rectangle: of fewer or more parts there are no two sides."""
-_NONE = [None, None]
 _SIDES = "[d for d in different(found, 1e-05) if d < max(found) - 1e-05]"
 """Of the three distances between corners of a rectangle the longest is its diagonal."""
 _REDUCED = {Reduce.SIDES: _SIDES, Reduce.LARGEST: "max(found)", Reduce.SMALLEST: "min(found)", Reduce.TOTAL: _PLAY}
@@ -146,13 +145,12 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
         apart = f"abs(a.center[{form.axis}] - b.center[{form.axis}])"
         ends = f"a.half_extents[{form.axis}] - b.half_extents[{form.axis}]"
         modes = {"center": apart, "near": f"max(0.0, {apart} - {ends})"}
-    elif (
-        two and (not alike or form.mode == "centers") and (ways := [turned(p) for p in (parts[-1], parts[0])]) != _NONE
-    ):
-        own_axis = None if parts[0].axis is None and ways[0] is not None else ways[1]
-        beside = {ways[0], own_axis}  # from its axis; of two crossing axes the third way
-        planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
-        modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
+    elif two and (not alike or form.mode == "centers"):
+        first, last = turned(parts[0]), turned(parts[-1])
+        beside = {last, first if parts[0].axis is not None or last is None else None} - {None}
+        if beside:  # from an axis; of two that cross the third way
+            planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
+            modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))
 
 

@@ -150,8 +150,8 @@ def _about(build: Builder, first: PartQuery, second: Target, along: int | None, 
     return f"min([angle for angle in angles if angle > {SLANT}] or angles)"
 
 
-_DRILLED = frozenset(getattr(PartKind, name) for name in ("HOLE", "COUNTERBORE", "COUNTERSINK", "SPOTFACE", "FACE"))
-"""Kinds that plainly open or look to one side."""
+_LOOKING = frozenset((PartKind.HOLE, PartKind.COUNTERBORE, PartKind.COUNTERSINK, PartKind.SPOTFACE, PartKind.FACE))
+"""Kinds that plainly open, or look, to one side."""
 
 
 def _axis_of(side: Side) -> str:
@@ -163,7 +163,7 @@ def _axis_of(side: Side) -> str:
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
-    Holes are on the side that they open to.
+    Holes are on the side that they open to, faces on that which they look to.
 
     Or the side that 'most' of them are seen from, those that 'none' is, or how many are from 'each'.
     """
@@ -181,7 +181,7 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
         most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
         return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
     point = "opening" if all(part.opening is not None for part in parts) else "center"
-    facing = " + p.normal[{}]" if all(part.kind in _DRILLED and part.normal is not None for part in parts) else ""
+    facing = " + p.normal[{}]" if all(part.kind in _LOOKING and part.normal is not None for part in parts) else ""
     for side in form.sides:
         i, sign = side_axis(side)
         share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]{facing.format(i)}"

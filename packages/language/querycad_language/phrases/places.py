@@ -39,14 +39,14 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
         return end
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
-    at_end = seeing is None and (text.is_word(end - 1, "end") or text.is_word(start, "near"))  # 'at the left end'
-    build.ends += sides if at_end and not negated else []
+    at_end = seeing is None and not negated and (text.is_word(end - 1, "end") or text.is_word(start, "near"))
     other = phrases.at(end + 1, depth + 1) if text.is_word(end, "of") and depth < MAX_DEPTH else None
     if other is not None and other.query is not None:  # 'on the left side of the flange'
+        build.ends += sides if at_end else []  # 'at the left end of the shaft'
         build.places.append(Place(relation="of", what=other.query, side=None if at_end else sides[0]))
         return other.end
     end = other.end if other is not None else end
-    (build.unseen if negated else build.sides).extend(sides if negated or not at_end else [])
+    (build.unseen if negated else build.ends if at_end else build.sides).extend(sides)
     return end
 
 

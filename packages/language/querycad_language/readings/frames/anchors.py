@@ -47,7 +47,6 @@ class Spot(NamedTuple):
     at: int
     anchor: Anchor
     used: set[int]
-    plural: bool = False
     mate: bool = False
     """Is it the bore for what is named: 'the motor axis' of a mount?"""
 
@@ -60,11 +59,11 @@ def anchors_of(question: Question) -> list[Spot]:
     for mention in question.parts:
         query, used = mention.part, set(mention.used)
         taken |= used
-        found.append(Spot(mention.head, query, used, query.plural))
+        found.append(Spot(mention.head, query, used))
         noun = text.lexicon.nouns.get(query.noun)
         for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
             if noun is not None and noun.senses[0].kind == ("pattern",):
-                found.append(Spot(mention.head, replace_fields(member, plural=True), used, plural=True))
+                found.append(Spot(mention.head, replace_fields(member, plural=True), used))
         body = noun is not None and (noun.product or "body" in noun.senses[0].kind)
         if body and text.is_word(mention.end, "axis", "center", "centerline") and not (query.places or query.sizes):
             bore = PartQuery(noun="bore", words=("bore",), definite=True)

@@ -263,7 +263,7 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     before = [spots for spots in ends if spots[0].at < start]
     neighbors = question.text.at_phrases("neighbor")
     for spots in [*after[:3], *before[-2:]]:
-        for _, anchor, used, _, mate in spots:
+        for _, anchor, used, mate in spots:
             if isinstance(anchor, PartQuery) and not (mate or anchor.also):
                 anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
                 features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
