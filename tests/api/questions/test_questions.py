@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import threading
+import time
 from typing import Any
 
 import httpx
@@ -66,16 +67,19 @@ def test_an_answered_job_holds_the_record(client: httpx.Client, model: str, redi
 def test_who_waits_gets_what_the_job_tells_later(
     client: httpx.Client, model: str, redis: Redis, worker: Questions
 ) -> None:
-    def answer_soon() -> None:
+    def answer_once_asked() -> None:
+        until = time.monotonic() + 10
+        while not redis.llen("questions") and time.monotonic() < until:
+            time.sleep(0.02)
         (key,) = redis.scan_iter("querycad:job:*")
         worker.answer(task_of(redis, str(key).rpartition(":")[2]))
 
-    later = threading.Timer(0.3, answer_soon)
+    later = threading.Thread(target=answer_once_asked)
     later.start()
-    response = ask(client, model, Prefer="wait=2")
+    response = ask(client, model, Prefer="wait=20")
     later.join()
     assert response.status_code == 200
-    assert response.headers["preference-applied"] == "wait=2"
+    assert response.headers["preference-applied"] == "wait=20"
     job = client.get(response.headers["location"]).json()
     assert Job.model_validate_json(response.content).model_dump_json() == response.text
     assert response.json() == job
