@@ -430,3 +430,21 @@ def test_a_face_is_on_the_side_that_it_looks_to() -> None:
     face = PartQuery(noun="face")
     written = write(Towards(face, tuple(Side)), {face: ((part("face-1", normal=(0.0, 0.0, 1.0)),), 0)}, whole(), 0)
     assert "p.normal[2]" in written.code
+
+
+def test_from_a_face_is_along_its_normal() -> None:
+    face = PartQuery(noun="face")
+    grounds = {face: ((part("face-1", (0.05, 0.0, 0.0), normal=(1.0, 0.0, 0.0)),), 0), HOLES: ((hole(1, 10, 8),), 0)}
+    for form, flat in ((Distance(HOLES, face, "centers"), "b"), (Distance(face, HOLES, "centers"), "a")):
+        assert f"zip(a.center, b.center, {flat}.normal)" in write(form, grounds, whole()).code
+
+
+def test_the_back_of_what_is_round_is_one_of_its_ends_or_where_it_reaches_to() -> None:
+    flange, bore = PartQuery(noun="flange"), PartQuery(noun="bore")
+    disc = part("boss-1", (0.0, 0.0, 0.005), kind="boss", axis=(0.0, 0.0, 1.0), extents=(0.08, 0.08, 0.01))
+    grounds = {flange: ((disc,), 0), bore: ((hole(1, 10, 8),), 0)}
+    model = whole(extents=(0.08, 0.08, 0.05))
+    codes = [write(Distance(Plane(Side.BACK, flange), bore), grounds, model, option).code for option in range(3)]
+    assert ["center[2]" in code for code in codes] == [True, True, False]
+    above = write(Distance(Plane(Side.TOP, flange), bore), grounds, model, 0).code
+    assert "center[2]" in above

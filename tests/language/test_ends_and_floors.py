@@ -91,3 +91,18 @@ def test_a_noun_may_be_missing_at_the_end() -> None:
 def test_the_width_of_what_is_turned_is_axial_beside_its_diameter_too() -> None:
     found = [form.measures for form in forms("Diameter and width of that collar?") if isinstance(form, Get)]
     assert (Measure.DIAMETER, Measure.AXIAL_EXTENT) in found
+
+
+def test_what_stands_behind_from_and_to_is_where_a_length_begins_and_ends() -> None:
+    found = [one for one in read("Height of the hub from the seat to the far rim?") if "led_both" in one.features]
+    first = [one.form.first for one in found if isinstance(one.form, Distance)]
+    assert {query.noun for query in first if isinstance(query, PartQuery)} == {"seat"}
+
+
+@pytest.mark.parametrize(
+    "end", ["the nearest end of the rail", "the nearest rail end", "the end of the rail nearest to it"]
+)
+def test_the_nearer_of_two_ends_may_be_said_in_many_ways(end: str) -> None:
+    found = [form.second for form in forms(f"How far is the dowel from {end}?") if isinstance(form, Distance)]
+    ends = [one for one in found if isinstance(one, Boundary) and one.axis is not None and one.of is not None]
+    assert any(one.of.noun == "rail" and not one.of.ranks for one in ends if one.of is not None)

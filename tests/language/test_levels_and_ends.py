@@ -124,6 +124,16 @@ def test_what_lies_within_the_other_along_its_length_stands_out_where_it_does() 
     assert "center[0]" not in code
 
 
+def test_from_a_plate_a_part_stands_out_along_the_thickness_of_the_plate() -> None:
+    """A shelf on its back plate, though it is longest along the plate."""
+    shelf = body(1, "shelf", (0.0, 0.03, 0.0), extents=(0.12, 0.05, 0.008))
+    plate = part("wall-1", extents=(0.1, 0.01, 0.06))
+    form = Distance(Plane(None, SCREW), Plane(None, NUT))
+    grounds = {SCREW: ((shelf,), 0), NUT: ((plate,), 0)}
+    codes = [write(form, grounds, whole(extents=(0.1, 0.1, 0.1)), option).code for option in (0, 1)]
+    assert ["center[1]" in code for code in codes] == [False, True]
+
+
 @pytest.mark.parametrize(
     ("question", "side"),
     [("the lug farthest to the right", Side.RIGHT), ("the lug farthest from the right side", Side.LEFT)],

@@ -31,6 +31,8 @@ _ANGLES = (AnswerType.ANGLE, AnswerType.ANGLES)
 _SQUARE = math.pi / 2
 _ALIKE_RAD = math.radians(0.1)
 """Angles nearer to each other than this are one: directions of freeform and meshed faces are that exact."""
+_DRAFT_RAD = math.radians(15)
+"""Castings and mouldings have less draft; chamfers and countersinks lean more."""
 _VECTORS = {
     *(AnswerType.POINT, AnswerType.POINTS, AnswerType.DIRECTION, AnswerType.DIRECTIONS),
     *(AnswerType.SIZE, AnswerType.SIZES),
@@ -317,6 +319,8 @@ def _of_angle(candidate: Candidate, values: Sequence[float | str]) -> dict[str, 
     angles = [value for value in values if not isinstance(value, str)]
     square = bool(angles) and all(abs(value - _SQUARE) < _ALIKE_RAD for value in angles)
     told = {"value_zero": any(abs(value) < _ALIKE_RAD for value in angles), "value_square": leans and square}
+    drafted = any(read.measure == Measure.DRAFT for read in candidate.written.reads)
+    told["value_steep"] = drafted and any(abs(value) > _DRAFT_RAD for value in angles)
     return {name: 1.0 for name, holds in told.items() if holds and candidate.written.expects in _ANGLES}
 
 

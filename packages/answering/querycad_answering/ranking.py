@@ -38,6 +38,7 @@ _DOUBTS: dict[str, tuple[str, ...]] = {
         "trait_dropped", "trait_unknown", "color_dropped", "thread_dropped", "rank_dropped", "nth_dropped",
         "nth_unchecked",
     ),
+    "denied": ("place_denied", "end_denied"),
     "several": ("values_several_for_one", "several_for_one", "values_differ_for_each"),
     "chosen": ("group_for_one", "group_for_plural"),
     "alike": ("alike_for_one",),

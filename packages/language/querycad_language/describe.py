@@ -96,8 +96,12 @@ def _size(size: SizeFilter) -> str:
 
 
 def _place(place: Place) -> str:
+    if place.what is None:
+        return ""
     relation = {"": "of", "with": "without" if place.negated else "with"}.get(place.relation, place.relation)
-    return f"{relation} {noun_phrase(place.what)}" if place.what is not None else ""
+    if place.side is not None:
+        relation = f"{'on' if relation == 'of' else relation} the {place.side} of"
+    return f"{relation} {noun_phrase(place.what)}"
 
 
 def stated(value: float, measure: Measure | None = None) -> str:

@@ -278,6 +278,28 @@ def test_the_parts_of_a_hinge_are_no_parts_of_the_bodies_that_are_called_so() ->
     assert not any("place_holds" in way.features for way in ways)
 
 
+def test_what_lies_in_another_than_is_named_may_not_be_there() -> None:
+    slots = [part(f"slot-{n}", (x, 0.0, 0.0), extents=(0.02, 0.02, 0.01)) for n, x in ((1, -0.02), (2, 0.03))]
+    for name, denied in (("slot-2", True), ("slot-1", False)):
+        slot = PartQuery(noun="slot", words=("slot",), ids=(name,))
+        ways = ground(inventory(*slots, hole(1, -20)), asked(plural=False, places=(Place(relation="in", what=slot),)))
+        empty = [way for way in ways if not way.parts and "place_empties" in way.features]
+        assert ["place_elsewhere" in way.features for way in empty] == [True] * denied
+        assert any("place_denied" in way.features for way in ways if ids(way) == {"hole-1"}) is denied
+
+
+def test_in_what_the_model_lacks_there_may_be_nothing() -> None:
+    ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="gear", words=("gear",))),)))
+    assert any("place_absent" in way.features and not way.parts for way in ways)
+
+
+def test_what_lies_in_the_other_half_is_not_at_that_end() -> None:
+    for end, denied in ((Side.LEFT, True), (Side.RIGHT, False)):
+        ways = ground(inventory(hole(1, 30)), asked(ends=(end,)))
+        assert any("end_denied" in way.features for way in ways if way.parts) is denied
+        assert any("end_empties" in way.features for way in ways) is denied
+
+
 def test_no_part_lies_in_itself() -> None:
     wide = PartQuery(noun="hole", words=("hole",), ids=("hole-2",))
     inside = asked(places=(Place(relation="in", what=wide),))

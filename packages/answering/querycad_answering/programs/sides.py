@@ -9,7 +9,8 @@ from querycad_contracts.vectors import coordinate_axis, dot, sub
 from querycad_language.forms import Facing, Reduce, Target, Towards
 
 from .builder import Builder, Unwritable
-from .distances import kinds, pairwise, side_axis, turned
+from .distances import pairwise, turned
+from .planes import kinds, side_axis
 
 _PARALLEL = 0.9999
 """Cosine of what is still parallel: 0.8 degrees."""

@@ -12,7 +12,8 @@ from querycad_language.forms import Count, Distance, Form, Get, Reduce
 from querycad_language.measures import SCALARS, answer_type, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
-from .distances import SLACK, distance, overlapping, side_axis
+from .distances import distance, overlapping
+from .planes import SLACK, side_axis
 from .sides import angle_between, at_both_ends, directions, facing, in_line, towards
 
 _OF_SHAPE = {

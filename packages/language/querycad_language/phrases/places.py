@@ -53,7 +53,8 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
 def leads_away(text: Text, at: int) -> bool:
     """Does a 'from' begin here that a distance is measured from?"""
     asked = "far" in text.words[:at] or any(span.end <= at for span in text.all("distance"))
-    return text.is_word(at, "from") and (asked or ("long" in text.words[:at] and "to" in text.words[at:]))
+    sized = any(span.end <= at for span in text.all("measure", "scale"))
+    return text.is_word(at, "from") and (asked or (sized and "to" in text.words[at:]))
 
 
 def _sides(text: Text, at: int) -> tuple[list[Side], int]:

@@ -218,6 +218,13 @@ class Inventory:
             kept = first
         return kept
 
+    def beyond_middle(self, found: Sequence[Part], sides: Sequence[Side]) -> bool:
+        """Do all lie in the other half of the model than one of the sides, by more than a fiftieth of it?"""
+        middle, far = self.model, 0.02 * self.largest
+        if middle is None:
+            return False
+        return any(all(_towards(side, p) < _towards(side, middle) - far for p in found) for side in sides)
+
     def ordered(self, found: Sequence[Part], adjective: Adjective, count: int | None) -> list[Part]:
         """Those that an adjective such as 'large' or 'outer' chooses among parts that differ in a measure or place."""
         if adjective.order is None or len(found) < 2 or self.model is None:

@@ -34,19 +34,37 @@ def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Gro
     if not way.parts or place.what is None:
         return [way]
     name = "compound" if not place.relation else "trait" if place.relation == "with" else "place"
-    held = [after for grounded in holders if grounded.parts for after in _held_by(request, way, place, grounded, name)]
+    there = [grounded for grounded in holders if grounded.parts]
+    ways = [list(_held_by(request, way, place, grounded, name)) for grounded in there]
+    held = [after for one in ways for after in one]
     if place.what.sides and _says_nothing_of(request, place.what, holders):  # 'on the plate visible from the top'
         held = [after for one in held for after in _from_sides(request, one, place.what.sides)]
     if place.relation == "for":
         return [*held, way.to(way.parts, "purpose")]
     said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
-    if any(grounded.parts for grounded in holders):
-        dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)
-        return [*held, dropped] if held else [dropped, way.to((), f"{name}_empties")]
-    unknown = way.to(way.parts, f"{name}_unknown", unchecked=said)
-    if place.relation != "with":
-        return [unknown]
-    return [unknown, way.to(way.parts if place.negated else (), f"{name}_empties")]
+    lacks = not holders or not holders[0].parts  # though other parts may be meant
+    absent = [way.to(way.parts if place.negated else (), "place_absent")] if lacks else []
+    if not there:
+        return [way.to(way.parts, f"{name}_unknown", unchecked=said), *absent]
+    dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)
+    if ways[0] or _are_among(way, place, there[0].parts):
+        return [*held, dropped, *absent]
+    empty = way.to((), f"{name}_empties").to((), f"{name}_score", _worth(there[0]))
+    if _is_elsewhere(request, way, place, there[0].parts):
+        empty = empty.to((), "place_elsewhere")
+    return [*(one.to(one.parts, "place_denied") for one in (*held, dropped)), empty, *absent]
+
+
+def _are_among(way: Candidate, place: Place, holders: Sequence[Part]) -> bool:
+    """Are the holders some of these bodies: 'the parts of this hinge' are no parts of the bodies that are called so."""
+    return place.relation in ("in", "of") and all(part.kind == "body" and part in way.parts for part in holders)
+
+
+def _is_elsewhere(request: Request, way: Candidate, place: Place, holders: Sequence[Part]) -> bool:
+    """Do the parts stand so to others of the holders' kind: 'the slot in the left leg' that is in the right one?"""
+    kinds, ids = {p.kind for p in holders}, {p.id for p in holders}
+    others = [p for p in request.inventory.parts if p.kind in kinds and p.id not in ids]
+    return bool(others and related(way.parts, place.relation, others, request.inventory.nearby))
 
 
 def _says_nothing_of(request: Request, what: PartQuery, holders: Sequence[Grounded]) -> bool:
@@ -63,9 +81,8 @@ def _held_by(request: Request, way: Candidate, place: Place, grounded: Grounded,
     floor = place.side is Side.BOTTOM and grounded.parts[0].kind.cuts_in  # 'at the bottom of the pocket' is in it
     side = None if floor else place.side
     parts = [p for p in grounded.parts if not side or side in p.sides or request.inventory.alone]
-    among = all(part.kind == "body" and part in way.parts for part in grounded.parts)
-    if place.relation in ("in", "of") and among:
-        return []  # 'the parts of this hinge' are no parts of the bodies that are called so
+    if _are_among(way, place, grounded.parts):
+        return []
     kept = related(way.parts, place.relation, parts or grounded.parts, request.inventory.nearby)
     if place.relation:  # nothing is in itself, but 'a flange plate' may be both
         kept = [p for p in kept if p not in grounded.parts] or kept
@@ -103,6 +120,8 @@ def _at_ends(request: Request, way: Candidate, ends: Sequence[Side]) -> Sequence
     if named:
         return [way.to(named, "end_named")]
     farthest = way.to(request.inventory.at_end(way.parts, ends), "end_adjective")
+    if request.inventory.beyond_middle(farthest.parts, ends):  # 'the hole in the left end' that is at the right one
+        return [farthest.to(farthest.parts, "end_denied"), way.to((), "end_empties")]
     seen = _seen(way, ends)
     return [farthest, way.to(seen, "end_seen")] if 0 < len(seen) < len(way.parts) else [farthest]
 

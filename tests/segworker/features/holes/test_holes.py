@@ -15,6 +15,7 @@ from tests.segworker.shapes import (
     cone,
     cut,
     cylinder,
+    edges,
     filleted,
     find,
     fuse,
@@ -277,6 +278,13 @@ def test_a_blind_hole_is_visible_from_the_side_it_opens_to(at: Vec, along: Vec, 
 def test_the_distance_to_the_edge_runs_from_the_rim_to_the_outer_edge() -> None:
     hole = only_hole(cut(plate(), cylinder(5, 30, (20, 3, -25))))
     assert hole.edge_distance == pytest.approx(5 * MM)
+
+
+def test_a_chamfer_of_the_outer_edge_belongs_to_the_plate() -> None:
+    block = plate()
+    around = [edge for edge in edges(block) if edge not in upright(block)]
+    drilled = cut(chamfered(block, 2.0, *around), cylinder(5, 30, (20, 3, -25)))
+    assert only_hole(drilled).edge_distance == pytest.approx(5 * MM)
 
 
 def test_a_chamfered_plate_has_no_holes() -> None:

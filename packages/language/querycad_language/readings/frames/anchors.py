@@ -101,8 +101,9 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
 
 def _owners(question: Question, at: int) -> list[PartQuery]:
     """Whose is 'its end'? What is named before may have it, or what that is in."""
-    before = [mention.part for mention in question.parts if mention.head < at and mention.part.noun not in _ENDS][-1:]
-    return [*(what for part in before for _, what in places_of(part)), *before, WHOLE]
+    before = [mention.part for mention in question.parts if mention.head < at and mention.part.noun not in _ENDS]
+    holders = [what for part in before[-1:] for _, what in places_of(part)]
+    return [*holders, *before[-1:], *(before[:1] if len(before) > 1 else ()), WHOLE]
 
 
 def _is_edge(query: PartQuery) -> bool:
@@ -170,20 +171,27 @@ def outside_walls(question: Question, holder: End) -> Iterator[tuple[PartQuery, 
 
 
 def _nearer_ends(question: Question) -> Iterator[Spot]:
-    """'the nearest end of the base', 'the plate's long edge': the nearer of two opposite ends."""
+    """'the nearest end of the base', 'the end of the panel nearest to it', 'the plate's long edge': the nearer one."""
     text = question.text
     for at in sorted(text.at_words("end", "edge", "side")):
         sized = text.is_word(at - 1, "long", "longer", "longest", "short", "shorter", "shortest")
         lead = at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)
-        along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
-        if along is not None or not (sized or (lead < at and text.is_word(at, "end"))):
-            continue  # 'along the long side' says how a distance is taken
         end = text.skip(at + 1, "side_noun")
         other = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
+        last = other.end if other is not None else end
+        whose = text.words[at - 1] if text.is_word(at - 2, *NEAREST) and text.find(at - 1, "noun") else ""
+        lead = at - 2 if whose else lead  # 'the nearest plate end'
+        after = {i for i in text.at_words(*NEAREST, "next", "beside") if last - 3 <= i <= last}  # may be in the phrase
+        along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
+        if along is not None or not (sized or ((lead < at or after) and text.is_word(at, "end"))):
+            continue  # 'along the long side' says how a distance is taken
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
         across = text.is_word(at - 1, "long", "longer", "longest")
-        used = {*range(lead, other.end if other else end), *(holder.used if holder is not None else ())}
+        used = {*range(lead, last), *(holder.used if holder is not None else ()), *after}
+        used |= {i for at in after for i in (at + 1, at + 2) if text.is_word(i, "to", "it", "them", "that")}
         of = holder.query if holder is not None else None
+        of = replace_fields(of, ranks=(), places=()) if of is not None and after else of
+        of = PartQuery(noun=whose, words=(whose,), definite=True) if whose else of
         yield Spot(at, Boundary(None, of, SHORTER if across else LONGEST), used)
 
 

@@ -312,7 +312,19 @@ def _two(question: Question, before: Sequence[list[Spot]], after: Sequence[list[
                 yield _Pair(replace_fields(one.anchor, plural=True), "each other", one.used | two.used, each)
             if not itself and (isinstance(one.anchor, placed) or isinstance(two.anchor, placed)):
                 mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
-                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate})
+                led = {f"led_{how}": 1.0 for how in _led(question.text, one, two)}
+                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate, **led})
+
+
+def _led(text: Text, one: Spot, two: Spot) -> Sequence[Literal["both", "one"]]:
+    """Do a 'from' and a 'to' stand before the two anchors: 'the height of the cover from the seat to the far rim'?"""
+    begins, ends = text.at_words("from", "between"), text.at_words("to", "and", "until", "till")
+    leads = []
+    for first in (min(one.used), min(two.used)):
+        nouns = [i for i in range(max(first - 3, 0), first) if text.find(i, "noun")]
+        leads.append(set(range(max(max(nouns, default=0), first - 3), first)))
+    both = any(a & begins and b & ends for a, b in (leads, leads[::-1]))
+    return ["both"] if both else ["one"] if any(lead & (begins | ends) for lead in leads) else []
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
