@@ -5,9 +5,23 @@ from __future__ import annotations
 import pytest
 from tests.made import hole, view, whole
 
+from querycad_answering.candidates import Absence
 from querycad_answering.ranking import Ranked, ranked
+from querycad_answering.unanswerable import Refused
 from querycad_answering.understanding import Understanding
-from querycad_contracts import Expectation, FailureCategory, LengthUnit, Program, RunOutcome, RunStatus
+from querycad_contracts import (
+    Expectation,
+    FailureCategory,
+    Grounded,
+    LengthUnit,
+    PartQuery,
+    Place,
+    Program,
+    RunOutcome,
+    RunStatus,
+    Side,
+)
+from querycad_language.readings.reader import Reader
 
 HOLES = (hole(1, -20, faces=(1,)), hole(2, 0, diameter=0.012, depth=0.004, faces=(2,)), hole(3, 20, 9, faces=(3,)))
 
@@ -74,3 +88,19 @@ def test_missing_is_what_is_likelier_than_all_values_together() -> None:
     assert Ranked(values, 1.0).is_absent
     assert Ranked((), 0.1).is_absent
     assert understanding.missing(Ranked(values, 0.0)) is None
+
+
+@pytest.mark.parametrize(
+    ("place", "features", "message"),
+    [
+        ("places", ("place_empties", "place_elsewhere"), "the model has 'hole', but not in the slot"),
+        ("places", ("place_absent",), "the model has no 'slot'"),
+        ("ends", ("end_empties",), "the model has 'hole', but not at the left end"),
+    ],
+)
+def test_what_is_in_another_place_is_told_to_be_there(place: str, features: tuple[str, ...], message: str) -> None:
+    slot = Place(relation="in", what=PartQuery(noun="slot", words=("slot",), definite=True))
+    left = {"places": (slot,)} if place == "places" else {"ends": (Side.LEFT,)}
+    query = PartQuery(noun="hole", words=("hole",), definite=True).model_copy(update=left)
+    missing = Absence(query, Grounded(parts=(), features=dict.fromkeys(features, 1.0)), {})
+    assert Refused(Reader("How deep is it?"), ()).absent(missing).message == message

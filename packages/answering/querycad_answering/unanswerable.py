@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 
-from querycad_contracts import Failure, FailureCategory, Measure
+from querycad_contracts import Failure, FailureCategory, Measure, PartQuery
 from querycad_language.describe import none_such, noun_phrase
 from querycad_language.forms import Check, Get
 from querycad_language.readings import Reader
@@ -75,12 +76,26 @@ class Refused:
             return self.not_grounded(f"'{noun}' is not a part that is known here")
         if "nothing" not in grounded.features and (none := none_such(query)):
             return Failure(category=FailureCategory.NOT_GROUNDED, message=none)
+        if elsewhere := _elsewhere(query, grounded.features):
+            return self.not_grounded(elsewhere)
         narrowed = any(name.endswith("_empties") for name in grounded.features)
         return self.not_grounded((not narrowed and grounded.reason) or f"the model has no '{said}'")
 
     def not_grounded(self, message: str) -> Failure:
         """The failure, with the kinds of part that there are."""
         return Failure(category=FailureCategory.NOT_GROUNDED, message=message, nearest=self.kinds)
+
+
+def _elsewhere(query: PartQuery, features: Mapping[str, float]) -> str:
+    """What the model has in another place than is said, or which place it lacks; '' where it is something else."""
+    if "place_absent" in features and len(query.places) == 1:
+        return f"the model has no '{noun_phrase(query.places[0].what).removeprefix('the ')}'"
+    left = "places" if "place_elsewhere" in features else "ends" if "end_empties" in features else ""
+    if not left:
+        return ""
+    plain, said = noun_phrase(query.model_copy(update={left: ()})), noun_phrase(query)
+    where = said.removeprefix(plain).strip() if left == "places" else f"at the {' '.join(query.ends)} end"
+    return f"the model has '{plain.removeprefix('the ')}', but not {where}"
 
 
 def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:

@@ -20,7 +20,6 @@ MATES_WITHIN = 6
 """Words between a part and the verb that says where it goes."""
 _TURNED = ("open", "opens", "face", "facing", "point", "lean", "look")
 """Verbs of which way something is turned."""
-_WHOLE = (("body",), ("model",))
 
 
 def parts(question: Question) -> Iterator[Parse]:
