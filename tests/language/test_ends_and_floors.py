@@ -106,3 +106,12 @@ def test_the_nearer_of_two_ends_may_be_said_in_many_ways(end: str) -> None:
     found = [form.second for form in forms(f"How far is the dowel from {end}?") if isinstance(form, Distance)]
     ends = [one for one in found if isinstance(one, Boundary) and one.axis is not None and one.of is not None]
     assert any(one.of.noun == "rail" and not one.of.ranks for one in ends if one.of is not None)
+
+
+def test_the_end_next_to_another_part_is_not_the_nearer_one() -> None:
+    found = [
+        form.second
+        for form in forms("How far is the dowel from the end of the rail next to the lug?")
+        if isinstance(form, Distance)
+    ]
+    assert not any(isinstance(one, Boundary) and one.axis is not None for one in found)

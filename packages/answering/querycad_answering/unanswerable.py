@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from querycad_contracts import Failure, FailureCategory, Measure, PartQuery
-from querycad_language.describe import none_such, noun_phrase
+from querycad_language.describe import none_such, noun_phrase, place_phrase
 from querycad_language.forms import Check, Get
 from querycad_language.readings import Reader
 from querycad_language.tokens import DENSITY, Kind
@@ -93,9 +93,9 @@ def _elsewhere(query: PartQuery, features: Mapping[str, float]) -> str:
     left = "places" if "place_elsewhere" in features else "ends" if "end_empties" in features else ""
     if not left:
         return ""
-    plain, said = noun_phrase(query.model_copy(update={left: ()})), noun_phrase(query)
-    where = said.removeprefix(plain).strip() if left == "places" else f"at the {' '.join(query.ends)} end"
-    return f"the model has '{plain.removeprefix('the ')}', but not {where}"
+    plain = noun_phrase(query.model_copy(update={left: ()})).removeprefix("the ")
+    where = map(place_phrase, query.places) if left == "places" else ("at the", *query.ends, "end")
+    return f"the model has '{plain}', but not {' '.join(where)}"
 
 
 def cannot_know(asked: Refused, best: Candidate | None) -> Failure | None:

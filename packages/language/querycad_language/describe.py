@@ -53,7 +53,7 @@ def noun_phrase(query: PartQuery | None, several: bool = False) -> str:
         *map(str.upper, query.threads),
         plural_of(query.noun) if (several or query.plural) and query.noun else query.noun or "part",
     ]
-    tail = [_size(size) for size in query.sizes] + [_place(place) for place in query.places]
+    tail = [_size(size) for size in query.sizes] + [place_phrase(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
     tail += [f"visible from the {' or '.join(query.sides)}"] if query.sides else []
     tail += [f"not visible from the {' or '.join(query.unseen)}"] if query.unseen else []
@@ -95,7 +95,8 @@ def _size(size: SizeFilter) -> str:
     return f"of {named}{RELATIONS.get(size.relation, '')}{stated(size.low, size.measure)}{high}"
 
 
-def _place(place: Place) -> str:
+def place_phrase(place: Place) -> str:
+    """Where parts are, in words: 'in the small boss', 'on the top of the housing'."""
     if place.what is None:
         return ""
     relation = {"": "of", "with": "without" if place.negated else "with"}.get(place.relation, place.relation)

@@ -289,8 +289,11 @@ def test_what_lies_in_another_than_is_named_may_not_be_there() -> None:
 
 
 def test_in_what_the_model_lacks_there_may_be_nothing() -> None:
-    ways = ground(PLATE, asked(places=(Place(relation="in", what=PartQuery(noun="gear", words=("gear",))),)))
-    assert any("place_absent" in way.features and not way.parts for way in ways)
+    gear = Place(relation="in", what=PartQuery(noun="gear", words=("gear",)))
+    assert any("place_absent" in way.features and not way.parts for way in ground(PLATE, asked(places=(gear,))))
+    without = ground(PLATE, asked(places=(gear.model_copy(update={"negated": True}),)))
+    assert ids(without[0]) == {"hole-1", "hole-2", "hole-3"}
+    assert not without[0].unchecked
 
 
 def test_what_lies_in_the_other_half_is_not_at_that_end() -> None:

@@ -161,7 +161,7 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
 def _center_distance(build: Builder, form: Distance) -> str:
     """Between the middles of 'a' and 'b'; of a plane and what is none along the normal of the plane."""
     ends = {x: build.of(q) for x, q in (("a", form.first), ("b", form.second)) if isinstance(q, PartQuery)}
-    flat = [x for x, parts in ends.items() if all(part.kind == "face" and part.normal for part in parts)]
+    flat = [x for x, parts in ends.items() if all(part.kind is PartKind.FACE and part.normal for part in parts)]
     if len(ends) < 2 or len(flat) != 1:
         return "a.center_distance(b)"
     return f"abs(sum((x - y) * n for x, y, n in zip(a.center, b.center, {flat[0]}.normal)))"

@@ -43,7 +43,8 @@ def _at_place(request: Request, way: Candidate, asked: tuple[Place, Sequence[Gro
         return [*held, way.to(way.parts, "purpose")]
     said = f"'{place.relation} {place.what.noun}'".replace("' ", "'")
     lacks = not holders or not holders[0].parts  # though other parts may be meant
-    absent = [way.to(way.parts if place.negated else (), "place_absent")] if lacks else []
+    none = way.to(way.parts, f"{name}_holds") if place.negated else way.to((), "place_absent")
+    absent = [none] if lacks else []  # all holes are without a thread where there is none
     if not there:
         return [way.to(way.parts, f"{name}_unknown", unchecked=said), *absent]
     dropped = way.to(way.parts, f"{name}_dropped", unchecked=said)

@@ -181,14 +181,15 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
         last = other.end if other is not None else end
         whose = text.words[at - 1] if text.is_word(at - 2, *NEAREST) and text.find(at - 1, "noun") else ""
         lead = at - 2 if whose else lead  # 'the nearest plate end'
-        after = {i for i in text.at_words(*NEAREST, "next", "beside") if last - 3 <= i <= last}  # may be in the phrase
+        near = {i for i in text.at_words(*NEAREST, "next", "beside") if last - 3 <= i <= last}  # may be in the phrase
+        after = {i for i in near if text.is_word(i + 1 + text.is_word(i + 1, "to"), "it", "them")}
         along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
         if along is not None or not (sized or ((lead < at or after) and text.is_word(at, "end"))):
             continue  # 'along the long side' says how a distance is taken
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
         across = text.is_word(at - 1, "long", "longer", "longest")
         used = {*range(lead, last), *(holder.used if holder is not None else ()), *after}
-        used |= {i for at in after for i in (at + 1, at + 2) if text.is_word(i, "to", "it", "them", "that")}
+        used |= {i for at in after for i in (at + 1, at + 2) if text.is_word(i, "to", "it", "them")}
         of = holder.query if holder is not None else None
         of = replace_fields(of, ranks=(), places=()) if of is not None and after else of
         of = PartQuery(noun=whose, words=(whose,), definite=True) if whose else of
