@@ -165,11 +165,11 @@ def _mesh(source: Path, kind: FileKind, file_name: str, clock: _Clock) -> tuple[
 
 def _must_be_bounded(what: Shape | Part | Face) -> None:
     """Raises UnreadableFile for a measure that is not finite, or larger than anything that is made."""
-    for name, value in what:
-        numbers = value if isinstance(value, tuple) else (value,)
-        if any(isinstance(number, float) and not abs(number) <= LARGEST_SI for number in numbers):
-            which = f"{type(what).__name__.lower()} {getattr(what, 'id', '')}".strip()
-            raise UnreadableFile(f"the file is damaged: the {name} of {which} is not finite, or beyond all bounds")
+    for name, value in vars(what).items():
+        for number in value if isinstance(value, tuple) else (value,):
+            if isinstance(number, float) and not abs(number) <= LARGEST_SI:
+                which = f"{type(what).__name__.lower()} {getattr(what, 'id', '')}".strip()
+                raise UnreadableFile(f"the file is damaged: the {name} of {which} is not finite, or beyond all bounds")
 
 
 class _Clock:

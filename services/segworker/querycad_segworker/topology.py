@@ -11,6 +11,8 @@ from enum import StrEnum
 from functools import cached_property
 from itertools import combinations
 
+import numpy as np
+
 from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
 from .vectors import Box, box_union, scale, sub, unit
@@ -87,6 +89,13 @@ class Moments:
     center: Vector
     inertia: Matrix
 
+    def positive(self) -> Moments:
+        """The same with a positive amount: faces that point inwards enclose a negative one."""
+        if self.amount >= 0:
+            return self
+        x, y, z = (scale(row, -1.0) for row in self.inertia)
+        return Moments(-self.amount, self.center, (x, y, z))
+
     def in_metres(self, unit_m: float, dimension: int) -> Moments:
         """The same in metres; `unit_m`: the unit it is in; `dimension`: 2 of an area, 3 of a volume."""
         x, y, z = (scale(row, unit_m ** (dimension + 2)) for row in self.inertia)
@@ -98,20 +107,15 @@ NO_MOMENTS = Moments(0.0, (0.0, 0.0, 0.0), ((0.0,) * 3,) * 3)
 
 def together(pieces: Sequence[Moments]) -> Moments:
     """The moments of several pieces as one (parallel axis theorem); of nothing, nothing."""
-    amount = sum(piece.amount for piece in pieces)
-    if not amount:
+    amounts = np.array([piece.amount for piece in pieces])
+    if not amounts.sum():
         return NO_MOMENTS
-    cx, cy, cz = (sum(piece.amount * piece.center[i] for piece in pieces) / amount for i in range(3))
-    total = [[0.0] * 3 for _ in range(3)]
-    for piece in pieces:
-        arm = sub(piece.center, (cx, cy, cz))
-        square = sum(a * a for a in arm)
-        for i in range(3):
-            for j in range(3):
-                steiner = (square if i == j else 0.0) - arm[i] * arm[j]
-                total[i][j] += piece.inertia[i][j] + piece.amount * steiner
-    x, y, z = ((row[0], row[1], row[2]) for row in total)
-    return Moments(amount, (cx, cy, cz), (x, y, z))
+    centers = np.array([piece.center for piece in pieces])
+    center = amounts @ centers / amounts.sum()
+    arms = centers - center
+    steiner = np.eye(3) * (amounts @ (arms**2).sum(axis=1)) - (arms.T * amounts) @ arms
+    x, y, z = map(tuple, (np.sum([piece.inertia for piece in pieces], axis=0) + steiner).tolist())
+    return Moments(float(amounts.sum()), tuple(center.tolist()), (x, y, z))
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,13 +210,17 @@ class Brep:
         met = {pair for edge in self.edges for pair in combinations(sorted(set(edge.faces)), 2)}
         return tuple(sorted(met))
 
-    def neighbours(self, face: int) -> list[tuple[EdgeRecord, int]]:
+    @cached_property
+    def _neighbours(self) -> tuple[tuple[tuple[EdgeRecord, int], ...], ...]:
+        edges = self.edges
+        return tuple(
+            tuple((edges[i], other) for i in own for other in edges[i].faces if other != face)
+            for face, own in enumerate(self.face_edges)
+        )
+
+    def neighbours(self, face: int) -> tuple[tuple[EdgeRecord, int], ...]:
         """Which faces meet this face, and along which edge? One entry an edge; seam edges left out."""
-        found: list[tuple[EdgeRecord, int]] = []
-        for edge_id in self.face_edges[face]:
-            edge = self.edges[edge_id]
-            found.extend((edge, other) for other in edge.faces if other != face)
-        return found
+        return self._neighbours[face]
 
     def beside(self, face: int, convexity: EdgeConvexity) -> list[int]:
         """Which faces meet this face in edges of this convexity? One entry an edge."""

@@ -269,3 +269,28 @@ def test_the_volume_of_a_bolt_is_exact_to_a_millionth() -> None:
     whole = math.pi * (25 * 30 + 81 * 6) - slot
     bore = find(cut(cylinder(5, 30), cylinder(1, 40, (0, -20, 5), (0, 1, 0)))).shape.volume
     assert exact * 1e9 == pytest.approx(whole - (math.pi * 25 * 30 - bore * 1e9), rel=1e-5)
+
+
+@pytest.mark.parametrize("at", [(0.0, 0.0, 0.0), (700.0, -300.0, 50.0)], ids=["at the origin", "far from it"])
+def test_where_the_weight_of_a_turned_block_lies_and_how_it_spreads(at: Vec) -> None:
+    """Plane faces are not integrated: cones between them and a point add up to what the formulas of a block say."""
+    moments = find(box((60, 40, 20), at)).brep.bodies[0].moments
+    assert moments is not None
+    assert [c * 1e3 for c in moments.center] == pytest.approx([a + b for a, b in zip(at, (30, 20, 10), strict=True)])
+    mass = 60 * 40 * 20 * 1e-15  # mm5 in m5
+    about = [mass * (b * b + c * c) / 12 for b, c in ((40, 20), (60, 20), (60, 40))]
+    assert [moments.inertia[i][i] for i in range(3)] == pytest.approx(about, rel=1e-9)
+    oblique = find(turned(box((60, 40, 20), at), OBLIQUE, 40)).brep.bodies[0].moments
+    assert oblique is not None
+    assert sum(oblique.inertia[i][i] for i in range(3)) == pytest.approx(sum(about), rel=1e-8)
+
+
+@pytest.mark.parametrize("hollow", [False, True])
+def test_round_and_plane_faces_give_one_volume_together(hollow: bool) -> None:
+    tube = cut(cylinder(10, 30, (200, 0, 0)), cylinder(6, 30, (200, 0, 0))) if hollow else cylinder(10, 30, (200, 0, 0))
+    body = find(tube).brep.bodies[0]
+    area = math.pi * (100 - 36 * hollow)
+    assert body.volume * 1e9 == pytest.approx(area * 30, rel=1e-9)
+    assert body.moments is not None
+    about = area * 30 * (100 + 36 * hollow) / 2 * 1e-15
+    assert body.moments.inertia[2][2] == pytest.approx(about, rel=1e-8)

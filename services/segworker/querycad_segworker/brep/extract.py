@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from OCP.BRep import BRep_Tool
 from OCP.BRepBuilderAPI import BRepBuilderAPI_Sewing
@@ -13,14 +13,15 @@ from OCP.TopAbs import TopAbs_ShapeEnum
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS, TopoDS_Face, TopoDS_Shape
 
+from querycad_contracts import SurfaceKind
 from querycad_segworker.errors import IncompleteFile
 from querycad_segworker.tolerances import Tolerances
-from querycad_segworker.topology import BodyRecord, Brep, Moments
+from querycad_segworker.topology import BodyRecord, Brep, Moments, together
 from querycad_segworker.vectors import dist
 
 from .boxes import rough_box
 from .faces import METRES_PER_MM, FaceTable
-from .moments import of_volume, placed
+from .moments import of_volume, placed, under_face, under_plane
 from .step import NamedShape, StepContent, compound_of, subshapes
 
 _FACE = TopAbs_ShapeEnum.TopAbs_FACE
@@ -113,14 +114,14 @@ def _bodies(
     loose = [i for i in range(len(table.kernel_faces)) if i not in taken]
     groups.extend((ids, "", None, None) for ids in table.connected(loose))
     bodies: list[BodyRecord] = []
-    volumes = _Volumes()
+    volumes = _Volumes(table)
     for ids, name, color, owning_solid in groups:
-        enclosed = volumes.of([table.kernel_faces[i] for i in ids], owning_solid)
+        enclosed = volumes.of(ids, owning_solid)
         if enclosed.amount < 0:
             table.turn(ids)
         area = sum(table.records[i].area for i in ids) * METRES_PER_MM**2
         closed = owning_solid is not None or table.is_closed(ids)
-        moments = replace(enclosed, amount=abs(enclosed.amount)).in_metres(METRES_PER_MM, 3) if closed else None
+        moments = enclosed.positive().in_metres(METRES_PER_MM, 3) if closed else None
         volume = 0.0 if moments is None else moments.amount
         bodies.append(BodyRecord(len(bodies), name, color, closed, tuple(ids), volume, area, moments))
     if any(not body.is_solid for body in bodies):
@@ -131,17 +132,31 @@ def _bodies(
 class _Volumes:
     """What oriented faces enclose, mm3. Instances of one product differ in place only: integrated once."""
 
-    def __init__(self) -> None:
+    def __init__(self, table: FaceTable) -> None:
+        self._table = table
         self._unplaced = ShapeMap()
         self._known: dict[tuple[int, int], tuple[gp_Trsf, Moments]] = {}
 
-    def of(self, faces: Sequence[TopoDS_Face], solid: TopoDS_Shape | None) -> Moments:
+    def of(self, ids: Sequence[int], solid: TopoDS_Shape | None) -> Moments:
         """The amount is negative where the faces point inwards."""
         if solid is None or solid.Location().Transformation().IsNegative():
-            return of_volume(compound_of(faces))
+            return of_volume(compound_of([self._table.kernel_faces[i] for i in ids]))
         place = solid.Location().Transformation()
-        key = int(self._unplaced.Add(solid.Located(TopLoc_Location()))), len(faces)
+        key = int(self._unplaced.Add(solid.Located(TopLoc_Location()))), len(ids)
         if key not in self._known:
-            self._known[key] = place, of_volume(compound_of(faces))
+            self._known[key] = place, self._enclosed(ids)
         first, moments = self._known[key]
         return placed(moments, place.Multiplied(first.Inverted()))
+
+    def _enclosed(self, ids: Sequence[int]) -> Moments:
+        """Plane faces need no integration once their own moments are known; regular ones no adaptive one."""
+        table = self._table
+        apex = table.records[ids[0]].point
+        return together(
+            [
+                under_plane(record.moments, record.point_normal, apex)
+                if record.kind is SurfaceKind.PLANE and record.id in table.regular
+                else under_face(table.kernel_faces[record.id], apex, adaptive=record.id not in table.regular)
+                for record in map(table.records.__getitem__, ids)
+            ]
+        )

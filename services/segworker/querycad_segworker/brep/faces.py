@@ -105,6 +105,8 @@ class FaceTable:
         self.records: list[FaceRecord] = []
         self._unplaced = ShapeMap()
         self._areas: list[Moments] = []
+        self.regular: set[int] = set()
+        """Planes and quadrics between lines and circles, which the plain integration suits (`moments`)."""
         for index, face in enumerate(self.kernel_faces):
             self._face(index, face)
 
@@ -126,7 +128,10 @@ class FaceTable:
         loops = self._loops(face, _Face(index, adaptor, surface, outward, flip))
         edges_box = box_union(self.edges[e].box for loop in loops for e in loop.edges)
         small, large = self._radii(surface, loops)
-        moments = self._moments(face)
+        bounds = (self.edges[e].kind for loop in loops for e in loop.edges)
+        if adaptor.GetType() in _NATIVE_TYPES and EdgeKind.OTHER not in bounds:
+            self.regular.add(index)
+        moments = self._moments(face, adaptive=index not in self.regular)
         self.records.append(
             FaceRecord(
                 id=index,
@@ -148,13 +153,12 @@ class FaceTable:
             )
         )
 
-    def _moments(self, face: TopoDS_Face) -> Moments:
+    def _moments(self, face: TopoDS_Face, adaptive: bool) -> Moments:
         """Of its area, mm2. Instances of one product share their faces but for the place: each is integrated once."""
         place = face.Location()
         position = int(self._unplaced.Add(face.Located(TopLoc_Location())))
         if position > len(self._areas):
-            found = of_surface(face.Located(TopLoc_Location()))
-            self._areas.append(replace(found, amount=abs(found.amount)))
+            self._areas.append(of_surface(face.Located(TopLoc_Location()), adaptive=adaptive).positive())
         known = self._areas[position - 1]
         return known if place.IsIdentity() else placed(known, place.Transformation())
 
@@ -347,6 +351,7 @@ class FaceTable:
 
 
 _NATIVE_TYPES = (
+    GeomAbs_SurfaceType.GeomAbs_Plane,
     GeomAbs_SurfaceType.GeomAbs_Cylinder,
     GeomAbs_SurfaceType.GeomAbs_Cone,
     GeomAbs_SurfaceType.GeomAbs_Sphere,

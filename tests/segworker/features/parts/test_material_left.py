@@ -39,6 +39,12 @@ def test_below_a_head_and_below_a_slot_is_what_is_left_too() -> None:
     assert gap.bottom_thickness is None
 
 
+def test_below_a_round_trough_is_what_is_left_at_its_lowest_line() -> None:
+    trough = cut(plate(60, 40, 20), cylinder(6, 40, (0, -20, 0), (0, 1, 0)))
+    (found,) = [part for part in find(trough).parts if part.kind in ("slot", "channel", "notch")]
+    assert found.bottom_thickness == pytest.approx(14 * MM)
+
+
 def test_beside_a_hole_is_the_nearest_outer_face_and_no_other_hole() -> None:
     near, far = cylinder(3, 20, (-20, 5, -20)), cylinder(3, 20, (-12, 5, -20))
     found = find(cut(plate(60, 40, 20), near, far))

@@ -61,6 +61,7 @@ def test_a_disc_turned_out_on_both_sides_has_a_rim_and_a_web() -> None:
     (rim,) = [wall for wall in found.of("wall") if "rim" in wall.tags]
     (web,) = [wall for wall in found.of("wall") if "web" in wall.tags]
     assert (rim.thickness, rim.width, web.thickness) == pytest.approx((9 * MM, 22 * MM, 8 * MM))
+    assert min(web.extents) == pytest.approx(8 * MM)
 
 
 @pytest.mark.parametrize(("longer", "length"), [(0, 22), (5, 27)])

@@ -139,6 +139,11 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
         return np.array([face.origin])
     if face.kind is SurfaceKind.SPHERE and part.bottom is Bottom.SPHERICAL:
         return np.array([np.array(face.origin) - face.radius * out])
+    axis, origin = np.array(face.axis), np.array(face.origin)
+    if face.kind is SurfaceKind.CYLINDER and face.outward < 0 and abs(np.dot(axis, out)) < SQUARE:  # a round trough
+        low, high = np.array(face.box)
+        lowest = origin + axis * np.dot(axis, (low + high) / 2 - origin) - face.radius * out
+        return lowest[None] if np.all((lowest > low - LEVEL_M) & (lowest < high + LEVEL_M)) else np.zeros((0, 3))
     if face.kind is SurfaceKind.PLANE and np.dot(face.axis, out) > FACES_UP:
         corners = mesh.vertices_m[mesh.triangles[triangles]]
         sizes = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)

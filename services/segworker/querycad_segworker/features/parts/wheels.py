@@ -73,6 +73,12 @@ def _is_in(ring: Hole, boss: Boss) -> bool:
     )
 
 
+def _as_thick(extents: Vector, normal: Vector, thickness: float) -> Vector:
+    """The extents of the recesses on both sides, but along an axis of the file as thick as what is between them."""
+    x, y, z = (thickness if abs(part) > 1 - ON_AXIS else extent for extent, part in zip(extents, normal, strict=True))
+    return (x, y, z)
+
+
 def _webs(brep: Brep, rings: Sequence[Hole]) -> Iterator[Part]:
     """Between two recesses that open opposite ways, of one axis."""
     for i, a in enumerate(rings):
@@ -93,7 +99,7 @@ def _webs(brep: Brep, rings: Sequence[Hole]) -> Iterator[Part]:
                 label=f"web, thickness {millimetres(thickness)}, between hub and rim",
                 faces=faces,
                 center=mid(*floors),
-                extents=box_extents(faces_box(brep, faces)),
+                extents=_as_thick(box_extents(faces_box(brep, faces)), a.normal, thickness),
                 axis=a.normal,
                 normal=a.normal,
                 thickness=thickness,
