@@ -94,7 +94,7 @@ def test_the_width_of_what_is_turned_is_axial_beside_its_diameter_too() -> None:
 
 
 def test_what_stands_behind_from_and_to_is_where_a_length_begins_and_ends() -> None:
-    found = [one for one in read("Height of the hub from the seat to the far rim?") if "led_both" in one.features]
+    found = [one for one in read("Height of the hub from the seat to the far rim?") if one.features.get("led") == 1.0]
     first = [one.form.first for one in found if isinstance(one.form, Distance)]
     assert {query.noun for query in first if isinstance(query, PartQuery)} == {"seat"}
 

@@ -49,7 +49,7 @@ def test_a_length_is_in_the_unit_that_is_asked_for(runtime: EmbeddedRuntime, uni
 
 
 def test_several_values_are_no_one_value(runtime: EmbeddedRuntime) -> None:
-    found = fill(runtime, BEARING, {"type": "length", "question": "What is the diameter of the holes?"})
+    found = fill(runtime, BEARING, {"type": "length", "question": "What are the diameters of the holes?"})
     assert found.status == "unsure"
     assert "there are several: 9 mm (each of 4)" in found.reason
 

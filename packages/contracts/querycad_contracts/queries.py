@@ -75,6 +75,8 @@ class Measure(StrEnum):
     AREA = "area"
     OPENING_AREA = "opening_area"
     """Within the rim of an opening."""
+    CROSS_SECTION_AREA = "cross_section_area"
+    """Of what is extruded, or the mean of what is long: cut across its length."""
     VOLUME = "volume"
     MASS = "mass"
     CENTER_OF_MASS = "center_of_mass"

@@ -10,12 +10,9 @@ from .tokens import Token
 Finds = Callable[[int, str], bool]
 """Does a phrase of the category begin at the token?"""
 
-_LONGEST = 12
-"""Tokens of a topic; longer ones are clauses of their own."""
-MOST_OF_NOUN = 3
-"""Words of a noun behind 'which'."""
-_TELLING = ("side", "adjective", "most", "least", "ordinal")
-"""What tells parts of one name apart."""
+_LONGEST = 12  # tokens of a topic; longer ones are clauses of their own
+MOST_OF_NOUN = 3  # words of a noun behind 'which'
+_TELLING = ("side", "adjective", "most", "least", "ordinal")  # what tells parts of one name apart
 _PRONOUNS = ("it", "they", "them")
 _MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
 """What is said of parts without 'are': 'which emerge at the back'."""

@@ -77,10 +77,8 @@ class Get:
     measures: tuple[Measure, ...]
     target: Target
     reduce: Reduce = Reduce.ONE
-    density: float | None = None
-    """kg/m3, of a mass."""
-    overall: bool = False
-    """A length over all, with the head of a screw."""
+    density: float | None = None  # kg/m3, of a mass
+    overall: bool = False  # a length over all, with the head of a screw
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,8 +106,7 @@ class Distance:
     'beyond both': the lesser at the two ends;
     'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;
     'on diameter': what a bore has more than what runs in it."""
-    axis: int | None = None
-    """0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model."""
+    axis: int | None = None  # 0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model
     reduce: Reduce = Reduce.ONE
 
 
@@ -149,7 +146,7 @@ class Combine:
 class Check:
     """Does the value compare so with a stated one, or with another value?"""
 
-    left: Get | Count | Distance | Combine
+    left: Get | Count | Distance | Angle | Combine
     relation: Relation
     low: float | Get | Count | Distance
     high: float | None = None
@@ -239,8 +236,7 @@ class Towards:
     target: PartQuery
     sides: tuple[Side, ...]
     seen: Literal["", "most", "none", "each"] = ""
-    axes: bool = False
-    """Is a side called by the axis that it looks along: '+x'?"""
+    axes: bool = False  # is a side called by the axis that it looks along: '+x'?
 
 
 Form: TypeAlias = (

@@ -51,12 +51,9 @@ class Noun:
 
     name: str
     senses: tuple[Sense, ...]
-    product: bool = False
-    """It may name the whole model."""
-    apart: bool = False
-    """Said apart it means the same: 'the bore of the cylinder'."""
-    measure: Measure = Measure.MAGNITUDE
-    """What is asked where no measure is said: 'fork gap?' asks how wide it is."""
+    product: bool = False  # it may name the whole model
+    apart: bool = False  # said apart it means the same: 'the bore of the cylinder'
+    measure: Measure = Measure.MAGNITUDE  # what is asked where no measure is said: 'fork gap?' asks how wide it is
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +115,7 @@ class Lexicon:
     spelling: dict[str, str] = field(default_factory=dict)
     irregular: dict[str, str] = field(default_factory=dict)
     uninflected: frozenset[str] = frozenset()
-    phrases: dict[str, list[tuple[str, Any]]] = field(default_factory=dict)
-    """Phrase to its meanings: (category, value)."""
+    phrases: dict[str, list[tuple[str, Any]]] = field(default_factory=dict)  # phrase to its meanings: (category, value)
     longest: int = 1
 
     def add(self, category: str, value: Any, phrases: Iterable[str]) -> None:

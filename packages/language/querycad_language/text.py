@@ -23,8 +23,7 @@ EXTENTS = ("over_all", "facewise", "outside_to_outside", "surface_to_surface")
 """Categories of the adverbs that say from where to where, such as 'end to end'."""
 ROUNDED = ("radius", "fillet", "filleted", "rounded", "rounding", "round", "blend", "blended")
 """Words that tell that the edges are rounded which a question speaks of."""
-BREAKS = frozenset((".", "?", "!", ";", ":"))
-"""Symbols that end a clause for good."""
+BREAKS = frozenset((".", "?", "!", ";", ":"))  # symbols that end a clause for good
 
 
 class Text:

@@ -7,8 +7,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Any
 
-ALONE = "alone"
-"""The family of features whose first word no other has."""
+ALONE = "alone"  # the family of features whose first word no other has
 
 
 @cache

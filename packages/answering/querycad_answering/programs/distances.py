@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -128,9 +129,10 @@ def pairwise(build: Builder, first: PartQuery, second: forms.Target, expression:
 
 
 def _has_likes(parts: Sequence[Part]) -> bool:
-    """Are some of several round parts of one diameter, and others not? How far apart they are is asked of like ones."""
-    sizes = [round(part.diameter or 0.0, 5) for part in parts]
-    return 1 < len(set(sizes)) < len(sizes) and all(sizes)
+    """Have half of several round parts or more, not all, one of their diameter? Distances are asked of like ones."""
+    sizes = Counter(round(part.diameter or 0.0, 5) for part in parts)
+    alike = sum(number for number in sizes.values() if number > 1)
+    return len(sizes) > 1 and 2 * alike >= len(parts) and all(sizes)
 
 
 def _between(build: Builder, form: Distance, two: bool) -> str:
@@ -152,7 +154,7 @@ def _between(build: Builder, form: Distance, two: bool) -> str:
     elif two and (not alike or form.mode == "centers"):
         first, last = turned(parts[0]), turned(parts[-1])
         beside = {last, first if parts[0].axis is not None or last is None else None} - {None}
-        if beside:  # from an axis; of two that cross the third way
+        if beside and ".normal" not in modes["center"]:  # from an axis; of two that cross the third way
             planar = (f"(a.center[{i}] - b.center[{i}]) ** 2" for i in range(3) if i not in beside)
             modes["axis"] = f"({' + '.join(planar)}) ** 0.5"
     return build.chosen({name: modes[name] for name in names if name in modes}, kinds(parts))

@@ -176,6 +176,11 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.INCLINATION: f"inclination; ~{_RISE}",
     Measure.MASS: "volume",
     Measure.AREA: "area; ~opening_area",  # of a window the opening may be meant, of a hole its wall
+    Measure.CROSS_SECTION_AREA: {
+        "hole": "math.pi * {0}.radius**2; ~opening_area",
+        "CUT": "opening_area",
+        "": "{0}.volume / max({0}.extents); ~{0}.area",
+    },
     Measure.INERTIA: "[{0}.inertia[i][i] for i in range(3)]",
     Measure.FILL: {"model": f"100 * {{0}}.volume / {_BOX}"},
     Measure.LONG_AXIS: {

@@ -273,11 +273,11 @@ def _compared(build: Builder, form: Get | Count | Distance) -> str:
     return "other"
 
 
-def _kind(form: Get | Count | Distance | forms.Combine) -> AnswerType:
+def _kind(form: Get | Count | Distance | forms.Angle | forms.Combine) -> AnswerType:
     if isinstance(form, forms.Combine):
         return AnswerType.NUMBER if form.operation in ("ratio", "share") else _kind(form.left)
-    if isinstance(form, Count):
-        return AnswerType.COUNT
+    if isinstance(form, Count | forms.Angle):
+        return AnswerType.COUNT if isinstance(form, Count) else AnswerType.ANGLE
     return answer_type(Measure.LENGTH if isinstance(form, Distance) else form.measures[0])
 
 
@@ -326,6 +326,8 @@ def _check(build: Builder, form: forms.Check) -> str:
         case Distance():
             apart = distance(build, replace(form.left, reduce=Reduce.SMALLEST))[0]
             values = "found" if apart.startswith("found") else apart if apart.startswith("[") else f"[{apart}]"
+        case forms.Angle(first, second):
+            values = f"[{angle_between(build, first, second)}]"
         case Get(measures, PartQuery() as target):
             values = _values(build, measures[0], target)
             if measures[0] is Measure.MASS:

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from querycad_contracts import PartQuery, Place, Rank, Side, SizeFilter
 from querycad_language.lexicon import Span
 
-MAX_DEPTH = 3
-"""Places within places within places: deeper ones are no questions."""
+MAX_DEPTH = 3  # places within places within places: deeper ones are no questions
 GENERIC = frozenset(("object", "body", "section"))
 """Nouns that behind another one add nothing: 'the pipe piece', 'the adapter plate body'."""
 
@@ -20,8 +19,7 @@ class Mention:
     start: int
     end: int
     query: PartQuery | None
-    used: frozenset[int]
-    """Tokens whose meaning is in the query, function words of the phrase included."""
+    used: frozenset[int]  # tokens whose meaning is in the query, function words of the phrase included
     head: int
     pronoun: bool = False
     plural: bool = False

@@ -17,8 +17,7 @@ if TYPE_CHECKING:
     from .reader import Phrases
 
 _OPENING = ("open", "opens", "break", "breaks", "out")
-_GAP = ("be", "do", "seeing", "function", "have")
-"""Words that may lead to a modifier: 'that are', 'which has'."""
+_GAP = ("be", "do", "seeing", "function", "have")  # words that may lead to a modifier: 'that are', 'which has'
 
 
 def modifiers(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
@@ -88,6 +87,8 @@ def _leads(text: Text, at: int) -> bool:
         return True  # 'that are both through and wider than 6 mm'
     if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
         return False
+    if text.is_possessive(at):
+        return False  # "the flange's corners" are no corner flange
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
     return not verb or text.is_word(at - 1, "that", "which", "where")
 
@@ -150,8 +151,6 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     end = text.skip(at, "passing", "do", "negation")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     tags = build.lacking if negated else build.adjectives
-    if text.find(end, "emerging", "stopping"):
-        return _ending(text, at, end, tags)
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation", "each")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -162,20 +161,6 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     tags.append("through")
     side = text.find(text.skip(end + 2, "article"), "side") if text.is_word(end + 1, "to") else None  # 'to the back'
     return inner + 1 if all_of_it else side.end if side is not None else end + 1
-
-
-def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
-    """'that come out on the other side', 'that stop inside the material'."""
-    place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
-    if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
-        tags.append("blind")
-        return place + 1
-    if text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back"):
-        for across in range(place, place + 5):
-            if text.find(across, "side_noun"):
-                tags.append("through")
-                return across + 1
-    return at
 
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -313,4 +298,8 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)
-    return other.end
+    more = text.skip(other.end + 1, "except") if text.is_word(other.end, "and", "or", ",") else other.end
+    again = span is not None and (more > other.end + 1 or (more > other.end and text.find(more, "article")))
+    second = phrases.at(more, depth + 1) if again else None  # 'besides the slit and (besides) the keyway'
+    build.excluded += [second.query] if second is not None and second.query is not None else []
+    return second.end if second is not None else other.end

@@ -6,19 +6,18 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
 
-from querycad_contracts import PartQuery
+from querycad_contracts import PartQuery, Place
 from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .head import head_of, mention_of
 from .mention import MAX_DEPTH, Mention, PhraseBuilder, placed_in, replace_fields
-from .places import seen
+from .places import placed, seen
 from .postmodifiers import modifiers
 from .premodifiers import before_noun
 
-MAX_LEAD = 20
-"""Tokens of a phrase up to its noun; twice as many as people say."""
+MAX_LEAD = 20  # tokens of a phrase up to its noun; twice as many as people say
 
 
 class Phrases:
@@ -42,6 +41,15 @@ class Phrases:
         """The parts that are named here within a phrase; none within too many others."""
         mention = self.at(start, depth + 1, joined=False) if depth < MAX_DEPTH else None
         return mention if mention is not None and mention.query is not None else None
+
+    def place(self, start: int) -> tuple[Place | None, int]:
+        """The place by another part that begins here, apart from what is there, and where it ends."""
+        for read in (placed, seen):
+            build = PhraseBuilder()
+            end = read(self, start, build, 0)
+            if build.places:
+                return build.places[0], end
+        return None, start
 
     def mentions(self) -> list[Mention]:
         """The noun phrases of the text from left to right, none inside another."""
@@ -68,10 +76,6 @@ class Phrases:
         found = [m for m in found if m.head not in self.included]
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if self._counted(m) and not self.text.is_word(m.start - 1, "or")), None)
-        if left and named is None and left[0].part.noun and (others := self.text.at_words("other", "rest")):
-            named = replace(left[0], query=replace_fields(left[0].part, ranks=(), plural=True))
-            kept = [replace(named, used=named.used | others)]  # 'without the tallest lugs, the others are how many'
-            left, named = left[:1], kept[0]
         if not left or named is None:
             return found
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))

@@ -20,14 +20,12 @@ STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 _CUTS = frozenset(kind.value for kind in PartKind if kind.cuts_in)
 _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _SECTIONS = ("part", "section", "portion", "end")
-_PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}
-"""What closes a hollow model there."""
+_PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}  # what closes a hollow model there
 _CUT_BY = {
     "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
     "bored": "bore", "grooved": "groove", "filleted": "fillet",
 }  # fmt: skip
-MAX_OWNERS = 12
-"""Parts further away are hardly meant; no question that was collected names more."""
+MAX_OWNERS = 12  # parts further away are hardly meant; no question that was collected names more
 
 
 class Owner(NamedTuple):

@@ -6,10 +6,20 @@ import math
 from collections.abc import Iterable
 from functools import cached_property
 from itertools import pairwise
+from typing import NamedTuple
 
-from querycad_contracts import PartQuery
+from querycad_contracts import PartQuery, Place
 from querycad_language.phrases import Mention, Phrases, replace_fields
 from querycad_language.text import Text
+
+
+class Holder(NamedTuple):
+    """A place of parts that is said apart from them, with its tokens."""
+
+    place: Place
+    used: frozenset[int]
+    feature: str = "held_topic"
+    noun: str | None = None  # of the parts that are there; none where any may be
 
 
 class Question:
@@ -38,20 +48,22 @@ class Question:
         return found
 
     @cached_property
-    def holders(self) -> list[tuple[Mention, str, str | None]]:
-        """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How broad is it?'
-
-        With the relation that others have to it, and the noun of those others; none where any may have it.
-        """
-        text, found = self.text, list[tuple[Mention, str, str | None]]()
+    def holders(self) -> list[Holder]:
+        """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How broad is it?'"""
+        text, found = self.text, list[Holder]()
         first = self.parts[0] if self.parts else None
         if first is not None and text.skip(0, "article") >= first.start and text.is_word(first.end, ":", ","):
-            found.append((first, "of", None))
+            found.append(Holder(Place(relation="of", what=first.part), first.used))
+        for start, _ in self.text.sentences:  # 'On the flange, how deep is …?', 'In it there are holes. …'
+            place, end = self.phrases.place(start)
+            leads = text.is_word(end, ",", ":", "-", "there") or text.find(end, "ask", "count", "be", "do")
+            found += [Holder(place, frozenset(range(start, end)), "held_place")] if place is not None and leads else []
         for one, other in pairwise(self.parts):
             joined = text.find(one.end, "have") and text.skip(one.end, "have", "article") >= other.start
             said = joined and not any(text.find(i, "ask") for i in range(one.start))
             if said and not self.in_question(one.start):
-                found += [(one, "of", other.part.noun), (other, "with", one.part.noun)]
+                found.append(Holder(Place(relation="of", what=one.part), one.used, "held_of", other.part.noun))
+                found.append(Holder(Place(relation="with", what=other.part), other.used, "held_with", one.part.noun))
         return found
 
     @cached_property
@@ -200,19 +212,19 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
 def _adds_nothing(text: Text, start: int, end: int) -> bool:
     """Does a sentence name nothing: 'Which ones?', 'If so, what are they?'"""
     words = range(start, end)
-    asks = ("noun", "measure", "scale", "count", "side", "verbs", "reach")
+    asks = ("noun", "measure", "scale", "count", "side", "verbs", "reach", "distance", "gap")
     return end - start <= LONGEST_ECHO and not any(
         text.is_content(i) or text.is_word(i, "how") or text.find(i, *asks) for i in words
     )
 
 
-LONGEST_ECHO = 6
-"""Words of a question that only asks which of those before are meant."""
+LONGEST_ECHO = 6  # words of a question that only asks which of those before are meant
 _IN_TAGS = ("confirm", "be", "do", "modal", "negation", "pronoun", "article", "function", "whole")
 _TOLD = (",", "you", "we", "number", "value", "dimension", "count", "with")
 _CLAIMED = ("confirm", "negation")
 _ASKS_IF = (
-    "me", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us", "test", "look",
+    "me", "true", "yes", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us",
+    "test", "look",
 )  # fmt: skip
 """Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
 _CONFIRMS = ("confirm", "verify", "check", "ensure", "true", "correct", "right", "sure")

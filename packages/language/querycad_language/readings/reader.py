@@ -9,7 +9,7 @@ from functools import cached_property
 from itertools import islice
 
 from querycad_language.forms import Combine, Distance, Form, Several, Towards, mapped, queries
-from querycad_language.phrases import Mention, placed_in
+from querycad_language.phrases import Mention, replace_fields
 from querycad_language.weights import weights
 
 from .frames.comparisons import comparisons
@@ -21,15 +21,12 @@ from .frames.predicates import predicates
 from .frames.values import values, wholes
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
-from .question import Question, seen_from
+from .question import Holder, Question, seen_from
 from .skipped_words import CLOSED, finished, passable
 
-MAX_VIEWS = 2
-"""Sides that are said apart from a part; nobody says more."""
-MAX_READINGS = 14
-"""More are never looked at; those that the words link best come first."""
-MAX_DRAFTS = 150
-"""Parses of one frame: twice as many as any question that was collected has."""
+MAX_VIEWS = 2  # sides that are said apart from a part; nobody says more
+MAX_READINGS = 14  # more are never looked at; those that the words link best come first
+MAX_DRAFTS = 150  # parses of one frame: twice as many as any question that was collected has
 FRAMES: tuple[Callable[[Question], Iterator[Parse]], ...] = (
     counts, named_distances, distances, overhangs, insertions, opposites, angles, comparisons, yes_no, predicates,
     values, wholes, mating, parts, exists,
@@ -45,7 +42,7 @@ class Reader(Question):
         """The readings, those that the words link best first."""
         parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
         parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
-        parses += [one for parse in parses for holder in self.holders[:MAX_VIEWS] for one in _held(parse, *holder)]
+        parses += [one for parse in parses for holder in self.holders[:MAX_VIEWS] for one in _held(parse, holder)]
         words = passable(self)
         best: dict[Form, Reading] = {}
         for parse in parses:
@@ -74,14 +71,13 @@ def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
     yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
 
 
-def _held(parse: Parse, holder: Mention, relation: str, noun: str | None) -> Iterator[Parse]:
+def _held(parse: Parse, holder: Holder) -> Iterator[Parse]:
     """The form of the parts that are so by what was named before: 'Small boss: bore diameter?'"""
     target = next(queries(parse.form), None)
-    if target is not None and noun in (None, target.noun) and not parse.used & holder.used:
-        placed = placed_in(target, relation, holder.part)
+    if target is not None and holder.noun in (None, target.noun) and not parse.used & holder.used:
+        placed = replace_fields(target, places=(*target.places, holder.place))
         form = mapped(parse.form, lambda query: placed if query == target else query)
-        name = "held_topic" if noun is None else f"held_{relation}"
-        yield Parse(form, {**parse.features, name: 1.0}, parse.used | holder.used)
+        yield Parse(form, {**parse.features, holder.feature: 1.0}, parse.used | holder.used)
 
 
 def _prior(reading: Reading) -> float:

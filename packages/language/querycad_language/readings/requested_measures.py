@@ -26,6 +26,10 @@ _EXTENDING = {
 }  # fmt: skip
 """Measures that a hollow part has twice: outside, and of the space within."""
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
+_JOINTS = ("and", ",", "x", "/", "&", "+", "plus", "its", "as", "well", "by", "followed", "then")
+_INTO = ("into", "inside", "in")
+_GOING = ("go", "goe", "goes", "milled", "cut", "drilled", "bored", "machined", "run", "extend", "reach", "sink", "let")
+"""Verbs of what goes into something."""
 _MEASURED = ("its", "the", "a", "when", "it", "is", "measured", "taken", "so", "as", "i", "e", "meaning", "that", "be")
 _ACROSS = (Measure.ACROSS_FLATS, Measure.ACROSS_CORNERS, Measure.DIAGONAL)
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
@@ -74,9 +78,6 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
         size = kept[-1] if kept and kept[-1].measures[0] in (Measure.MAGNITUDE, Measure.SIZE) else None
         joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
         joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
-        if size and asked.how == "verb" and asked.measures == size.measures:  # 'how many mm does it measure in height'
-            kept[-1] = replace(size, used=size.used | asked.used)
-            continue
         narrower = asked.how == "noun" and asked.measures[0] not in (Measure.MAGNITUDE, Measure.SIZE)
         if size and len(size.measures) == 1 and narrower and joined:
             used = size.used | asked.used | {*range(begin - 1, asked.start)}
@@ -156,6 +157,9 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
     ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
         return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
+    into, going = ({i for i in text.at_words(*words) if at < i < at + 14} for words in (_INTO, _GOING))
+    if text.is_word(at + 1, "far") and into and going:  # 'how far into the hub is the slot milled'
+        return Requested(at, at + 2, (Measure.DEPTH,), "reach", used=frozenset((at, at + 1, *into, *going)))
     return None
 
 
@@ -277,7 +281,7 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
     measures, end = [span.value], span.end
     while True:
         after = end
-        while text.is_word(after, "and", ",", "x", "/", "&", "+", "as", "well", "by", "followed", "then"):
+        while text.is_word(after, *_JOINTS):
             after += 1
         after = text.skip(after, "article")
         again = after > end and text.find(after, "adjective") is not None and span.start > 0

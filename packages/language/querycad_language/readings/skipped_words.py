@@ -31,8 +31,7 @@ class Passable(NamedTuple):
     at: int
     kind: str
     raw: str
-    feature: str
-    """Of its class."""
+    feature: str  # of its class
 
 
 def passable(question: Question) -> list[Passable]:

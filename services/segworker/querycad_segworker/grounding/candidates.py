@@ -12,8 +12,7 @@ from querycad_language.weights import weights
 
 from .inventory import Inventory
 
-BEAM = 12
-"""So many candidates of a query are followed; the rest speaks against itself."""
+BEAM = 12  # so many candidates of a query are followed; the rest speaks against itself
 
 
 @dataclass(frozen=True, slots=True)

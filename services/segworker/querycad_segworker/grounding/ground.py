@@ -18,8 +18,7 @@ STEPS: tuple[Step, ...] = (
     colored, threaded, narrowed, sized, placed, seen, excepted, joined, ranked, counted, single,
 )  # fmt: skip
 """What happens to the parts that the noun means, in this order."""
-KEPT = 64
-"""So many queries a model keeps grounded: those of a question are a dozen, each asked for once a program."""
+KEPT = 64  # so many queries a model keeps grounded: those of a question are a dozen, each asked for once a program
 
 
 def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int = 0) -> list[Grounded]:

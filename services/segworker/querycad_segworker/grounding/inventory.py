@@ -18,16 +18,13 @@ from querycad_segworker.vectors import dot
 from .names import all_words, holds, share, vocabulary
 from .printed import printed_labels
 
-CORNER_SHARE = 0.5
-"""In a corner is what lies at least half-way out to two edges."""
-CORE_TOLERANCE_M = 0.005e-3
-"""Cores are no drill sizes: who draws one gives it three digits of a millimetre."""
+CORNER_SHARE = 0.5  # in a corner is what lies at least half-way out to two edges
+CORE_TOLERANCE_M = 0.005e-3  # cores are no drill sizes: who draws one gives it three digits of a millimetre
 SMALL_UNIFIED = {"4-40", "6-32", "8-32", "10-24", "10-32"}
 """Unified threads below 1/4 inch whose tap drills are taken for threads: the others are near metric clearance holes."""
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
-WIDE = 0.7
-"""A flange or plate is at least this wide, compared with the widest."""
+WIDE = 0.7  # a flange or plate is at least this wide, compared with the widest
 _IMPLIED = {
     "chamfer": ("beveled", "chamfered"),
     "round": ("rounded",),
@@ -36,8 +33,7 @@ _IMPLIED = {
     "gear": ("toothed",),
 }
 """Attributes that all parts of a kind have."""
-_ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}
-"""What is up and down in the view from above."""
+_ON_PAPER = {Side.TOP: Side.BACK, Side.BOTTOM: Side.FRONT}  # what is up and down in the view from above
 _TURNED = {"vertical": "horizontal", "horizontal": "vertical"}
 
 

@@ -13,8 +13,7 @@ from .names import all_words
 
 _LYING = {Side.FRONT: Side.TOP, Side.BACK: Side.BOTTOM}
 """What people call front and back of a flange or plate that lies."""
-MOST_DEEP = 3
-"""Places are looked at in queries that stand in no more others than that."""
+MOST_DEEP = 3  # places are looked at in queries that stand in no more others than that
 
 
 def placed(request: Request, way: Candidate) -> Sequence[Candidate]:

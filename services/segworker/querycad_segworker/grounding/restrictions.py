@@ -13,15 +13,13 @@ from .candidates import Candidate, Request, kept, through
 from .inventory import THREAD_TOLERANCE_M, Inventory, values_of
 from .names import all_words
 
-DRAWN_M = 0.05e-3
-"""Stated sizes are met to drawing accuracy, or to half of their last digit."""
+DRAWN_M = 0.05e-3  # stated sizes are met to drawing accuracy, or to half of their last digit
 SURFACES = frozenset(kind for kind in PartKind if kind.is_surface) - {PartKind.FACE}
 """Kinds that are inner or outer by themselves: the outer cylinders are all of them, not those farthest out."""
 THREAD_M = (0.02e-3, THREAD_TOLERANCE_M)
 """Holes of a thread have a diameter of its tables, two digits of a millimetre; where none has, one near to it."""
 _COMPARED = (Relation.LESS, Relation.AT_MOST, Relation.MORE, Relation.AT_LEAST)
-NEAR = 0.02
-"""A nominal size may differ by this share from what is modelled."""
+NEAR = 0.02  # a nominal size may differ by this share from what is modelled
 
 
 def colored(request: Request, way: Candidate) -> Sequence[Candidate]:

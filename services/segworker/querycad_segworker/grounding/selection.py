@@ -13,10 +13,8 @@ from querycad_segworker.vectors import dot
 
 from .candidates import Candidate, Request, kept, through
 
-LARGER = 1.2
-"""What is so much larger than all others stands out by its size."""
-MOST_GROUPS = 8
-"""Of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine."""
+LARGER = 1.2  # what is so much larger than all others stands out by its size
+MOST_GROUPS = 8  # of more sizes only the largest is a reading of 'the hole': nobody means the fourth of nine
 
 
 def excepted(request: Request, way: Candidate) -> Iterator[Candidate]:

@@ -24,8 +24,7 @@ KIN = (
     (*(kind for kind in PartKind if kind.breaks_edge), PartKind.TORUS),
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
-GUESSES = 6
-"""So many groups of like parts may be what an unknown noun means."""
+GUESSES = 6  # so many groups of like parts may be what an unknown noun means
 _GENERIC = {"whole_generic": 1.0, "whole_sense": 1.0}
 NAMELESS = frozenset((PartKind.DEPRESSION, PartKind.ELEVATION))
 """Kinds of what no family has taken: a word means them where it means nothing else."""

@@ -10,7 +10,7 @@ from querycad_contracts import Measure, PartQuery, Place, Side
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, MassCentre, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import ENDS
-from querycad_language.phrases import Mention, places_of, replace_fields, without
+from querycad_language.phrases import Mention, placed_in, places_of, replace_fields, without
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
@@ -19,7 +19,7 @@ from .related_parts import floored, is_cut, rimmed
 _ROUND_WALLS = {Measure.OUTER_DIAMETER: "outer cylinder", Measure.INNER_DIAMETER: "inner cylinder"}
 WHOLE = PartQuery(noun="object", words=("object",))
 _ENDS = ("end", "end face")
-_RIMS = ("rim", "edge", "border", "outline")
+_RIMS = ("rim", "edge", "border", "outline", "outer edge", "plate edge", "outside edge")
 NEAREST = ("nearest", "closest", "nearer", "closer")
 End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 
@@ -47,8 +47,7 @@ class Spot(NamedTuple):
     at: int
     anchor: Anchor
     used: set[int]
-    mate: bool = False
-    """Is it the bore for what is named: 'the motor axis' of a mount?"""
+    mate: bool = False  # is it the bore for what is named: 'the motor axis' of a mount?
 
 
 def anchors_of(question: Question) -> list[Spot]:
@@ -76,7 +75,7 @@ def anchors_of(question: Question) -> list[Spot]:
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
-    found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
+    found += [*planes_of(question), *_nearer_ends(question), *_outsides(question), *_around(question)]
     return sorted(found, key=lambda one: one.at)
 
 
@@ -162,12 +161,13 @@ def _outsides(question: Question) -> Iterator[Spot]:
             yield Spot(span.start, wall, set(range(min(owner.start, span.start), max(owner.end, span.end))))
 
 
-def outside_walls(question: Question, holder: End) -> Iterator[tuple[PartQuery, set[int]]]:
-    """The round walls of a part that its diameters name, with their words."""
-    noun = holder.noun if isinstance(holder, PartQuery) else None
-    for spot in _outsides(question):
-        if isinstance(spot.anchor, PartQuery) and any(what.noun == noun for _, what in places_of(spot.anchor)):
-            yield spot.anchor, spot.used
+def _around(question: Question) -> Iterator[Spot]:
+    """'to the outside of the hub': its outer wall, where it is round."""
+    for at in sorted(question.text.at_words("outside", "exterior", "periphery")):
+        owner = question.phrases.at(at + 2, 1) if question.text.is_word(at + 1, "of") else None
+        if owner is not None and owner.query is not None:
+            wall = PartQuery(noun="outer cylinder", words=("outer", "cylinder"), definite=True)
+            yield Spot(at, placed_in(wall, "of", owner.query), set(range(at, owner.end)))
 
 
 def _nearer_ends(question: Question) -> Iterator[Spot]:
@@ -200,10 +200,10 @@ def planes_of(question: Question) -> list[Spot]:
     """'the underside of the head', 'the flange's top face', 'the plate top': outer planes of parts."""
     text = question.text
     found: list[Spot] = []
-    for at in sorted(text.at_words("lowest", "highest")):  # 'the lowest point of the bore'
+    for at in sorted(text.at_words("lowest", "highest", "bottommost", "topmost")):  # 'the lowest point of the bore'
         pointed = question.phrases.at(at + 3, 1) if text.is_word(at + 1, "point", "spot") else None
         if pointed is not None and pointed.query is not None:
-            outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest") else Side.TOP, pointed.query)
+            outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest", "bottommost") else Side.TOP, pointed.query)
             found.append(Spot(at, outermost, set(range(at, pointed.end))))
     for at in range(len(text)):
         side = text.find(at, "side")

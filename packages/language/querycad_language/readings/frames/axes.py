@@ -49,7 +49,7 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
 
 def _along(text: Text, at: int) -> tuple[int, set[int]] | None:
     """'along its length', 'across the width': the axis that a preposition here leads to."""
-    owned = next((i + 1 for i in range(at + 1, at + 5) if text.is_possessive(i)), at + 1)  # 'the plate's width'
+    owned = next((i + 1 for i in range(at + 1, at + 8) if text.is_possessive(i)), at + 1)  # 'the plate's width'
     side = text.find(text.skip(owned, "article", "pronoun"), "measure", "adjective")
     word = text.words[side.start] if side is not None else ""
     if side is None or not (word in _SIDES or word in _MEASURES):

@@ -50,17 +50,17 @@ def _compared(question: Question) -> Iterator[Parse]:
     measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
     measure, used = _of_noun(question, measure, used)
     times = comparative.start - 1 - text.is_word(comparative.start - 1, "as")  # '2 times as wide', 'many times wider'
-    ratio = times if text.is_word(times, "time") else None
-    factor = text.tokens[times - 1].value if ratio is not None and text.tokens[times - 1].kind is Kind.NUMBER else None
+    ratio = text.is_word(times, "time")
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide', 'as long as the block is deep'
-    if ratio is not None and factor is not None:
+    if ratio and text.tokens[times - 1].kind is Kind.NUMBER:
         used.update(range(times - 1, comparative.start))
-        yield Parse(Check(Combine("ratio", a, b), Relation.EQUAL, factor), {"check": 1.0}, used | {start})
+        factor = Check(Combine("ratio", a, b), Relation.EQUAL, text.tokens[times - 1].value)
+        yield Parse(factor, {"check": 1.0}, used | {start})
     elif any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
-        yield Parse(Combine("apart" if ratio is None else "ratio", a, b), {"combined": 1.0}, used)
-        if ratio is None and measure is Measure.HEIGHT and left.query and right.query:  # how much higher it ends
+        yield Parse(Combine("ratio" if ratio else "apart", a, b), {"combined": 1.0}, used)
+        if not ratio and measure is Measure.HEIGHT and left.query and right.query:  # how much higher it ends
             tops = Distance(Plane(Side.TOP, left.query), Plane(Side.TOP, right.query))
             yield Parse(tops, {"combined": 1.0, "level_top": 1.0}, used)
     elif text.find(start, "be", "do") or text.is_word(start, "which") or question.closed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from querycad_contracts import Measure, PartQuery, Side
+from querycad_contracts import Measure, PartQuery, Relation, Side
 from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
@@ -166,8 +166,15 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
         if query is not None and many and span is not None:
             several = Count(replace_fields(query, count=None, plural=True, sample=False))
             yield Parse(Check(several, span.value, float(many)), features, used | mention.used | {*span.tokens})
+        elif query is not None and (text.is_word(mention.start - 1, "no") or text.is_word(mention.start, "no")):
+            none = Check(Count(replace_fields(query, plural=True)), Relation.EQUAL, 0.0)  # 'are there no slots?'
+            yield Parse(none, features, used | mention.used | {mention.start - 1})
         elif query is not None:
             yield Parse(Exists(query), features, used | mention.used)
+            if query.count and query.count > 1 and not query.definite:  # 'has it three legs?'
+                several = Count(replace_fields(query, count=None, plural=True, sample=False))
+                stated = {**features, "stated_count": 1.0}
+                yield Parse(Check(several, Relation.EQUAL, float(query.count)), stated, used | mention.used)
 
 
 def _having(question: Question) -> int | None:

@@ -23,7 +23,6 @@ from .anchors import (
     Spot,
     anchors_of,
     ends_between,
-    outside_walls,
     pairs_named,
     plane_of,
     planes_of,
@@ -32,20 +31,23 @@ from .axes import axes_listed, axis_named
 from .related_parts import floored, is_cut, rimmed
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
-NEAR = 3
-"""Words between 'over the outsides' and the measure that it belongs to."""
+NEAR = 3  # words between 'over the outsides' and the measure that it belongs to
 _ROUND = (PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY)
-_RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _HIGH = (Measure.HEIGHT, Measure.CENTER_HEIGHT, Measure.Z)
 _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
-_WEBS = ("web", "bridge", "land", "ligament", "partition")
+_AGAINST = ("from", "against", "relative", "compared", "off", "to", "with")
+"""Words that lead to what something leans against."""
+_STOPS = ("hit", "meet", "stop", "reach", "strike", "bottom")
+_ACROSS = (Measure.WIDTH, Measure.THICKNESS, Measure.LENGTH)
+_WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "bar", "rib")
 """What is left between two cuts."""
-_REACHES = ("projection", "overhang", "protrusion")
-_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang")
+_REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
+_UNDER = ("under", "underneath", "beneath")
+_BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "off", *_UNDER)
 
 
 class _Words(NamedTuple):
@@ -90,7 +92,8 @@ def distances(question: Question) -> Iterator[Parse]:
                     other = second if isinstance(second, PartQuery) else None
                     yield Parse(Angle(first, other), {"angle_of_parts": 1.0}, used | more)
                 continue
-            if reduce is Reduce.SMALLEST and isinstance(second, PartQuery) and mode == "usual":
+            nearest = reduce is Reduce.SMALLEST and not extreme & question.text.at_words("first")
+            if nearest and isinstance(second, PartQuery) and mode == "usual":
                 mode = "surfaces"  # the shortest way from one to the other
             every = second == "each other" and reduce is Reduce.ONE
             across, near = every and opposed, question.text.covered("least") - more  # 'the two closest holes'
@@ -191,8 +194,13 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
             apart |= {at + 2} if text.is_word(at + 2, "in", "inwards", "up", "down", "along") else set()
-            yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
-    elif (scale := text.find(at + 1, "scale")) and scale.value.measure is Measure.HEIGHT:
+            stops = text.at_phrases("contact") | text.at_words(*_STOPS)
+            moves = text.at_words("until", "till", "before") if stops else set[int]()
+            yield _Words(at, at + 2, "surfaces" if moves else "usual", {at, at + 1} | apart | moves)
+    elif (scale := text.find(at + 1, "scale")) and scale.value.measure in _ACROSS:
+        if apart or (text.has("from") and text.has("to")):  # 'how wide is it from the pin to the slot'
+            yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *apart})
+    elif scale is not None and scale.value.measure is Measure.HEIGHT:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
             yield _Words(at, scale.end, "centers", set(range(at, scale.end)), level=True)
     elif scale is not None and scale.value.measure is Measure.DEPTH:
@@ -254,15 +262,13 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     for spot in chain.from_iterable(named):
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
-            for wall, used in outside_walls(question, second):  # 'the wall between the bore and the hub OD'
-                yield _Pair(first, wall, spot.used | used, {"place_between": 1.0})
             if second == "each other":
                 yield from _with_next(question, named, spot, first)
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
     neighbors = question.text.at_phrases("neighbor")
-    for spots in [*after[:3], *before[-2:]]:
+    for spots in [*after[:3], *before[-3:]]:
         for _, anchor, used, mate in spots:
             if isinstance(anchor, PartQuery) and not (mate or anchor.also):
                 anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
@@ -312,19 +318,19 @@ def _two(question: Question, before: Sequence[list[Spot]], after: Sequence[list[
                 yield _Pair(replace_fields(one.anchor, plural=True), "each other", one.used | two.used, each)
             if not itself and (isinstance(one.anchor, placed) or isinstance(two.anchor, placed)):
                 mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
-                led = {f"led_{how}": 1.0 for how in _led(question.text, one, two)}
+                led = {"led": _led(question.text, one, two)}
                 yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate, **led})
 
 
-def _led(text: Text, one: Spot, two: Spot) -> Sequence[Literal["both", "one"]]:
-    """Do a 'from' and a 'to' stand before the two anchors: 'the height of the cover from the seat to the far rim'?"""
+def _led(text: Text, one: Spot, two: Spot) -> float:
+    """Do a 'from' and a 'to' stand before the two anchors: 'the height from the seat to the rim'? 0.5: one of both."""
     begins, ends = text.at_words("from", "between"), text.at_words("to", "and", "until", "till")
     leads = []
     for first in (min(one.used), min(two.used)):
         nouns = [i for i in range(max(first - 3, 0), first) if text.find(i, "noun")]
         leads.append(set(range(max(max(nouns, default=0), first - 3), first)))
     both = any(a & begins and b & ends for a, b in (leads, leads[::-1]))
-    return ["both"] if both else ["one"] if any(lead & (begins | ends) for lead in leads) else []
+    return 1.0 if both else 0.5 * any(lead & (begins | ends) for lead in leads)
 
 
 def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
@@ -340,7 +346,7 @@ def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
                     yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
     for spot in chain.from_iterable(ends):
         if isinstance(spot.anchor, PartQuery):
-            under_it = {i for i in text.at_words("under", "underneath", "beneath") if max(spot.used) - 4 < i < spot.at}
+            under_it = {i for i in text.at_words(*_UNDER) if max(spot.used) - 4 < i < spot.at}
             if under_it and text.at_phrases("gap"):  # 'the clearance under the handle'
                 underside = Plane(Side.BOTTOM, spot.anchor)
                 yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
@@ -364,7 +370,8 @@ def overhangs(question: Question) -> Iterator[Parse]:
     nouns = question.parts
     named = bool(nouns) and nouns[0].part.noun in _REACHES
     word = min(text.at_words(*_BEYOND, *(("from",) if reach or named else ())), default=None)
-    if word is None or not nouns or not (reach or text.has(*_REACHES, "much", "far")):
+    high = any(span.value is Measure.HEIGHT for span in text.all("measure"))
+    if word is None or not nouns or not (reach or high or text.has(*_REACHES, "much", "far")):
         return
     first = nouns[0]
     if named and (of := places_of(first.part, "of")):  # 'the overhang of the pin'
@@ -374,7 +381,7 @@ def overhangs(question: Question) -> Iterator[Parse]:
         first, other = other, first
     plane = next((one for one in planes_of(question) if one.at >= word and one.used.isdisjoint(first.used)), None)
     used = {word, *first.used, *(reach.tokens if reach else ())}
-    used |= text.at_words("how", "much", "far", "length", *_REACHES)
+    used |= text.at_words("how", "much", "far", "length", "height", *_REACHES)
     if plane is not None and isinstance(plane.anchor, Plane):
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
@@ -384,11 +391,6 @@ def overhangs(question: Question) -> Iterator[Parse]:
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Parse(form, {"overhang": 1.0}, used | around)
-    if text.is_word(word, "below") and other is not None and other.part.noun in _RIMS:  # 'how far below the rim'
-        down = Side.BOTTOM if reach and reach.value is Measure.DEPTH else Side.TOP
-        rim = next((what for _, what in places_of(other.part, "of")), None)
-        level = Plane(Side.TOP, rim) if rim is not None else Boundary(Side.TOP)
-        yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
     own = next((one for one in planes_of(question) if one.used & first.used), None)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         standing = without(first.part, place)
@@ -416,8 +418,9 @@ def opposites(question: Question) -> Iterator[Parse]:
     named = [(m.part, m.used) for m in question.parts]
     named += [(what, m.used) for m in question.parts for _, what in places_of(m.part)]
     named += [(cut, m.used) for m in question.parts if (cut := floored(m.part)) is not None]
-    across = text.at_words("opposite", "across", "to", "from") | text.at_words("wall", "side", "floor", "bottom")
-    for (flat, used), (other, more) in permutations(named, 2) if text.has("opposite") else ():
+    across = text.at_words("opposite", "far", "across", "straight", "to", "from", "wall", "side", "floor", "bottom")
+    beyond = text.has("opposite") or any(text.is_word(i + 1, "side", "wall", "face") for i in text.at_words("far"))
+    for (flat, used), (other, more) in permutations(named, 2) if beyond else ():
         if (is_cut(flat) or flat.noun == "flat") and not _is_kind(flat, *_ROUND) and _is_kind(other, *_ROUND):
             yield Parse(Distance(flat, other, "across"), {"across_round": 1.0}, used | more | across)
 
@@ -431,10 +434,12 @@ def angles(question: Question) -> Iterator[Parse]:
     """'What is the angle between the two flaps?', 'At which angle does the rib meet the lever?'"""
     text = question.text
     for asked in asked_in(question):
-        if asked.measures not in ((Measure.ANGLE,), (Measure.INCLUDED_ANGLE,)) or not question.in_question(asked.start):
+        leans = asked.measures == (Measure.INCLINATION,) and len(question.parts) > 1 and text.has(*_AGAINST)
+        plain = asked.measures in ((Measure.ANGLE,), (Measure.INCLUDED_ANGLE,))
+        if not (plain or leans) or not question.in_question(asked.start):
             continue
         between = bool(text.at_phrases("between"))
-        joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart")
+        joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart", *_AGAINST)
         joining |= {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
         for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):

@@ -16,10 +16,8 @@ from querycad_language.text import Text
 from .named_distances import material
 from .related_parts import is_cut
 
-MATES_WITHIN = 6
-"""Words between a part and the verb that says where it goes."""
-_TURNED = ("open", "opens", "face", "facing", "point", "lean", "look")
-"""Verbs of which way something is turned."""
+MATES_WITHIN = 6  # words between a part and the verb that says where it goes
+_TURNED = ("open", "opens", "face", "facing", "point", "lean", "look")  # verbs of which way something is turned
 
 
 def parts(question: Question) -> Iterator[Parse]:
@@ -90,8 +88,10 @@ def _asks_for_side(text: Text, at: int) -> bool:
     if text.is_word(at, "which", "what"):
         turned = text.is_word(at + 1, "way", "direction") and text.has(*_TURNED)
         carries = any(text.find(i, "have", "carry") for i in behind) or text.is_word(at - 1, "on", "in", "at")
+        carries = carries or any(text.is_word(i, "on", "in", "at") and text.is_word(i + 1, "?") for i in behind)
         end = text.is_word(at + 1, "face", "wall", "end", "edge", "flank")
-        return text.is_word(at + 1, "side") or turned or (end and carries)
+        compound = text.find(at + 1, "noun") and text.is_word(at + 2, "side")  # 'which plate side'
+        return bool(text.is_word(at + 1, "side") or compound or turned or (end and carries))
     side = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
     carries = text.find(at + 2, "have", "carry") is not None or text.is_word(at + 2, "with", "carrying", "having")
     where = carries or any(text.is_word(i, "where", "which", "that") for i in behind)

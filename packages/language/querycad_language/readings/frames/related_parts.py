@@ -26,9 +26,11 @@ _BOUNDS = {
     Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
 """What bounds a cut has its measure."""
+_MOUTHS: dict[tuple[str, ...], Measure] = {("mouth", "opening", "entry", "entrance", "rim"): Measure.MOUTH_WIDTH}
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
-    Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
+    Measure.DIAMETER: _MOUTHS,
+    Measure.INNER_DIAMETER: _MOUTHS,
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
     Measure.POSITION: {("surface", "face", "mouth", "underside"): Measure.OPENING},
 }  # fmt: skip
@@ -53,7 +55,7 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         yield from _there(question, get.target, get, parse)
     match get.measures:
         case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
-            of = next((place for _, place in places_of(get.target, "of", "around")), None)
+            of = next((place for _, place in places_of(get.target, "of", "around", "")), None)
             if of is not None:  # 'the thickness of the wall of the standoff'
                 its = replace(get, measures=(Measure.WALL_THICKNESS,), target=of)
                 yield Parse(its, {**parse.features, "its_walls": 1.0}, parse.used)
@@ -81,9 +83,6 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
-    if get.measures == (Measure.PITCH_DIAMETER,) and get.target is not None and get.target.noun != "gear":
-        circle = placed_in(PartQuery(noun="bolt circle", definite=True), "", get.target)
-        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)
@@ -158,6 +157,8 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
             along = (Measure.AXIAL_EXTENT if one is Measure.WIDTH else one for one in measures)
             form = replace(get, measures=tuple(along))
             yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
+        case (Measure.WIDTH,) if (cut := floored(target)) is not None:  # 'how wide is the floor of the groove'
+            yield Parse(replace(get, measures=(Measure.BOTTOM_WIDTH,), target=cut), parse.features, parse.used)
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):
                 if is_cut(holder):
@@ -228,6 +229,9 @@ def is_cut(target: Target) -> bool:
 
 def floored(query: PartQuery) -> PartQuery | None:
     """The cut of 'the floor of the keyway', 'the bottom of the groove', 'the counterbore floor'."""
+    whose, _, piece = query.noun.rpartition(" ")
+    if piece in ("floor", "bottom") and is_cut(one := replace_fields(query, noun=whose, words=(whose,))):
+        return one  # 'the pocket floor'
     if query.noun not in ("floor", "bottom", "ground", "base", "flat bottom", "flat floor"):
         return None
     said = [PartQuery(noun=name, words=(name,)) for name in query.adjectives if name in lexicon().nouns]

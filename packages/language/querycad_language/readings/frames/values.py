@@ -26,8 +26,7 @@ ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS
 _STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
 """Measures that add up where 'total' stands right before them."""
 _ALONG = (*_STACKED, Measure.LENGTH, Measure.HEIGHT, Measure.MAGNITUDE, Measure.SIZE)
-MOST_TOGETHER = 3
-"""Measures of one part that people ask for in one sentence."""
+MOST_TOGETHER = 3  # measures of one part that people ask for in one sentence
 _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
 """What becomes of the values of several parts."""
 _LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
@@ -49,7 +48,6 @@ def values(question: Question) -> Iterator[Parse]:
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
-            yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
@@ -134,16 +132,6 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     if not densities:
         return None, set()
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
-
-
-def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'Both diameters of the bush', 'the bore and outside diameter of the ring': inner and outer."""
-    text = question.text
-    both = text.at_words("both", "two") if get.measures == (Measure.DIAMETER,) else set()
-    said = text.at_words("inside", "outside", "inner", "outer", "bore", "stepped", "step")
-    if both and said and get.target is not None and (not get.target.plural or text.has("stepped", "step")):
-        measures = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
-        yield Parse(replace(get, measures=measures), parse.features, parse.used | both | said)
 
 
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -242,6 +230,7 @@ def wholes(question: Question) -> Iterator[Parse]:
     led = text.at_words("along", "parallel", "run", "lie", "coordinate")
     either = text.has("or") and len({span.value for span in text.all("axis")}) > 1
     which = any(text.is_word(i + 1 + text.is_word(i + 1, "coordinate"), "axis") for i in text.at_phrases("ask"))
+    which |= asks and text.has("axis") and (len(text.at_words("x", "y", "z")) > 1 or bool(text.at_phrases("parallel")))
     for mention in question.parts[:2] if led and (which or either) else ():
         bare = tuple(name for name in mention.part.adjectives if "parallel" not in name)  # 'does it run along x or y?'
         form = Get((Measure.LONG_AXIS,), replace_fields(mention.part, adjectives=bare))
