@@ -97,7 +97,7 @@ def test_numbers_of_a_sound_file_are_fine(kind: str, others: dict[str, bytes], t
 
 def test_a_measure_beyond_all_bounds_is_refused(tmp_path: Path) -> None:
     text = EXAMPLE.read_text(encoding="utf-8")
-    place = list(re.finditer(r"CARTESIAN_POINT\('',\(([^,]*),", text))[5]
+    place = next(re.finditer(r"CARTESIAN_POINT\('',\(([^,]*),", text))
     (tmp_path / "a.step").write_text(text[: place.start(1)] + "1.E90" + text[place.end(1) :], encoding="utf-8")
     with pytest.raises(UnreadableFile, match="beyond all bounds"):
         ingest(tmp_path / "a.step", ModelStore(tmp_path / "store"))

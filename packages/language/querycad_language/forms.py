@@ -103,9 +103,8 @@ class Distance:
         "on diameter", "on radius"
     ] = "usual"  # fmt: skip
     """'outsides': over all of them; 'overlap': the volume that bodies share; 'beyond': less than zero if within,
-    'beyond both': the lesser at the two ends;
-    'within': how far the first reaches into the second; 'across': from its floor to the far side of the second, round;
-    'on diameter': what a bore has more than what runs in it."""
+    'beyond both': the lesser at the two ends; 'within': how far the first reaches into the second; 'across': from its
+    floor to the far side of the second, round; 'on diameter': what a bore has more than what runs in it."""
     axis: int | None = None  # 0, 1, 2 for x, y, z; LONGEST and SHORTER for the sides of the model
     reduce: Reduce = Reduce.ONE
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from querycad_contracts import Convexity, Matrix, SurfaceKind, Vector
 
-from .vectors import Box, box_union, scale, sub, unit
+from .vectors import Box, around, box_union, scale, sub, unit
 
 REVOLVED = (SurfaceKind.CYLINDER, SurfaceKind.CONE, SurfaceKind.TORUS)
 """Surfaces that turn about an axis."""
@@ -222,6 +222,11 @@ class Brep:
         """Which faces meet this face, and along which edge? One entry an edge; seam edges left out."""
         return self._neighbours[face]
 
+    @cached_property
+    def edge_points(self) -> tuple[tuple[Vector, ...], ...]:
+        """Which points span each edge? Its ends and middle; of a full circle, sixteen around it."""
+        return tuple((*edge.points, *_around(edge)) for edge in self.edges)
+
     def beside(self, face: int, convexity: EdgeConvexity) -> list[int]:
         """Which faces meet this face in edges of this convexity? One entry an edge."""
         return [other for edge, other in self.neighbours(face) if edge.convexity is convexity]
@@ -233,6 +238,13 @@ class Brep:
     def edges_of(self, faces: Iterable[int]) -> set[int]:
         """Which edges bound these faces?"""
         return {edge for face in faces for edge in self.face_edges[face]}
+
+
+def _around(edge: EdgeRecord) -> Sequence[Vector]:
+    """Sixteen points of a full circle; none of any other edge."""
+    if edge.center is None or edge.axis is None or edge.radius is None or not edge.closed:
+        return ()
+    return around(edge.center, edge.axis, edge.radius, 16)
 
 
 def spread(start: Iterable[int], onwards: Callable[[int], Iterable[int]]) -> set[int]:

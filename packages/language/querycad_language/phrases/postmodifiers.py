@@ -151,6 +151,8 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     end = text.skip(at, "passing", "do", "negation")
     negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
     tags = build.lacking if negated else build.adjectives
+    if text.find(end, "emerging", "stopping"):
+        return _ending(text, at, end, tags)
     if not text.is_word(end, "through") or (end == at and not text.find(at - 1, "be", "negation", "each")):
         return at
     inner = text.skip(end + 1, "each", "article")
@@ -161,6 +163,18 @@ def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     tags.append("through")
     side = text.find(text.skip(end + 2, "article"), "side") if text.is_word(end + 1, "to") else None  # 'to the back'
     return inner + 1 if all_of_it else side.end if side is not None else end + 1
+
+
+def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
+    """'that come out on the other side', 'that stop inside the material'."""
+    place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
+    if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
+        tags.append("blind")
+        return place + 1
+    across = text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back")
+    side = next((i for i in range(place, place + 5) if across and text.find(i, "side_noun")), None)
+    tags += ["through"] if side is not None else []
+    return side + 1 if side is not None else at
 
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:

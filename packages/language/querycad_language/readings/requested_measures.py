@@ -29,7 +29,6 @@ _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _JOINTS = ("and", ",", "x", "/", "&", "+", "plus", "its", "as", "well", "by", "followed", "then")
 _INTO = ("into", "inside", "in")
 _GOING = ("go", "goe", "goes", "milled", "cut", "drilled", "bored", "machined", "run", "extend", "reach", "sink", "let")
-"""Verbs of what goes into something."""
 _MEASURED = ("its", "the", "a", "when", "it", "is", "measured", "taken", "so", "as", "i", "e", "meaning", "that", "be")
 _ACROSS = (Measure.ACROSS_FLATS, Measure.ACROSS_CORNERS, Measure.DIAGONAL)
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)

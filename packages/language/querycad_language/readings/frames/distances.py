@@ -39,12 +39,9 @@ _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "cen
 _HIGH = (Measure.HEIGHT, Measure.CENTER_HEIGHT, Measure.Z)
 _APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
-_AGAINST = ("from", "against", "relative", "compared", "off", "to", "with")
-"""Words that lead to what something leans against."""
-_STOPS = ("hit", "meet", "stop", "reach", "strike", "bottom")
+_AGAINST = ("from", "against", "relative", "compared", "off", "to", "with")  # before what something leans against
 _ACROSS = (Measure.WIDTH, Measure.THICKNESS, Measure.LENGTH)
-_WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "bar", "rib")
-"""What is left between two cuts."""
+_WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "rib")  # what is left between two cuts
 _REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
 _UNDER = ("under", "underneath", "beneath")
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "off", *_UNDER)
@@ -194,9 +191,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
         if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
             apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
             apart |= {at + 2} if text.is_word(at + 2, "in", "inwards", "up", "down", "along") else set()
-            stops = text.at_phrases("contact") | text.at_words(*_STOPS)
-            moves = text.at_words("until", "till", "before") if stops else set[int]()
-            yield _Words(at, at + 2, "surfaces" if moves else "usual", {at, at + 1} | apart | moves)
+            yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
     elif (scale := text.find(at + 1, "scale")) and scale.value.measure in _ACROSS:
         if apart or (text.has("from") and text.has("to")):  # 'how wide is it from the pin to the slot'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *apart})

@@ -12,7 +12,6 @@ from querycad_segworker.tolerances import Tolerances
 from querycad_segworker.topology import Brep, EdgeKind, EdgeRecord, Loop
 from querycad_segworker.vectors import (
     add,
-    around,
     cross,
     dist,
     dot,
@@ -88,13 +87,9 @@ def frame_of_points(points: Sequence[Vector], normal: Vector, u: Vector, *, turn
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
 
 
-def edge_points(brep: Brep, e: int) -> list[Vector]:
+def edge_points(brep: Brep, e: int) -> Sequence[Vector]:
     """Which points span an edge? Its ends and middle; of a full circle, sixteen around it."""
-    edge = brep.edges[e]
-    points = [*edge.points]
-    if edge.center is not None and edge.axis is not None and edge.radius is not None and edge.closed:
-        points += around(edge.center, edge.axis, edge.radius, 16)
-    return points
+    return brep.edge_points[e]
 
 
 def face_points(brep: Brep, faces: Iterable[int]) -> list[Vector]:
