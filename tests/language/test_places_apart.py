@@ -84,7 +84,7 @@ def test_the_outside_of_a_part_is_its_outer_wall() -> None:
 
 def test_the_pocket_floor_is_the_floor_of_the_pocket() -> None:
     ends = [end for form in distances("How far is the pocket floor from the lug?") for end in (form.first, form.second)]
-    assert any(isinstance(end, Plane) and end.of is not None and end.of.noun == "pocket" for end in ends)
+    assert any(isinstance(end, Plane) and end.of.noun == "pocket" for end in ends)
 
 
 @pytest.mark.parametrize("words", ["Which end is the lug on?", "Which lever side has the lug?"])
