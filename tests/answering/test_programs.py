@@ -83,6 +83,8 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Distance(HOLES, Boundary(None)), AnswerType.LENGTH),
     (Distance(HOLES, OTHERS, "surfaces"), AnswerType.LENGTH),
     (Angle(HOLES, OTHERS), AnswerType.ANGLE),
+    (Check(Angle(HOLES, OTHERS), Relation.EQUAL, 1.5), AnswerType.BOOLEAN),
+    (Get((Measure.CROSS_SECTION_AREA,), HOLES), AnswerType.AREA),
     (Combine("ratio", DEPTH, Get((Measure.DIAMETER,), HOLES)), AnswerType.NUMBER),
     (Combine("apart", DEPTH, Get((Measure.DEPTH,), OTHERS)), AnswerType.LENGTH),
     (Check(Combine("ratio", DEPTH, Get((Measure.DEPTH,), OTHERS)), Relation.EQUAL, 2.0), AnswerType.BOOLEAN),

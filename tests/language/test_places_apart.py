@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from querycad_answering.drawing.meaning import describe
 from querycad_contracts import Measure, PartQuery, Relation
 from querycad_language.forms import Angle, Boundary, Check, Count, Distance, Every, Form, Get, Plane, Towards, queries
 from querycad_language.phrases import places_of
@@ -58,6 +59,7 @@ def test_a_stated_angle_is_compared_with_that_of_two_parts() -> None:
     (found, *_) = [form for form in forms("Is the angle between the two levers 80 degrees?") if isinstance(form, Check)]
     assert isinstance(found.left, Angle)
     assert not found.left.first.sizes
+    assert describe(found) == "whether the angle between the 2 levers is 80°"
 
 
 @pytest.mark.parametrize(

@@ -74,3 +74,8 @@ def test_the_angle_of_a_drill_point_is_its_own() -> None:
     assert any(form.target is not None and form.target.noun == "drill point" for form in asked)
     depth = [form for form in forms("How deep is the hole without the drill point?") if isinstance(form, Get)]
     assert all(form.target is None or form.target.noun != "drill point" for form in depth)
+
+
+def test_half_way_between_two_is_as_far_from_both() -> None:
+    checks = [form for form in forms("Is the hole midway between the rib and the slot?") if isinstance(form, Check)]
+    assert any(isinstance(one.left, Distance) and isinstance(one.low, Distance) for one in checks)

@@ -32,6 +32,7 @@ def test_numbers_in_words_before_a_unit_are_digits(said: str, text: str) -> None
         ("The largest boss, has it more than 10 mm?", "has the largest boss more than 10 mm ?"),
         ("For the slot, how deep is it?", "how deep is the slot ?"),
         ("Ribs: how many does the part have?", "how many rib does the part have ?"),
+        ("What slots do we have that are open?", "what slot that are open ?"),
         ("The pins, which are M5, how long are they?", "the pin , which are m5 , how long are they ?"),
     ],
 )

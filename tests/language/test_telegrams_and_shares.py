@@ -79,6 +79,7 @@ def test_what_parts_lack_may_stand_behind_a_comma(question: str) -> None:
     "question",
     [
         "Tell me the number of lugs that are smaller than the largest",
+        "Leave out the largest lugs; what number of others is there?",
         "Besides the largest lug, how many lugs has it?",
         "How many lugs are there (the long ones, not the largest lugs)?",
     ],
@@ -171,6 +172,12 @@ def test_what_was_cut_at_a_hole_has_a_measure_of_its_own() -> None:
     assert any(query is not None and query.noun == "countersink" for query in found)
     found = [form.target for form in forms("The bores are countersunk. How deep is the lug?") if isinstance(form, Get)]
     assert not any(query is not None and query.noun == "countersink" for query in found)
+
+
+def test_both_diameters_are_the_inner_and_the_outer_one() -> None:
+    both = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
+    assert any(f.measures == both for f in forms("The two diameters of the ring, inner and outer?") if type(f) is Get)
+    assert not any(f.measures == both for f in forms("The inner diameters of the two rings?") if type(f) is Get)
 
 
 def test_where_a_depth_begins_is_no_side_that_parts_are_seen_from() -> None:

@@ -90,6 +90,7 @@ def test_words_are_folded_to_one_form() -> None:
         ("c/line to u/side", ["centerline", "to", "underside"]),
         ("C'bored thro'", ["counterbored", "through"]),
         ("o/a height", ["overall", "height"]),
+        ("across the boss's flats", ["across", "flat", "of", "the", "boss"]),
         ("Ø x dp", ["diameter", "x", "depth"]),
         ("Vol. in mm³", ["volume", "in", "mm3"]),
     ],

@@ -43,9 +43,7 @@ class Text:
     def _rounded(self) -> tuple[Token, ...]:
         """'The radius of the vertical edges': of the rounded corners there."""
         named = self.covered("noun", "measure", "outside_to_outside", "surface_to_surface")
-        edges = {
-            at for at in self.at_words("edge") - named if not any(self.is_word(i, "at") for i in range(at - 3, at))
-        }
+        edges = {i for i in self.at_words("edge") - named if "at" not in self.words[max(0, i - 3) : i]}
         return tuple(replace(one, word="corner") if at in edges else one for at, one in enumerate(self.tokens))
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:
@@ -113,9 +111,8 @@ class Text:
     def at_phrases(self, *categories: str) -> frozenset[int]:
         """Where phrases of these categories begin."""
         if (begins := self._begins.get(categories)) is None:
-            begins = self._begins[categories] = frozenset(
-                i for i in range(len(self.tokens)) if self.find(i, *categories)
-            )
+            found = (i for i in range(len(self.tokens)) if self.find(i, *categories))
+            begins = self._begins[categories] = frozenset(found)
         return begins
 
     def skip(self, at: int, *categories: str) -> int:

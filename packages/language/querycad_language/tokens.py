@@ -14,7 +14,7 @@ from spellchecker import SpellChecker
 
 from querycad_contracts import Measure, Side
 
-from .lexicon import lexicon
+from .lexicon import INCH, lexicon
 from .spoken import written
 
 MAX_CHARS = 2000  # longer texts are no question; the rest is not read
@@ -85,6 +85,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
     (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
     (re.compile(r"\bi\.\s?e\.?(?!\w)", re.I), "that is"),
+    (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
     (re.compile(r"(?:\bno\.|#)(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
@@ -93,13 +94,18 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", re.I), r"\1 "),
     (re.compile(r"\b(?:outer|free) (?=end faces?\b)", re.I), ""),  # no tip
     (re.compile(r"\b(?:twice|double(?= the\b))", re.I), "2 times"),
+    (re.compile(r"\bhalf (?=as [a-z]+ as\b)", re.I), "0.5 times "),
     (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) overhang(?= (?:the|its|it)\b)", re.I), r"\1 project beyond"),
     (re.compile(r"\b(what|which)(?: bolt| pitch| hole)? circle(?= (?:do|are)\b)", re.I), r"\1 diameter circle"),
+    (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
+    (re.compile(r"\b([xyz])([+−-])(?=[ -](?:side|face|end|half|wall)\b)", re.I), r"\2\1"),
     *((re.compile(rf"(?<![\w+-]){axis}(?=[ -]([a-z]+))", re.I), partial(_sided, to)) for to, axis in _OUTWARD.items()),
     (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
     (re.compile(r"(\b(?:each|both) of (?:the|its|these)) (?:two|three|four|five|six|\d)(?= [a-z])", re.I), r"\1"),
     (re.compile(r"\b(?:(?:what is )?(?:the|what) (?:amount|distance) by which|by what amount)\b", re.I), "by how much"),
+    (re.compile(r"\|\|"), " parallel to "),
     (re.compile(r"\bright through(?= to\b)", re.I), "fully through"),  # no side
+    (re.compile(r"\bl\s?/\s?d\b", re.I), "length to diameter ratio"),
     (re.compile(r"\b([xyz])-(?=axis|direction)", re.I), r"\1 "),
     (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),
     (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
@@ -110,6 +116,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
     (re.compile(r"\b[a-z]+-(?:in|on|fit)(?= [a-z])", re.I), lambda found: _fitted(found[0])),
     (re.compile(r"\bthro(?:['’]|\b)", re.I), "through"),
+    (re.compile(r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", re.I), r"across \2 of the \1"),
     (re.compile(r"\bc-c\b", re.I), "center to center"),
     (re.compile(r"\bC[oO]?[GM]\b"), "center of mass"),  # a cog is a gear
     (
@@ -121,9 +128,10 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
         r"\1",
     ),  # ISO 286: '8H7'
     (re.compile(r"\b(?:[dD](?:\s?=\s?)?|[dD]ia(?:m|meter)?\.? )(?=\d+(?:[.,]\d+)?(?: ?mm)? [a-z]{3})"), "⌀ "),
-    (re.compile(rf"(?<![\d.,⌀])({_DECIMAL})\s?dia(?:m\.?|m?eter(?= [a-z]{{3}}))?\b\.?", re.I), r"⌀ \1"),
+    (re.compile(rf"(?<![\d.,⌀])({_DECIMAL})\s?dia(?:m\.?|meter(?= [a-z]{{3}}))?\b\.?", re.I), r"⌀ \1"),
     (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) stand(?= (?:out|up|off|proud|above|over|from)\b)", re.I), r"\1 protrude"),
     (re.compile(rf"({_DECIMAL})\s?[x×]\s?(?={_DECIMAL}(?:\s?[x×]\s?{_DECIMAL})?\s?(mm|cm|inch)\b)", re.I), r"\1 \2 x "),
+    (re.compile(r"\bM (?=\d)"), "M"),
     (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
     (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
 )
@@ -136,7 +144,6 @@ _SYMBOLS = {
 }  # fmt: skip
 """ISO 129-1 and ASME Y14.5."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
-INCH = 0.0254
 DENSITY = -3  # the power of lengths in kilograms per cubic metre
 
 

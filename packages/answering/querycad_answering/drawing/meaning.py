@@ -67,7 +67,8 @@ def describe(form: Form) -> str:  # noqa: C901, PLR0911, PLR0912 - one case a fo
             return f"whether {_anchor(first)} reaches beyond {_anchor(second)}{ends}"
         case forms.Check(left, relation, low, high):
             counted = isinstance(left, forms.Count) or getattr(left, "operation", "") == "ratio"
-            measure = left.measures[0] if isinstance(left, Get) else None
+            measure = Measure.ANGLE if isinstance(left, forms.Angle) else None
+            measure = left.measures[0] if isinstance(left, Get) else measure
             value = describe(low) if not isinstance(low, float) else f"{low:g}" if counted else stated(low, measure)
             value = f"{value} to {stated(high, measure)}" if high is not None else value
             same = "as much as the " if relation is Relation.EQUAL and not isinstance(low, float) else ""

@@ -72,9 +72,8 @@ def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mentio
     named = " ".join(text.words[noun.start : noun.end]) if noun is not None else " ".join(unknown)
     if noun is not None and named not in text.lexicon.nouns:
         named = noun.value.name
-    told = (build.adjectives or build.ranks or build.ends) and any(
-        place.relation == "of" and place.what for place in build.places
-    )
+    owned = any(place.relation == "of" and place.what for place in build.places)
+    told = owned and (build.adjectives or build.ranks or build.ends)
     if noun is not None and noun.value.name == "object" and told:
         named = "section"  # 'the thinnest part of the shaft'
     known = noun is not None or not unknown

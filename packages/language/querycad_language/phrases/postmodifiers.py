@@ -138,9 +138,8 @@ def _also(text: Text, other: Mention, build: PhraseBuilder, at: int) -> int:
     if query is None or not build.nouns or not query.known or not query.noun or not query.plural:
         return at
     there = text.is_word(other.end + 1, "there")  # 'how many holes and slots are there'
-    if (text.find(other.end, "measure", "be", "do") and not there) or not any(
-        text.tokens[i].plural for i in build.nouns[-1].tokens
-    ):
+    plural = any(text.tokens[i].plural for i in build.nouns[-1].tokens)
+    if (text.find(other.end, "measure", "be", "do") and not there) or not plural:
         return at
     build.also.append(query)
     return other.end
@@ -198,10 +197,8 @@ def _stated_size(text: Text, at: int, build: PhraseBuilder) -> int:
     again = stated_size(text, end + 1) if text.is_word(end, "and", "but", ",") else None
     if again is not None and Relation.EQUAL not in (found[0].relation, again[0].relation):  # 'over 4 but under 8 mm'
         measure = found[0].measure or again[0].measure
-        sizes, end = (
-            [one.model_copy(update={"measure": one.measure or measure}) for one in (found[0], again[0])],
-            again[1],
-        )
+        sizes = [one.model_copy(update={"measure": one.measure or measure}) for one in (found[0], again[0])]
+        end = again[1]
     build.sizes += sizes
     return end
 

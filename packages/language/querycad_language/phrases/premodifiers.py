@@ -214,11 +214,8 @@ def _unknown(text: Text, at: int, build: PhraseBuilder, measure: Span | None) ->
     """A word that no class has may be the name of something."""
     if build.nouns or not text.is_content(at) or measure or text.find(at, "whole", "side", "scale", "adjective"):
         return at
-    if (
-        text.find(at, "ground", "verbs", "reach", "passing", "emerging", "fits", "aside", "side_noun")
-        or text.is_word(at, "s")
-        or is_verb(text, at)
-    ):
+    known = text.find(at, "ground", "verbs", "reach", "passing", "emerging", "fits", "aside", "side_noun")
+    if known or text.is_word(at, "s") or is_verb(text, at):
         return at
     build.unknown.append(at)
     return at + 1

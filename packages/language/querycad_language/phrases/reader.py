@@ -76,6 +76,10 @@ class Phrases:
         found = [m for m in found if m.head not in self.included]
         kept = [m for m in found if m not in left]
         named = next((m for m in kept if self._counted(m) and not self.text.is_word(m.start - 1, "or")), None)
+        if left and named is None and left[0].part.noun and (others := self.text.at_words("other", "rest")):
+            named = replace(left[0], query=replace_fields(left[0].part, ranks=(), plural=True))
+            kept = [replace(named, used=named.used | others)]  # 'without the tallest lugs, the others are how many'
+            left, named = left[:1], kept[0]
         if not left or named is None:
             return found
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))

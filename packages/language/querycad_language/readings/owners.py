@@ -43,9 +43,8 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
     linked = [(m, link) for m, link in linked if link != "overlap"]
     each = any(not noun_follows(text, at + 1) for at in text.at_words("each"))
-    named = any(text.is_word(i, "its", "their") for i in {asked.start - 1, *asked.used}) or any(
-        m.pronoun and link in STRONG for m, link in linked
-    )
+    named = any(text.is_word(i, "its", "their") for i in {asked.start - 1, *asked.used})
+    named = named or any(m.pronoun and link in STRONG for m, link in linked)
     pronoun = named or each  # 'the holes and the diameter of each'
     owned = any(link in STRONG and not m.pronoun for m, link in linked)
     nearest = 0

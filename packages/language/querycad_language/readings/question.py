@@ -97,6 +97,11 @@ class Question:
         offered = any(a.end <= at < b.start for at in text.at_words("or") for a, b in pairwise(self.parts))
         return asks and offered and not text.has("than")
 
+    def antecedent(self, start: int) -> Mention | None:
+        """'The block has a hole. Is it threaded?': what is named last before a clause with a pronoun for it."""
+        said = any(m.pronoun and m.start >= start for m in self.mentions)
+        return next((m for m in reversed(self.parts) if m.end <= start), None) if said else None
+
     @property
     def offers_yes_no(self) -> bool:
         """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?'"""
@@ -213,9 +218,8 @@ def _adds_nothing(text: Text, start: int, end: int) -> bool:
     """Does a sentence name nothing: 'Which ones?', 'If so, what are they?'"""
     words = range(start, end)
     asks = ("noun", "measure", "scale", "count", "side", "verbs", "reach", "distance", "gap")
-    return end - start <= LONGEST_ECHO and not any(
-        text.is_content(i) or text.is_word(i, "how") or text.find(i, *asks) for i in words
-    )
+    said = any(text.is_content(i) or text.is_word(i, "how") or text.find(i, *asks) for i in words)
+    return end - start <= LONGEST_ECHO and not said
 
 
 LONGEST_ECHO = 6  # words of a question that only asks which of those before are meant

@@ -77,6 +77,9 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
         size = kept[-1] if kept and kept[-1].measures[0] in (Measure.MAGNITUDE, Measure.SIZE) else None
         joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
         joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
+        if size and asked.how == "verb" and asked.measures == size.measures:  # 'how many mm does it measure in height'
+            kept[-1] = replace(size, used=size.used | asked.used)
+            continue
         narrower = asked.how == "noun" and asked.measures[0] not in (Measure.MAGNITUDE, Measure.SIZE)
         if size and len(size.measures) == 1 and narrower and joined:
             used = size.used | asked.used | {*range(begin - 1, asked.start)}

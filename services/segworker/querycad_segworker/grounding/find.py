@@ -9,8 +9,8 @@ from querycad_contracts import Grounded, Grounding, Part, PartQuery, Side
 from querycad_language.describe import none_such
 from querycad_language.phrases import noun_phrase
 
-from .candidates import taken_for
-from .ground import ground, score
+from .candidates import score, taken_for
+from .ground import ground
 from .inventory import Inventory, values_of
 from .printed import key
 

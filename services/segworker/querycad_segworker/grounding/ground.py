@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from querycad_contracts import Grounded, PartQuery
 
-from .candidates import BEAM, Request, Step, pruned, score
+from .candidates import BEAM, Request, Step, pruned
 from .inventory import Inventory
 from .placement import placed, seen
 from .restrictions import colored, narrowed, sized, threaded
@@ -48,6 +48,3 @@ def _by_id(inventory: Inventory, query: PartQuery) -> Grounded:
     if missing:
         return Grounded(parts=(), features={"id_missing": 1.0}, reason=f"no part {', '.join(missing)}")
     return Grounded(parts=tuple(inventory.by_id[i] for i in query.ids), features={"by_id": 1.0})
-
-
-__all__ = ["ground", "score"]

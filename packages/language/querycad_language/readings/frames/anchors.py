@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import Literal, NamedTuple, TypeAlias
 
-from querycad_contracts import Measure, PartQuery, Place, Side
+from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, MassCentre, Origin, Plane, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import ENDS
@@ -75,7 +75,7 @@ def anchors_of(question: Question) -> list[Spot]:
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
     found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
-    found += [*planes_of(question), *_nearer_ends(question), *_outsides(question), *_around(question)]
+    found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
     return sorted(found, key=lambda one: one.at)
 
 
@@ -145,29 +145,22 @@ def _box_middle(text: Text, at: int) -> set[int] | None:
 
 
 def _outsides(question: Question) -> Iterator[Spot]:
-    """'to the flange's outside diameter', 'from the outer diameter of the hub': the outer wall of what is round."""
+    """'the flange's outside diameter', 'the outer diameter of the hub', 'the outside of the hub': its outer wall."""
     text = question.text
-    for span in (one for one in text.all("measure") if one.value in _ROUND_WALLS):
-        behind = question.phrases.at(span.end + 1, 1) if text.is_word(span.end, "of") else None
-        owner = behind or next((m for m in question.parts if m.head < span.start <= m.end + 1), None)
-        inner = question.phrases.at(span.start - 1, 1, joined=False) if owner is not behind else None
-        owner = inner if inner is not None and inner.end == span.start and inner.query is not None else owner
+    spans = [(one.start, one.end, _ROUND_WALLS[one.value]) for one in text.all("measure") if one.value in _ROUND_WALLS]
+    spans += [
+        (at, at + 1, "outer cylinder") for at in text.at_words("outside", "exterior") if text.is_word(at + 1, "of")
+    ]
+    for start, end, noun in spans:
+        behind = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
+        owner = behind or next((m for m in question.parts if m.head < start <= m.end + 1), None)
+        inner = question.phrases.at(start - 1, 1, joined=False) if owner is not behind else None
+        owner = inner if inner is not None and inner.end == start and inner.query is not None else owner
         if owner is not None and owner.query is not None:
             names = tuple(name for name in owner.part.adjectives if name not in ("outer", "inner"))
-            holder = replace_fields(owner.part, adjectives=names)
-            noun = _ROUND_WALLS[span.value]
-            place = Place(relation="of", what=holder)
-            wall = PartQuery(noun=noun, words=tuple(noun.split()), definite=True, places=(place,))
-            yield Spot(span.start, wall, set(range(min(owner.start, span.start), max(owner.end, span.end))))
-
-
-def _around(question: Question) -> Iterator[Spot]:
-    """'to the outside of the hub': its outer wall, where it is round."""
-    for at in sorted(question.text.at_words("outside", "exterior", "periphery")):
-        owner = question.phrases.at(at + 2, 1) if question.text.is_word(at + 1, "of") else None
-        if owner is not None and owner.query is not None:
-            wall = PartQuery(noun="outer cylinder", words=("outer", "cylinder"), definite=True)
-            yield Spot(at, placed_in(wall, "of", owner.query), set(range(at, owner.end)))
+            wall = PartQuery(noun=noun, words=tuple(noun.split()), definite=True)
+            wall = placed_in(wall, "of", replace_fields(owner.part, adjectives=names))
+            yield Spot(start, wall, set(range(min(owner.start, start), max(owner.end, end))))
 
 
 def _nearer_ends(question: Question) -> Iterator[Spot]:
@@ -200,10 +193,10 @@ def planes_of(question: Question) -> list[Spot]:
     """'the underside of the head', 'the flange's top face', 'the plate top': outer planes of parts."""
     text = question.text
     found: list[Spot] = []
-    for at in sorted(text.at_words("lowest", "highest", "bottommost", "topmost")):  # 'the lowest point of the bore'
+    for at in sorted(text.at_words("lowest", "highest")):  # 'the lowest point of the bore'
         pointed = question.phrases.at(at + 3, 1) if text.is_word(at + 1, "point", "spot") else None
         if pointed is not None and pointed.query is not None:
-            outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest", "bottommost") else Side.TOP, pointed.query)
+            outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest") else Side.TOP, pointed.query)
             found.append(Spot(at, outermost, set(range(at, pointed.end))))
     for at in range(len(text)):
         side = text.find(at, "side")

@@ -37,12 +37,8 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
         if any(text.find(i, "passing") for i in range(that, span.start)):
             continue  # 'the holes that run along Y'
         lead = text.find(span.start - 1 - text.is_word(span.start - 1, "the"), "axis_preposition")
-        if (
-            lead
-            or text.find(span.end, "distance", "gap")
-            or span.end - span.start > 1
-            or len(text.words[span.start]) > 1
-        ):
+        letter = span.end == span.start + 1 and len(text.words[span.start]) == 1
+        if lead or text.find(span.end, "distance", "gap") or not letter:
             return span.value, set(range(max(0, span.start - 2), span.end))
     return None, set()
 

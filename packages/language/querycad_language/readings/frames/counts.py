@@ -163,18 +163,17 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
             continue  # 'in both flanges', 'at both ends': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
         many = query.count or (1 if text.is_word(mention.start, "one") else None) if query is not None else None
-        if query is not None and many and span is not None:
-            several = Count(replace_fields(query, count=None, plural=True, sample=False))
-            yield Parse(Check(several, span.value, float(many)), features, used | mention.used | {*span.tokens})
-        elif query is not None and (text.is_word(mention.start - 1, "no") or text.is_word(mention.start, "no")):
-            none = Check(Count(replace_fields(query, plural=True)), Relation.EQUAL, 0.0)  # 'are there no slots?'
-            yield Parse(none, features, used | mention.used | {mention.start - 1})
-        elif query is not None:
-            yield Parse(Exists(query), features, used | mention.used)
+        if query is None:
+            continue
+        several, said = Count(replace_fields(query, count=None, plural=True, sample=False)), used | mention.used
+        if many and span is not None:
+            yield Parse(Check(several, span.value, float(many)), features, said | {*span.tokens})
+        elif no := {i for i in (mention.start - 1, mention.start) if text.is_word(i, "no")}:  # 'are there no slots?'
+            yield Parse(Check(several, Relation.EQUAL, 0.0), features, said | no)
+        else:
+            yield Parse(Exists(query), features, said)
             if query.count and query.count > 1 and not query.definite:  # 'has it three legs?'
-                several = Count(replace_fields(query, count=None, plural=True, sample=False))
-                stated = {**features, "stated_count": 1.0}
-                yield Parse(Check(several, Relation.EQUAL, float(query.count)), stated, used | mention.used)
+                yield Parse(Check(several, Relation.EQUAL, float(query.count)), {**features, "stated_count": 1.0}, said)
 
 
 def _having(question: Question) -> int | None:

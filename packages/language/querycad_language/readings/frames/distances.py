@@ -17,22 +17,14 @@ from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .anchors import (
-    NEAREST,
-    WHOLE,
-    Spot,
-    anchors_of,
-    ends_between,
-    pairs_named,
-    plane_of,
-    planes_of,
-)
+from .anchors import NEAREST, WHOLE, Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of
 from .axes import axes_listed, axis_named
 from .related_parts import floored, is_cut, rimmed
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3  # words between 'over the outsides' and the measure that it belongs to
 _ROUND = (PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY)
+_RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
@@ -386,6 +378,11 @@ def overhangs(question: Question) -> Iterator[Parse]:
         if around := around | text.at_words("sideways", "radially"):
             form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
             yield Parse(form, {"overhang": 1.0}, used | around)
+    if text.is_word(word, "below") and other is not None and other.part.noun in _RIMS:  # 'how far below the rim'
+        down = Side.BOTTOM if reach and reach.value is Measure.DEPTH else Side.TOP
+        rim = next((what for _, what in places_of(other.part, "of")), None)
+        level = Plane(Side.TOP, rim) if rim is not None else Boundary(Side.TOP)
+        yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
     own = next((one for one in planes_of(question) if one.used & first.used), None)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
         standing = without(first.part, place)

@@ -90,8 +90,7 @@ def _asks_for_side(text: Text, at: int) -> bool:
         carries = any(text.find(i, "have", "carry") for i in behind) or text.is_word(at - 1, "on", "in", "at")
         carries = carries or any(text.is_word(i, "on", "in", "at") and text.is_word(i + 1, "?") for i in behind)
         end = text.is_word(at + 1, "face", "wall", "end", "edge", "flank")
-        compound = text.find(at + 1, "noun") and text.is_word(at + 2, "side")  # 'which plate side'
-        return bool(text.is_word(at + 1, "side") or compound or turned or (end and carries))
+        return text.is_word(at + 1, "side") or turned or (end and carries)
     side = text.is_word(at + 1, "side") and not text.find(at, "side", "place", "side_preposition")
     carries = text.find(at + 2, "have", "carry") is not None or text.is_word(at + 2, "with", "carrying", "having")
     where = carries or any(text.is_word(i, "where", "which", "that") for i in behind)

@@ -100,6 +100,12 @@ def _middles(question: Question, start: int) -> Iterator[Parse]:
         return
     others = _behind(question, cue.end)
     used = {*subject.used, *cue.tokens, *(others[0].used if others else ())}
+    first = others[0] if others and text.is_word(cue.end - 1, "between") and not others[0].plural else None
+    second = question.phrases.at(first.end + 1, 1) if first and text.is_word(first.end, "and") else None
+    if first is not None and second is not None and second.query is not None:
+        far, near = (Distance(subject.part, m.part, "centers") for m in (first, second))
+        yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
+        return
     measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
     side = next((one for one in measures if one is not None and one.value in ALONG), None)
     axis, used = (ALONG[side.value], used | set(side.tokens)) if side is not None else (None, used)
@@ -201,9 +207,8 @@ def _first(text: Text, start: int, *categories: str) -> Span | None:
 def _subject(question: Question, start: int, end: int) -> Mention | None:
     """The parts that are named from a clause's verb to another token, whatever is said of them behind it."""
     at = next((m.start for m in question.parts if start <= m.start and (m.head < end or m.start < end < m.end)), None)
-    if at is None:  # 'The knob has a hole. Does it go right through?'
-        said = any(m.pronoun and start <= m.start < end for m in question.mentions)
-        return next((m for m in reversed(question.parts) if m.end <= start), None) if said else None
+    if at is None:
+        return question.antecedent(start)
     clipped = Text(" ".join(token.raw for token in question.text.tokens[:end]))
     mention = Phrases(clipped).at(at) if clipped.words == question.text.words[:end] else None
     return mention if mention is not None and mention.query is not None else None

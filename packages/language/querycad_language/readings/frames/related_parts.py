@@ -26,11 +26,9 @@ _BOUNDS = {
     Measure.DIAMETER: ("bottom", "floor", "root", "base"),
 }
 """What bounds a cut has its measure."""
-_MOUTHS: dict[tuple[str, ...], Measure] = {("mouth", "opening", "entry", "entrance", "rim"): Measure.MOUTH_WIDTH}
 _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
-    Measure.DIAMETER: _MOUTHS,
-    Measure.INNER_DIAMETER: _MOUTHS,
+    Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
     Measure.POSITION: {("surface", "face", "mouth", "underside"): Measure.OPENING},
 }  # fmt: skip
@@ -83,6 +81,9 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
             on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
             used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
             yield Parse(replace(get, target=on), parse.features, used)
+    if get.measures == (Measure.PITCH_DIAMETER,) and get.target is not None and get.target.noun != "gear":
+        circle = placed_in(PartQuery(noun="bolt circle", definite=True), "", get.target)
+        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
     if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
         circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
         form = replace(get, target=circle, reduce=Reduce.ONE)

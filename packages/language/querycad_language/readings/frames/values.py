@@ -48,6 +48,7 @@ def values(question: Question) -> Iterator[Parse]:
             parse = _value(question, asked, owner)
             get = parse.form
             assert isinstance(get, Get)
+            yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
             if not under_cut(question, get):
                 yield from _with_axis(question, get, parse)
@@ -134,6 +135,16 @@ def density_of(text: Text) -> tuple[float | None, set[int]]:
     return densities[0], {*stated, *text.covered("density"), *text.covered("material")}
 
 
+def _both_diameters(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'Both diameters of the bush', 'the bore and outside diameter of the ring': inner and outer."""
+    text = question.text
+    both = text.at_words("both", "two") if get.measures == (Measure.DIAMETER,) else set()
+    said = text.at_words("inside", "outside", "inner", "outer", "bore", "stepped", "step")
+    if both and said and get.target is not None and (not get.target.plural or text.has("stepped", "step")):
+        measures = (Measure.INNER_DIAMETER, Measure.OUTER_DIAMETER)
+        yield Parse(replace(get, measures=measures), parse.features, parse.used | both | said)
+
+
 def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     """'How long is it in y direction?' is the extent along y."""
     text = question.text
@@ -169,11 +180,8 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
     if get.measures == (Measure.MAGNITUDE,) and last:  # 'how big is it across?'
         yield (Measure.DIAMETER,), last
     for words, measure in (("over_all", Measure.LENGTH), ("facewise", Measure.WIDTH)):
-        ends = [
-            span
-            for span in text.all(words)
-            if text.is_word(span.start, *_LENGTHWISE) or "to" in text.words[span.start : span.end]
-        ]
+        said = ((span, text.words[span.start : span.end]) for span in text.all(words))
+        ends = [span for span, phrase in said if phrase[0] in _LENGTHWISE or "to" in phrase]
         if get.measures in ((Measure.MAGNITUDE,), (Measure.SIZE,)) and ends:  # 'what does it measure end to end?'
             yield (measure,), {i for span in ends for i in span.tokens}
     if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
 from querycad_language import forms
-from querycad_language.forms import Check, Distance, Every, Exists, F, Get, Reduce, mapped
+from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
 from querycad_language.phrases import Mention, placed_in, places_of, replace_fields, stated_size
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -35,8 +35,7 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
     yield from _apart(question, start)
     asked = [one for one in asked_in(question) if one.start >= start]
     parts = [m for m in question.mentions if m.start >= start and not (m.pronoun and len(question.mentions) > 1)]
-    if not parts and any(m.pronoun and m.start >= start for m in question.mentions):
-        parts = [m for m in question.parts if m.start < start][-1:]  # 'The block has a hole. Is it threaded?'
+    parts = parts or [one for one in [question.antecedent(start)] if one is not None]
     yield from _alike(text, start, parts, asked)
     if text.is_word(start + 1, "there"):
         return
@@ -134,19 +133,11 @@ def _apart(question: Question, start: int) -> Iterator[Parse]:
             over = replace(parse.form, mode="beyond both" if both else "beyond")
             said = {at + i for at in both for i in (0, 1)}
             yield Parse(Check(over, size.relation, size.low, size.high), parse.features, parse.used | used | said)
-    for parse in angles(question) if size.measure is Measure.ANGLE else ():
-        if isinstance(parse.form, forms.Angle):  # 'is the angle between the legs 90 degrees?'
-            check = Check(_unsized(parse.form, size), size.relation, size.low, size.high)
-            yield Parse(check, parse.features, parse.used | used)
-    for parse in distances(question) if found or asks_gap else ():
-        form = _unsized(parse.form, size)
-        if isinstance(form, Distance):
+    between = angles if size.measure is Measure.ANGLE else distances  # 'is the angle between the legs 90 degrees?'
+    for parse in between(question) if found or asks_gap else ():
+        form = mapped(parse.form, lambda query: replace_fields(query, sizes=tuple(s for s in query.sizes if s != size)))
+        if isinstance(form, Distance | forms.Angle):
             yield Parse(Check(form, size.relation, size.low, size.high), parse.features, parse.used | used)
-
-
-def _unsized(form: F, size: SizeFilter) -> F:
-    """The form, whose parts need not have that size: it is what is asked."""
-    return mapped(form, lambda query: replace_fields(query, sizes=tuple(one for one in query.sizes if one != size)))
 
 
 def _around(query: PartQuery | None) -> Iterator[PartQuery]:

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from querycad_contracts import Part, PartKind, Vector
-from querycad_segworker.features.shared.frames import edge_points
 from querycad_segworker.features.shared.part_measures import faces_box, millimetres
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.topology import Brep
@@ -148,7 +147,7 @@ def _screw_measures(
     away = unit(sub(shank.center, head.center))
     axis = scale(shank.axis, 1.0 if dot(shank.axis, away) > 0 else -1.0)
     edges = brep.edges_of(body.faces)
-    points = [point for e in edges for point in edge_points(brep, e)] + [brep.faces[face].point for face in body.faces]
+    points = [point for e in edges for point in brep.edge_points[e]] + [brep.faces[face].point for face in body.faces]
     ends = [step.tip for step in (head, shank) if step.tip is not None]
     reach = [dot(sub(point, shank.center), axis) for point in (*points, *ends)]
     tip = add(shank.center, scale(axis, max(reach)))

@@ -11,7 +11,7 @@ from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import ConcaveGraph
 from querycad_segworker.features.shared.clearance import IsClear
 from querycad_segworker.features.shared.extruded_walls import ACROSS, MORE_THAN_HALF, tunnel_of
-from querycad_segworker.features.shared.frames import bow_of, edge_points, face_points, frame_of, outline_of
+from querycad_segworker.features.shared.frames import bow_of, face_points, frame_of, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.walls import Wall
 from querycad_segworker.tolerances import FACING, Tolerances
@@ -194,7 +194,7 @@ def _around_island(brep: Brep, pocket: Depression) -> Depression | None:
         return None
     sizes = []
     for loop in (floor.loops[0], inner[0]):
-        points = [p for e in loop.edges for p in edge_points(brep, e)]
+        points = [p for e in loop.edges for p in brep.edge_points[e]]
         ranges = [span(points, way) for way in (pocket.direction, cross(floor.axis, pocket.direction))]
         sizes.append([high - low for low, high in ranges])
     gaps = [(outer - core) / 2 for outer, core in zip(*sizes, strict=True)]

@@ -10,7 +10,7 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from querycad_contracts import SurfaceKind, Vector
-from querycad_segworker.features.shared.frames import LocalFrame, edge_points, frame_of_points, outline_of
+from querycad_segworker.features.shared.frames import LocalFrame, frame_of_points, outline_of
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.tolerances import FACING, Tolerances
 from querycad_segworker.topology import Brep, EdgeConvexity, EdgeKind, EdgeRecord, FaceRecord
@@ -145,7 +145,7 @@ class _Beyond:
     def span(self, edge: int) -> tuple[float, float]:
         """From where to where does an edge reach, in metres out of the level?"""
         if edge not in self._spans:
-            heights = list(map(self.height, edge_points(self.brep, edge)))
+            heights = list(map(self.height, self.brep.edge_points[edge]))
             self._spans[edge] = min(heights), max(heights)
         return self._spans[edge]
 
@@ -238,7 +238,7 @@ def _above(side: _Beyond, edges: Collection[int]) -> Iterator[Vector]:
     """Which points span the edges beyond the level? Where an edge crosses it, the point there."""
     for e in edges:
         edge = side.brep.edges[e]
-        for a, b in pairwise(edge_points(side.brep, e) if edge.closed else edge.points):
+        for a, b in pairwise(side.brep.edge_points[e] if edge.closed else edge.points):
             at_a, at_b = side.height(a), side.height(b)
             if max(at_a, at_b) > side.near:
                 crossing = add(a, scale(sub(b, a), at_a / (at_a - at_b))) if at_a * at_b < 0 else a

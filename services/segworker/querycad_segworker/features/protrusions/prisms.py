@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from querycad_contracts import SurfaceKind, Vector
 from querycad_segworker.features.shared.adjacency import is_blend
-from querycad_segworker.features.shared.frames import edge_points, face_points, frame_of_edges, polygon_name
+from querycad_segworker.features.shared.frames import face_points, frame_of_edges, polygon_name
 from querycad_segworker.features.shared.part_measures import faces_box
 from querycad_segworker.features.shared.refusals import refuse
 from querycad_segworker.features.shared.regular import across_flats_and_corners
@@ -165,7 +165,7 @@ def _prism(brep: Brep, ring: set[int], direction: Vector) -> Prism:
     frame = frame_of_edges(brep, edges, axis, None)
     length, width, height = frame.size
     own = ring | breaks | caps
-    box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in edge_points(brep, e))
+    box = faces_box(brep, own) if whole == ring else box_of(p for e in edges for p in brep.edge_points[e])
     assert box is not None  # a ring has corners
     center, low, high = box_center(box), frame.low[2], frame.low[2] + height
     levels = [dot(point, axis) for point in face_points(brep, _foot_fillets(brep, whole, axis))]

@@ -72,7 +72,7 @@ def frame_of_edges(
     longest = max(straight, key=lambda d: straight[d], default=None)
     u = along or (exact[longest] if longest is not None else perpendicular(normal))
     u = unit(sub(u, scale(normal, dot(u, normal))))
-    return frame_of_points([p for e in edges for p in edge_points(brep, e)], normal, u, turn=along is None)
+    return frame_of_points([p for e in edges for p in brep.edge_points[e]], normal, u, turn=along is None)
 
 
 def frame_of_points(points: Sequence[Vector], normal: Vector, u: Vector, *, turn: bool = True) -> LocalFrame:
@@ -87,14 +87,9 @@ def frame_of_points(points: Sequence[Vector], normal: Vector, u: Vector, *, turn
     return LocalFrame(u, v, normal, low, (size[0], size[1], size[2]))
 
 
-def edge_points(brep: Brep, e: int) -> Sequence[Vector]:
-    """Which points span an edge? Its ends and middle; of a full circle, sixteen around it."""
-    return brep.edge_points[e]
-
-
 def face_points(brep: Brep, faces: Iterable[int]) -> list[Vector]:
     """Which points span some faces: those of all their edges?"""
-    return [p for face in faces for e in brep.face_edges[face] for p in edge_points(brep, e)]
+    return [p for face in faces for e in brep.face_edges[face] for p in brep.edge_points[e]]
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from querycad_segworker.topology import Brep, EdgeConvexity
 from querycad_segworker.vectors import dot, span
 
 from .adjacency import is_blend
-from .frames import edge_points, frame_of_edges
+from .frames import frame_of_edges
 
 LEAST_DRAFT_RAD = math.radians(0.2)
 """Half of the smallest draft that moulds are given; less is an error of conversion."""
@@ -54,7 +54,7 @@ def mouth_and_bottom(
     as large as the sharp outline of the floor, or of the far mouth. None where both are alike.
     """
     edges = brep.edges_of(faces)
-    low, high = span((p for e in edges for p in edge_points(brep, e)), normal)
+    low, high = span((p for e in edges for p in brep.edge_points[e]), normal)
     near = 0.01 * (high - low)
     mouth = _level_edges(brep, edges, normal, high, near)
     if near <= 0 or not mouth:
@@ -88,4 +88,4 @@ def _narrows(brep: Brep, faces: Collection[int], normal: Vector) -> bool:
 
 def _level_edges(brep: Brep, edges: Collection[int], normal: Vector, level: float, near: float) -> set[int]:
     """Those edges that lie at one level."""
-    return {e for e in edges if all(abs(dot(p, normal) - level) <= near for p in edge_points(brep, e))}
+    return {e for e in edges if all(abs(dot(p, normal) - level) <= near for p in brep.edge_points[e])}
