@@ -26,7 +26,7 @@ from querycad_segworker.model import ModelStore
 
 from .data import MISSING, Question, is_right
 
-LIMIT = 10
+LIMIT = 12
 """Candidates of a question that are run for fitting; more than for an answer, so that weights see what was wrong."""
 
 

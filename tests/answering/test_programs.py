@@ -450,3 +450,14 @@ def test_the_back_of_what_is_round_is_one_of_its_ends_or_where_it_reaches_to() -
     assert ["center[2]" in code for code in codes] == [True, True, False]
     above = write(Distance(Plane(Side.TOP, flange), bore), grounds, model, 0).code
     assert "center[2]" in above
+
+
+def test_what_lies_on_one_side_may_point_to_another() -> None:
+    pin = PartQuery(noun="pin", definite=True)
+    grounds = {pin: ((part("boss-1", (0.04, 0.0, 0.0), normal=(0.0, 0.0, 1.0)),), 0)}
+    lies, points = (write(Towards(pin, tuple(Side)), grounds, whole(), option) for option in (0, 1))
+    assert ("p.center[2]" in lies.code, "p.normal" in lies.code) == (True, False)
+    assert ("p.center[2]" in points.code, "p.normal[2]" in points.code) == (False, True)
+    assert [read.expression for read in (*lies.reads, *points.reads)] == ["lies", "points"]
+    with pytest.raises(Unwritable):
+        write(Towards(pin, tuple(Side)), {pin: ((part("boss-1", (0.04, 0.0, 0.0)),), 0)}, whole(), 1)

@@ -56,7 +56,8 @@ def test_a_stated_number_is_compared(question: str, number: float) -> None:
 
 
 def test_a_stated_angle_is_compared_with_that_of_two_parts() -> None:
-    (found, *_) = [form for form in forms("Is the angle between the two levers 80 degrees?") if isinstance(form, Check)]
+    checks = [form for form in forms("Is the angle between the two levers 80 degrees?") if isinstance(form, Check)]
+    found = next(form for form in checks if isinstance(form.left, Angle))
     assert isinstance(found.left, Angle)
     assert not found.left.first.sizes
     assert describe(found) == "whether the angle between the 2 levers is 80°"

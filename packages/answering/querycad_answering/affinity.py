@@ -108,10 +108,11 @@ class Affinity:
 
     def of(self, features: Mapping[str, float], ways: Iterable[Grounded] = ()) -> float:
         """What speaks for a program of such features. `ways`: how each of its queries was grounded."""
-        of_parts = (self._of_way(place, way) for place, way in enumerate(islice(ways, MOST_WAYS)))
+        of_parts = (self.of_way(place, way) for place, way in enumerate(islice(ways, MOST_WAYS)))
         return math.fsum((*map(self._of_trait, traits(features)), *of_parts))
 
-    def _of_way(self, place: int, way: Grounded) -> float:
+    def of_way(self, place: int, way: Grounded) -> float:
+        """What speaks for the parts of one way to ground a query, by its place in the program."""
         key = place, id(way)  # which is kept beside, so that no other one gets its id
         if key not in self._ways:
             own = (self._of_trait(placed(place, trait), True) for trait in part_traits(way, self._whole))

@@ -19,10 +19,20 @@ from .affinity import FEATURE, Affinity
 from .programs import Unwritable, Written, write
 
 GROUNDINGS = 5
-"""Of each query so many ways are followed."""
+"""Of the query of a program so many ways are followed."""
+GUESSES = 6
+"""And so many of those that guess what its noun means."""
+GROUNDINGS_TOGETHER = 3
+"""Where a program has several queries, of each so many."""
+GUESSES_TOGETHER = 2
+"""And so many guesses, with as many ways of the others."""
+GUESSED = "guessed"
+"""The feature of a way that only guesses what a noun means."""
 OPTIONS = 4
 """So many meanings of a measure are followed."""
-RUNS = 6
+GUESSES_OPTIONS = 2
+"""And of a guess."""
+RUNS = 9
 """So many programs are run."""
 ABSENCES = 3
 """So many readings of parts that the model may lack are weighed."""
@@ -178,12 +188,11 @@ def _of_reading(
     affinity: Affinity,
 ) -> Iterable[Candidate]:
     own = list(queries(reading.form))
-    each = GROUNDINGS if len(own) < 2 else 3
-    followed = [[one for one in enumerate(grounded[query]) if not _drops(reading, query, one[1])] for query in own]
-    for ways in itertools.product(*(found[:each] for found in followed)):
+    for ways in _combined([_best(reading, query, grounded[query], affinity, i) for i, query in enumerate(own)]):
         grounds = {query: way for query, (_, way) in zip(own, ways, strict=True)}
         senses = {query: (way.parts, index) for query, (index, way) in zip(own, ways, strict=True)}
-        for option in range(OPTIONS):
+        guessed = any(GUESSED in way.features for way in grounds.values())
+        for option in range(GUESSES_OPTIONS if guessed else OPTIONS):
             try:
                 written = write(reading.form, senses, whole, option)
             except Unwritable:
@@ -195,8 +204,35 @@ def _of_reading(
                 break
 
 
+Way = tuple[int, Grounded]
+"""A way to ground a query, and which of them it is."""
+
+
+def _best(
+    reading: Reading, query: PartQuery, ways: Sequence[Grounded], affinity: Affinity, place: int
+) -> tuple[list[Way], list[Way]]:
+    """The ways to ground a query of a reading, the best first, and those that only guess what its noun means."""
+    worth = {i: _score(way.features) + affinity.of_way(place, way) for i, way in enumerate(ways)}
+    found = [(i, way) for i, way in enumerate(ways) if not _drops(reading, query, way)]
+    found.sort(key=lambda one: worth[one[0]], reverse=True)
+    known = [one for one in found if GUESSED not in one[1].features]
+    return known, [one for one in found if GUESSED in one[1].features]
+
+
+def _combined(ways: Sequence[tuple[list[Way], list[Way]]]) -> Iterator[tuple[Way, ...]]:
+    """The ways to ground all queries of a reading together; of several queries one is guessed at most."""
+    alone = len(ways) < 2
+    most, guesses = (GROUNDINGS, GUESSES) if alone else (GROUNDINGS_TOGETHER, GUESSES_TOGETHER)
+    yield from itertools.product(*(known[:most] for known, _ in ways))
+    for i, (_, guessed) in enumerate(ways):
+        others = [known[:GUESSES_TOGETHER] for known, _ in ways]
+        yield from itertools.product(*others[:i], guessed[:guesses], *others[i + 1 :])
+
+
 def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
     """Does the grounding leave out what is asked for: 'are the holes blind?', 'which holes are wider than 8 mm?'"""
+    if GUESSED in way.features and query.known and isinstance(reading.form, Count | Exists | Every | Either | Parts):
+        return True  # what is decided, counted or listed is no guess
     if "which" in reading.features:
         return not _DECIDABLE.isdisjoint(way.features)
     if isinstance(reading.form, Count | Exists) and not _SURE.isdisjoint(way.features):
@@ -219,8 +255,9 @@ def _drops(reading: Reading, query: PartQuery, way: Grounded) -> bool:
 def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Written) -> Features:
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
-    for grounded in grounds.values():
-        for name, value in grounded.features.items():
+    for query, grounded in grounds.items():
+        guessed = {"guessed_known": 1.0} if query.known and GUESSED in grounded.features else {}
+        for name, value in (grounded.features | guessed).items():
             features[name] = features.get(name, 0.0) + value
     for read in written.reads:
         for name in (f"measure_{read.grade}", f"{read.measure} of {read.kind}", f"{read.measure} as {read.expression}"):

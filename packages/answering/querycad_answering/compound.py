@@ -85,7 +85,7 @@ def clauses(asked: Question, best: Candidate | None) -> tuple[str, ...]:
         )
     topic, found = _listed(asked)
     used = best.reading.used if best is not None else frozenset[int]()
-    named = [[{m.head} for m in one.mentions if not m.pronoun] for one in found[1:]]
+    named = [[{m.head} for m in one.mentions if not m.pronoun] for one in found]
     passed = any(all(map(used.isdisjoint, group)) for group in (*(one.asks for one in found), *filter(None, named)))
     if not 1 < len(found) <= MAX_CLAUSES or not passed:
         return ()

@@ -54,6 +54,17 @@ def test_an_unknown_english_word_may_be_any_parts_of_one_kind_and_size_and_is_sa
     assert find(PLATE, "vestibule").parts == ()  # a program that looks for it gets none
 
 
+def test_a_known_noun_may_mean_parts_of_other_kinds_too_as_a_guess_behind_all_that_it_means() -> None:
+    slot = PartQuery(noun="slot", words=("slot",), known=True)
+    ways = ground(PLATE, slot)
+    guessed = ["guessed" in way.features for way in ways]
+    assert guessed == sorted(guessed)
+    assert any(ids(way) == {"hole-2"} for way, guess in zip(ways, guessed, strict=True) if guess)
+    assert not any("slot-1" in ids(way) for way, guess in zip(ways, guessed, strict=True) if guess)
+    assert all(way.parts for way, guess in zip(ways, guessed, strict=True) if guess)
+    assert {one.id for one in find(PLATE, "gear").parts} == set()  # a program that looks for one gets none
+
+
 def test_an_adjective_that_agrees_narrows_and_one_that_none_has_is_not_dropped_in_silence() -> None:
     agrees = best(asked(adjectives=("blind",)))
     assert ids(agrees) == {"hole-3"}

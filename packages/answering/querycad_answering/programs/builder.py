@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import NamedTuple
 
 from querycad_contracts import AnswerType, Measure, Part, PartKind, PartQuery
@@ -125,15 +126,16 @@ class Builder:
                 return f"{'max' if measure is Measure.LENGTH else 'min'}({{0}}.local_size[:2])"
         return self.read(measure, parts)
 
-    def chosen(self, modes: Mapping[str, str], kind: str) -> str:
-        """The one of several named meanings of a distance that this program takes. Raises Unwritable: fewer."""
+    def chosen(self, modes: Mapping[str, str], kind: str, measure: str = "distance") -> str:
+        """The one of several named meanings of a distance, or a side, that it takes. Raises Unwritable: fewer."""
         if self.option >= len(modes):
             raise Unwritable
         name = list(modes)[self.option]
-        self.reads.append(Read("distance", kind, name, "own" if self.option == 0 else "derived"))
+        self.reads.append(Read(measure, kind, name, "own" if self.option == 0 else "derived"))
         return modes[name]
 
 
+@lru_cache(maxsize=512)
 def _call(query: PartQuery, sense: int) -> str:
     """The argument of find_parts: the query as a dictionary, without what is empty."""
     implied = {"words", "known"} if query.known and query.words == tuple(query.noun.split()) else set()

@@ -164,7 +164,7 @@ def _axis_of(side: Side) -> str:
 def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
     """The side that the parts' openings, or else their centres, are nearest to, by shares of the extents.
 
-    Holes are on the side that they open to, faces on that which they look to.
+    Holes are on the side that they open to, faces on that which they look to; other parts may be, or point there.
 
     Or the side that 'most' of them are seen from, those that 'none' is, or how many are from 'each'.
     """
@@ -182,10 +182,14 @@ def towards(build: Builder, form: Towards) -> tuple[str, AnswerType]:
         most = "', '.join(side for side in seen if seen[side] == max(seen.values()))"
         return f"{most} if any(seen.values()) else 'none'", AnswerType.TEXT
     point = "opening" if all(part.opening is not None for part in parts) else "center"
-    facing = " + p.normal[{}]" if all(part.kind in _LOOKING and part.normal is not None for part in parts) else ""
+    share = f"(p.{point}[{{0}}] - shape.center[{{0}}]) / shape.half_extents[{{0}}]"
+    meanings = {"lies": share}
+    if all(part.normal is not None for part in parts):
+        looking = all(part.kind in _LOOKING for part in parts)
+        meanings = {"looks": f"{share} + p.normal[{{0}}]"} if looking else meanings | {"points": "p.normal[{0}]"}
+    meaning = build.chosen(meanings, kinds(parts), "side")
     for side in form.sides:
         i, sign = side_axis(side)
-        share = f"(p.{point}[{i}] - shape.center[{i}]) / shape.half_extents[{i}]{facing.format(i)}"
-        build.lines.append(f"{side.value} = {sign.strip('+')}sum({share} for p in {name})")
+        build.lines.append(f"{side.value} = {sign.strip('+')}sum({meaning.format(i)} for p in {name})")
     found = ", ".join(f'({side.value}, "{_axis_of(side) if form.axes else side.value}")' for side in form.sides)
     return f"max({found})[1]", AnswerType.TEXT

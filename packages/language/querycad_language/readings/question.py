@@ -121,7 +121,7 @@ class Question:
     def _declares(self) -> bool:
         """Is it said with a question mark: 'Lugs are on both sides?', 'It goes right through?', 'Lug bored?'"""
         text, (start, end) = self.text, self.asking
-        subject = next((m for m in self.parts if m.start <= start + 1), None)
+        subject = next((m for m in self.parts if start <= m.start <= start + 1), None)
         asks = any(text.find(i, "ask", "where", "count", "imperative") for i in range(start, end))
         if subject is None or asks or any(text.is_word(i, "how", "or") for i in range(start, end)):
             return False

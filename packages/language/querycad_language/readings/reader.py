@@ -52,7 +52,7 @@ class Reader(Question):
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
                 best[reading.form] = reading
-        operations = self.text.at_phrases("operation")
+        operations = {i for i in self.text.at_phrases("operation") if self.in_question(i)}
         if operations and any(isinstance(one.form, Combine) and operations <= one.used for one in best.values()):
             best = {form: one for form, one in best.items() if not operations.isdisjoint(one.used)}
         decided = [one for one in best.values() if isinstance(one.form, CLOSED)] if self.closed else []

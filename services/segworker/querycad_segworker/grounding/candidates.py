@@ -61,7 +61,8 @@ def pruned(ways: Sequence[Candidate]) -> list[Candidate]:
     for way in sorted(ways, key=lambda way: score(way.features), reverse=True):
         key = (*(part.id for part in way.parts), *way.unchecked)
         best.setdefault(key, way)
-    return list(best.values())[:BEAM]
+    told = [way for way in best.values() if "guessed" not in way.features][:BEAM]
+    return told + [way for way in best.values() if "guessed" in way.features][:BEAM]
 
 
 def through(

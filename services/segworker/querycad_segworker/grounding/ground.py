@@ -31,7 +31,7 @@ def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int
         ways = known[query, depth] = _ways(inventory, query, depth)
         while len(known) > KEPT:
             known.popitem(last=False)
-    return ways[:limit]
+    return ways if limit == BEAM else ways[:limit]
 
 
 def _ways(inventory: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
@@ -39,7 +39,7 @@ def _ways(inventory: Inventory, query: PartQuery, depth: int) -> list[Grounded]:
     ways = list(bases(request))
     for step in STEPS:
         ways = pruned([after for way in ways for after in step(request, way)])
-    ways = [way for way in ways if way.parts or "sense_kin" not in way.features]  # no other kind's lack says anything
+    ways = [way for way in ways if way.parts or not {"sense_kin", "guessed"} & way.features.keys()]  # says nothing
     return [Grounded(parts=way.parts, features=way.features, unchecked=way.unchecked) for way in ways]
 
 

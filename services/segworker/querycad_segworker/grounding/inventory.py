@@ -24,6 +24,7 @@ SMALL_UNIFIED = {"4-40", "6-32", "8-32", "10-24", "10-32"}
 """Unified threads below 1/4 inch whose tap drills are taken for threads: the others are near metric clearance holes."""
 THREAD_TOLERANCE_M = 0.06e-3
 """A bore this near to a standard diameter has it: half the step between neighbouring tap drill sizes."""
+WALLS = (PartKind.WALL, PartKind.FLOOR)
 WIDE = 0.7  # a flange or plate is at least this wide, compared with the widest
 _IMPLIED = {
     "chamfer": ("beveled", "chamfered"),
@@ -65,8 +66,8 @@ class Inventory:
 
     @cached_property
     def alike(self) -> list[list[Part]]:
-        """An assembly's largest bodies; what is cut in or stands out, by kind and size: most first, then largest."""
-        groups = orders.by_size([part for part in self.parts if part.kind.cuts_in or part.kind.stands_out])
+        """An assembly's largest bodies; what is cut in or stands out, walls too: most alike first, then largest."""
+        groups = orders.by_size([p for p in self.parts if p.kind.cuts_in or p.kind.stands_out or p.kind in WALLS])
         groups.sort(key=lambda group: (len(group), orders.size(group[0])), reverse=True)
         bodies = orders.by_size(self.bodies if len(self.bodies) > 1 else ())
         return [*sorted(bodies, key=lambda group: orders.size(group[0]), reverse=True)[:3], *groups]

@@ -24,7 +24,7 @@ KIN = (
     (*(kind for kind in PartKind if kind.breaks_edge), PartKind.TORUS),
 )
 """Kinds that people take for one another: a pocket may be called a notch, a rib a lug."""
-GUESSES = 6  # so many groups of like parts may be what an unknown noun means
+GUESSES = 32  # so many groups of like parts may be what a noun means
 _GENERIC = {"whole_generic": 1.0, "whole_sense": 1.0}
 NAMELESS = frozenset((PartKind.DEPRESSION, PartKind.ELEVATION))
 """Kinds of what no family has taken: a word means them where it means nothing else."""
@@ -34,8 +34,7 @@ def bases(request: Request) -> Iterator[Candidate]:
     """Every sense of the noun that the model has parts for, names of bodies, and the whole model."""
     inventory, query = request.inventory, request.query
     noun = lexicon().nouns.get(query.noun) if query.known else None
-    said_nothing = {"the", *lexicon().wholes}
-    words = [word for word in query.words if word not in said_nothing] or query.noun.split()
+    words = [word for word in query.words if word not in {"the", *lexicon().wholes}] or query.noun.split()
     named = list(_by_name(inventory, words, query.noun.split()))
     yield from named
     if lexicon().wholes & set(query.adjectives) and inventory.model is not None:
@@ -45,13 +44,13 @@ def bases(request: Request) -> Iterator[Candidate]:
         yield from found
         if all(not way.parts or "kin_instead" in way.features for way in found):
             yield from _others(inventory, query, words)  # 'counterbore cutter'
-        if noun.product and not named:
-            yield from _guessed(inventory, query)  # 'the latch' of a lid
+        if not (named or request.depth):
+            yield from _guessed(inventory, query, [kind for sense in noun.senses for kind in sense.kind])  # 'the latch'
         others = query.plural or query.places or query.sides or query.ends or query.ranks or query.sizes
         solid = any(not SOLID.isdisjoint(sense.kind) and not sense.name for sense in noun.senses) and not noun.product
         generic = query.deictic or (query.definite and not others and solid and inventory.alone)
-        own = any(way.features.get("sense_rank") == 0 for way in found)
-        thing = bool(noun.senses and noun.senses[0].name) and not (own or others or request.depth)
+        nearest = any(way.features.get("sense_rank") == 0 for way in found)
+        thing = bool(noun.senses and noun.senses[0].name) and not (nearest or others or request.depth)
         generic = generic or (thing and inventory.alone)
         if generic and not noun.product and not query.plural and inventory.model is not None:
             yield Candidate((inventory.model,), _GENERIC)  # 'the pin', 'the plug' is all there is, 'this pin' may be
@@ -97,11 +96,12 @@ def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> It
     yield Candidate((), {"unknown_noun": 1.0}, (f"'{query.noun}'",))
 
 
-def _guessed(inventory: Inventory, query: PartQuery) -> Iterator[Candidate]:
-    """Parts of one kind and size, where nothing is known of the noun: 'a cell' may be any of the fifteen pockets."""
+def _guessed(inventory: Inventory, query: PartQuery, own: Sequence[str] = ()) -> Iterator[Candidate]:
+    """Parts of one kind and size, but of those that the noun means: 'a cell' may be any of the fifteen pockets."""
     if not all(map(is_english, query.noun.split())):
         return
-    groups = [group for group in inventory.alike if len(group) > 1 or not query.plural]
+    but = (*own, *PIECES) if PartKind.HOLE in own else own
+    groups = [group for group in inventory.alike if group[0].kind not in but and (len(group) > 1 or not query.plural)]
     for group in groups[:GUESSES]:
         yield Candidate(tuple(group), {"guessed": 1.0}, (taken_for(query.noun, group[0].kind),))
 

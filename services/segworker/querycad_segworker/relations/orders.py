@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left, insort
+from collections import defaultdict
 from collections.abc import Callable, Sequence
 from itertools import pairwise
 
@@ -10,6 +12,8 @@ from querycad_segworker.vectors import line_distance, norm, sub
 
 SAME_SIZE = 1.02
 """Sizes that differ by less than this ratio are one size: tolerances and roundings of drawings."""
+_NO_SIZE = 1e-9
+"""Metres by which no sizes differ."""
 _SOLIDS = frozenset(kind for kind in PartKind if kind.stands_out) - {PartKind.ELEVATION}
 
 
@@ -97,20 +101,19 @@ def extreme(found: Sequence[Part], values: Sequence[float], most: bool, nth: int
 
 
 def by_size(found: Sequence[Part]) -> list[list[Part]]:
-    """Groups of parts of one kind and size."""
+    """Groups of parts of one kind and size: each is like the first one of its group."""
     groups: list[list[Part]] = []
+    firsts: dict[PartKind, list[tuple[float, int]]] = defaultdict(list)
     for part in found:
-        group = next((group for group in groups if _alike(part, group[0])), None)
-        if group is None:
-            groups.append([part])
+        own, known = size(part), firsts[part.kind]
+        low = bisect_left(known, ((own - _NO_SIZE) / SAME_SIZE, -1))
+        high = bisect_left(known, (own * SAME_SIZE + _NO_SIZE, len(groups)))
+        if low < high:
+            groups[min(group for _, group in known[low:high])].append(part)
         else:
-            group.append(part)
+            insort(known, (own, len(groups)))
+            groups.append([part])
     return groups
-
-
-def _alike(part: Part, other: Part) -> bool:
-    small, large = sorted((size(part), size(other)))
-    return part.kind == other.kind and large <= SAME_SIZE * small + 1e-9
 
 
 def without_twins(found: list[Part]) -> list[Part]:

@@ -92,7 +92,7 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     spans: dict[int, int] = {at: span.value for span in text.all("axis") for at in span.tokens}
     times = {at for at in spans if text.is_word(at, "x") and {at - 1, at + 1} <= spans.keys()}
     spans = {at: axis for at, axis in spans.items() if at not in times}  # 'long way x short way'
-    led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective")}
+    led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective", "axis")}
     if LONGEST in spans.values() or text.at_words("long", "along", "longer") - led:
         spans |= dict.fromkeys(text.at_words("long", "along", "longer") - led, LONGEST)
         spans |= dict.fromkeys(text.at_words("short", "across", "shorter") - led, SHORTER)

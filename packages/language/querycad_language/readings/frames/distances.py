@@ -133,7 +133,7 @@ def _distance_words(question: Question) -> Iterator[_Words]:
 def _left_between(question: Question) -> Iterator[_Words]:
     """'the least metal between the lugs', 'the thinnest web between the bores'."""
     text = question.text
-    for span in text.all("stuff") if text.has("between") else ():
+    for span in text.all("stuff") if text.has("between") or {*text.words} >= {"from", "to"} else ():
         if question.in_question(span.start) and text.is_word(span.end, "between", "left", "remaining", "standing"):
             yield _Words(span.start, span.end, "surfaces", {*span.tokens, *text.at_phrases("remaining", "between")})
     for at in text.at_words(*_WEBS):
@@ -176,7 +176,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
     """'How far …?', 'How much gap …?', 'How high above …?'"""
     text = question.text
     gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
-    apart = text.at_words("between", "separate")
+    apart = text.at_words("between", "separate", *({"from"} if text.has("to") else ()))
     if text.is_word(at + 1, "much") and (stuff := text.stuff(at)) and apart:
         yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining"), *apart})
     if text.is_word(at + 1, "far", "close") or (text.is_word(at + 1, "much") and gap):
@@ -185,7 +185,7 @@ def _how(question: Question, at: int) -> Iterator[_Words]:
             apart |= {at + 2} if text.is_word(at + 2, "in", "inwards", "up", "down", "along") else set()
             yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
     elif (scale := text.find(at + 1, "scale")) and scale.value.measure in _ACROSS:
-        if apart or (text.has("from") and text.has("to")):  # 'how wide is it from the pin to the slot'
+        if apart:  # 'how wide is it from the pin to the slot'
             yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *apart})
     elif scale is not None and scale.value.measure is Measure.HEIGHT:
         if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
@@ -211,7 +211,9 @@ def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *BORDERS)}
     asks, begins = any(text.find(question.asking[0] + i, "ask") for i in (0, 1)), ("begin", "begins", "start", "starts")
     near |= {at for at in text.at_words("beginning", *begins) if asks or text.is_word(at + 1, "of")}
-    left = text.at_phrases("remaining") if text.has("between") else frozenset[int]()
+    left = text.at_phrases("remaining") if text.has("between") or {*text.words} >= {"from", "to"} else frozenset[int]()
+    cuts = [m for m in question.parts if is_cut(m.part) or is_cut(rimmed(m.part))]  # 'the edge of the hole'
+    near |= {i for m in cuts for i in {*m.used, m.start - 2} if text.is_word(i, "edge", "rim", "border", "outline")}
     facing = near | inside | text.covered("surface_to_surface") | left
     possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
     ends = {mention.end + (mention.end in possessive) for mention in question.mentions}

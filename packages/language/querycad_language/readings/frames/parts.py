@@ -8,7 +8,7 @@ from itertools import pairwise
 from querycad_contracts import Measure, PartQuery, Side
 from querycad_language.forms import Count, Get, Parts, Towards
 from querycad_language.lexicon import lexicon
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import placed_in, replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -17,7 +17,8 @@ from .named_distances import material
 from .related_parts import is_cut
 
 MATES_WITHIN = 6  # words between a part and the verb that says where it goes
-_TURNED = ("open", "opens", "face", "facing", "point", "lean", "look")  # verbs of which way something is turned
+_TURNED = ("open", "opens", "face", "facing", "point", "lean", "look", "looks")
+"""Verbs of which way something is turned."""
 
 
 def parts(question: Question) -> Iterator[Parse]:
@@ -42,7 +43,8 @@ def parts(question: Question) -> Iterator[Parse]:
         if (offered or side is not None) and not (measured or is_side):  # 'which is thicker, the upper or the lower'
             bare = tuple(name for name in query.adjectives if name != "open")  # 'which way does the seat open'
             towards = Towards(replace_fields(query, sides=(), ends=(), adjectives=bare), offered or tuple(Side))
-            yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used)
+            turned = {i for i in text.at_words(*_TURNED) if i >= start}
+            yield Parse(towards, {**features, "sides_offered": float(bool(offered))}, named | used | turned)
             if index == 0 and not is_cut(query) and (opens := text.at_words("open")):  # 'which side is the box open on'
                 inside = Towards(PartQuery(noun="inside", words=("inside",), definite=True), towards.sides)
                 yield Parse(inside, {**features, "opens": 1.0}, named | used | opens)
@@ -121,9 +123,11 @@ def mating(question: Question) -> Iterator[Parse]:
         noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
         unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
         fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]
-        used = {*range(asked, male.end), *verb.tokens}
+        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in fitted if not is_cut(part)]
         for query, more in fitted:
-            yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
+            yield Parse(
+                Get((Measure.DIAMETER,), query), {"mating": 1.0}, {*range(asked, male.end), *verb.tokens, *more}
+            )
 
 
 def bare(question: Question) -> Iterator[Parse]:
@@ -132,8 +136,6 @@ def bare(question: Question) -> Iterator[Parse]:
         if (query := mention.query) is not None:
             get = Get((_named_by(query),), query)
             yield Parse(get, {"named_only": 1.0}, mention.used)
-            yield from material(
-                question, get, {"named_only": 1.0}, mention.used
-            )  # 'the thinnest wall between the keyways'
+            yield from material(question, get, {"named_only": 1.0}, mention.used)  # 'the wall between the keyways'
             if query.plural:
                 yield Parse(Count(query), {"named_only": 1.0}, mention.used)

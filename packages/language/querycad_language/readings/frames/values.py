@@ -235,7 +235,7 @@ def wholes(question: Question) -> Iterator[Parse]:
     used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition", "passing")
     if longest and axes and asks and not question.parts:
         yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
-    led = text.at_words("along", "parallel", "run", "lie", "coordinate")
+    led = text.at_words("along", "parallel", "run", "lie", "coordinate", "follow", "go", "point")
     either = text.has("or") and len({span.value for span in text.all("axis")}) > 1
     which = any(text.is_word(i + 1 + text.is_word(i + 1, "coordinate"), "axis") for i in text.at_phrases("ask"))
     which |= asks and text.has("axis") and (len(text.at_words("x", "y", "z")) > 1 or bool(text.at_phrases("parallel")))
