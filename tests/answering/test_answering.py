@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 from tests.made import hole, view
 
-from querycad_answering.answering import answer_question
+from querycad_answering.answering import AS_ONE, SURER, answer_question
 from querycad_contracts import AnswerRecord, Grounding, Part, Program, RunOutcome, RunStatus, Status
+from querycad_language.readings.question import Question
 
 HOLE = hole(1)
 
@@ -95,3 +96,20 @@ def test_an_empty_question_runs_nothing(question: str) -> None:
     assert record.status is Status.FAILED
     assert record.failure is not None
     assert record.failure.category == "bad_input"
+
+
+@pytest.mark.parametrize(("less", "one"), [(2 * SURER, True), (0.7 * SURER, False)])
+def test_what_is_much_surer_as_one_question_is_one(monkeypatch: pytest.MonkeyPatch, less: float, one: bool) -> None:
+    question = "How deep is the hole, please?"
+    found = {"value": 0.005, "groundings": (grounding(HOLE),), "used_parts": ("hole-1",)}
+    plain = ask(question, **found)
+    alone = plain.confidence or 0.0
+    both = plain.model_copy(update={"confidence": alone - less})
+
+    def clauses(asked: Question, _: object) -> tuple[str, ...]:
+        return ("How deep is the hole?", "How wide is the hole?") if asked.text.question == question else ()
+
+    monkeypatch.setattr("querycad_answering.answering.together", lambda *_: both)
+    monkeypatch.setattr("querycad_answering.answering.clauses", clauses)
+    record = ask(question, **found)
+    assert record.confidence == pytest.approx(min(AS_ONE, alone) if one else alone - less)

@@ -61,6 +61,11 @@ NO_LLM = LlmWriter(LlmSettings())
 BY_SIGHT_AT_MOST = 0.7
 """So sure at most is an answer that rests on sight alone: below what counts as sure, as nobody has measured yet how
 often sight is right."""
+SURER = 0.2
+"""By so much surer than all of them together, a question that may be several is read as one: of 35 such among 5,901
+the one value was right in 30, all values together in one."""
+AS_ONE = 0.7
+"""So sure, at most, is that one value: what else may be asked is passed over."""
 SURE = 0.8
 """An answer of the parser that is at least as probable goes before a language model's."""
 
@@ -224,6 +229,11 @@ def _compound(
     both = together(records, judged) if records else None
     if records and both is None:
         understanding.at_most = min(understanding.at_most, OTHER_CLASS)  # one of them is not answered
+    if both is not None and both.confidence is not None:
+        single = understanding.answered(run, unit)
+        if single.verdict.answer is not None and (single.confidence or 0.0) > both.confidence + SURER:
+            understanding.at_most = min(understanding.at_most, AS_ONE)
+            return None
     return both
 
 
