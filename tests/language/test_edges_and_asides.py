@@ -11,7 +11,7 @@ from querycad_language.readings.reader import read
 
 
 def first(question: str) -> Reading:
-    return max(read(question), key=lambda one: -len(one.skipped))
+    return min(read(question), key=lambda one: len(one.skipped))
 
 
 def forms(question: str) -> list[Form]:

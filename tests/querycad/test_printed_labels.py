@@ -25,7 +25,7 @@ from querycad_segworker.summary import summary
 
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.step"))
 BODIES_FIRST = {
-    ("bearing_assembly", "shaft"), ("bearing_assembly", "tube"), ("bearing_assembly", "rectangular plate"),
+    ("bearing_assembly", "shaft"), ("bearing_assembly", "rectangular plate"),
     ("gear_shaft", "shaft"), ("flange", "flange"),
 }  # fmt: skip
 """Words that bodies go by, by their names or by their shape, mean these bodies, and not a step or a wall of them."""

@@ -212,9 +212,8 @@ def _best(
     reading: Reading, query: PartQuery, ways: Sequence[Grounded], affinity: Affinity, place: int
 ) -> tuple[list[Way], list[Way]]:
     """The ways to ground a query of a reading, the best first, and those that only guess what its noun means."""
-    worth = {i: _score(way.features) + affinity.of_way(place, way) for i, way in enumerate(ways)}
     found = [(i, way) for i, way in enumerate(ways) if not _drops(reading, query, way)]
-    found.sort(key=lambda one: worth[one[0]], reverse=True)
+    found.sort(key=lambda one: _score(one[1].features) + affinity.of_way(place, one[1]), reverse=True)
     known = [one for one in found if GUESSED not in one[1].features]
     return known, [one for one in found if GUESSED in one[1].features]
 

@@ -12,6 +12,7 @@ from querycad_language.phrases import noun_phrase
 from .candidates import score, taken_for
 from .ground import ground
 from .inventory import Inventory, values_of
+from .names import holds
 from .printed import key
 
 UNDERSTOOD_NOT = ("unknown_noun", "id_missing")  # features of a grounding whose noun nothing is known of
@@ -76,10 +77,11 @@ def _none_such(inventory: Inventory, query: PartQuery) -> str:
 
 
 def _printed(inventory: Inventory, asked: str, way: Grounded, sides: Sequence[Side] | None) -> Grounded:
-    """What is printed of parts means these; but a word that means bodies, or parts of the kind it names, means them."""
+    """What is printed of parts means these; but a word that bodies are called by, or a kind of part, means those."""
     said = key(asked)
     parts = inventory.printed.get(said, ())
-    bodies = "unknown_whole" not in way.features and any(part.kind.is_whole for part in way.parts)
+    other = "sense_named" in way.features and not any(holds(part.name, (said,)) for part in way.parts)  # a 'bushing'
+    bodies = not other and "unknown_whole" not in way.features and any(part.kind.is_whole for part in way.parts)
     if not parts or any(part.kind == said for part in way.parts):
         return way
     if bodies and "," not in asked and not parts[0].kind.is_whole:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from querycad_contracts import Grounded, PartQuery
 
-from .candidates import BEAM, Request, Step, pruned
+from .candidates import Request, Step, pruned
 from .inventory import Inventory
 from .placement import placed, seen
 from .restrictions import colored, narrowed, sized, threaded
@@ -21,7 +21,7 @@ STEPS: tuple[Step, ...] = (
 KEPT = 64  # so many queries a model keeps grounded: those of a question are a dozen, each asked for once a program
 
 
-def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int = 0) -> list[Grounded]:
+def ground(inventory: Inventory, query: PartQuery, limit: int | None = None, depth: int = 0) -> list[Grounded]:
     """The part sets that a query can mean on this model, best first; never none: the last resort is the empty set."""
     if query.ids:
         return [_by_id(inventory, query)]
@@ -31,7 +31,7 @@ def ground(inventory: Inventory, query: PartQuery, limit: int = BEAM, depth: int
         ways = known[query, depth] = _ways(inventory, query, depth)
         while len(known) > KEPT:
             known.popitem(last=False)
-    return ways if limit == BEAM else ways[:limit]
+    return ways[:limit]
 
 
 def _ways(inventory: Inventory, query: PartQuery, depth: int) -> list[Grounded]:

@@ -97,7 +97,7 @@ def _unknown(inventory: Inventory, query: PartQuery, words: Sequence[str]) -> It
 
 
 def _guessed(inventory: Inventory, query: PartQuery, own: Sequence[str] = ()) -> Iterator[Candidate]:
-    """Parts of one kind and size, but of those that the noun means: 'a cell' may be any of the fifteen pockets."""
+    """Parts of one kind and size, of other kinds than the noun's `own`: 'a cell' may be any of the fifteen pockets."""
     if not all(map(is_english, query.noun.split())):
         return
     but = (*own, *PIECES) if PartKind.HOLE in own else own

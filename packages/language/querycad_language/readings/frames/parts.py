@@ -124,10 +124,9 @@ def mating(question: Question) -> Iterator[Parse]:
         unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
         fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]
         fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in fitted if not is_cut(part)]
+        used = {*range(asked, male.end), *verb.tokens}
         for query, more in fitted:
-            yield Parse(
-                Get((Measure.DIAMETER,), query), {"mating": 1.0}, {*range(asked, male.end), *verb.tokens, *more}
-            )
+            yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
 
 
 def bare(question: Question) -> Iterator[Parse]:

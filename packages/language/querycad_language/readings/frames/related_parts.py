@@ -241,5 +241,5 @@ def floored(query: PartQuery) -> PartQuery | None:
 
 def rimmed(query: PartQuery) -> PartQuery | None:
     """The cut of 'the rim of the bore', 'the edge of the slot': a distance between surfaces begins there."""
-    named = query.noun.split()[-1:] in (["rim"], ["edge"], ["border"], ["wall"], ["outline"], ["flank"], ["side"])
+    named = {"rim", "edge", "border", "wall", "outline", "flank", "side"} & {*query.noun.split()[-1:]}
     return next((cut for _, cut in places_of(query, "of") if named), None)
