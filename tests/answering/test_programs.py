@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from tests.made import body, hole, part, whole
@@ -102,6 +103,24 @@ CASES: list[tuple[Form, AnswerType]] = [
     (Uniform(DEPTH), AnswerType.BOOLEAN),
     (Parallel(HOLES, None), AnswerType.BOOLEAN),
 ]
+
+
+@pytest.mark.parametrize("places", [((20, 0), (0, 20), (-20, 0)), ((20, 0), (-20, 0))])
+@pytest.mark.parametrize(("measure", "size"), [(Measure.DIAMETER, 0.04), (Measure.RADIUS, 0.02)])
+def test_the_circle_of_holes_that_are_no_pattern_runs_through_their_centres(
+    places: tuple[tuple[float, float], ...], measure: Measure, size: float
+) -> None:
+    circle, holes = PartQuery(noun="pitch circle"), tuple(hole(i, x, y) for i, (x, y) in enumerate(places))
+    written = write(Get((measure,), circle), {circle: (holes, 0)}, whole())
+    values: dict[str, Any] = {"find_parts": lambda _: holes}
+    exec(written.code, values)  # noqa: S102 - our own program
+    assert values["solution"] == pytest.approx(size)
+
+
+def test_four_holes_that_are_no_pattern_have_no_circle() -> None:
+    circle = PartQuery(noun="pitch circle")
+    with pytest.raises(Unwritable):
+        write(Get((Measure.DIAMETER,), circle), {circle: (tuple(hole(i, 10 * i**2) for i in range(4)), 0)}, whole())
 
 
 @pytest.fixture(scope="module")

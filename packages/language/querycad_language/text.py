@@ -23,6 +23,8 @@ EXTENTS = ("over_all", "facewise", "outside_to_outside", "surface_to_surface")
 """Categories of the adverbs that say from where to where, such as 'end to end'."""
 ROUNDED = ("radius", "fillet", "filleted", "rounded", "rounding", "round", "blend", "blended")
 """Words that tell that the edges are rounded which a question speaks of."""
+_PASSIVE = ("is", "are", "be", "been", "get", "gets", "has")
+_WHO = ("i", "we", "you", "they", "he", "she", "can", "must", "should", "will", "would")  # before verbs
 BREAKS = frozenset((".", "?", "!", ";", ":"))  # symbols that end a clause for good
 
 
@@ -56,6 +58,9 @@ class Text:
         for i in self.at_words("left"):  # 'the left lug' is none that remains
             if self.find(i - 1, "article") or self.find(i + 1, "noun", "side_noun"):
                 self.spans[i] = [span for span in self.spans[i] if span.category != "remaining"]
+        for i in self.at_words("it"):  # 'where it leaves the plate'
+            if i + 1 < len(tokens) and tokens[i + 1].plural and not self.is_word(i - 1, "has", "have", "had", "of"):
+                self.spans[i + 1] = [span for span in self.spans[i + 1] if span.category != "noun"]
         self._extents: set[int] = set()
         for at in range(1, len(tokens) - 2):
             span = self.find(at, *EXTENTS)
@@ -142,8 +147,13 @@ class Text:
         token = self.tokens[at]
         if token.kind is not Kind.WORD or at in self._extents:
             return False
-        if not self.spans[at] and token.word.endswith(("ly", "wise", "wards")):
-            return False  # an adverb
+        if not self.spans[at]:
+            before, acts = self.words[at - 1] if at else "", self.find(at + 1, "article", "pronoun") is not None
+            passive = token.word.endswith("ed") and before in _PASSIVE  # 'the floor that it is bolted to'
+            verb = passive or before in _WHO or (before == "to" and acts)  # 'which side I chuck', 'to turn it'
+            verb = verb or (token.word.endswith("ing") and before in ("before", "after", "by", "when", "while"))
+            if verb or token.word.endswith(("ly", "wise", "wards")):
+                return False
         return not any(span.category in CLOSED for span in self.spans[at] if span.end == at + 1)
 
     @cached_property

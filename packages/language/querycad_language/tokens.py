@@ -89,6 +89,7 @@ _CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]
     (re.compile(r"(?:\bno\.|#)(?=\s?of\b)", re.I), "number"),
     (re.compile(r"\bw/o\b", re.I), "without"),
     (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
+    (re.compile(r"\bhow proud\b", re.I), "how far out"),
     (_ECHO, "?"),
     (_FRAME, " "),
     (re.compile(r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", re.I), r"\1 "),
@@ -279,6 +280,8 @@ def _pieces() -> frozenset[str]:
 def _compound(word: str) -> tuple[str, ...] | None:
     """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
     lex, known = lexicon(), _pieces()
+    if word.endswith(("ing", "ed")) and is_english(word):
+        return None  # 'webbed' is no bed
     for cut in range(3, len(word) - 2):
         second = lex.singular(word[cut:])
         if word[:cut] in known and second in known:

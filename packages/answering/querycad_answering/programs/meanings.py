@@ -34,6 +34,7 @@ _CHAMFER = "chamfer_size; min(extents); ~width"
 """A chamfer is as wide as what it takes off the edge (ISO 13715); across its face is another reading."""
 _FLOOR = f"({', '.join(f'{{0}}.opening[{i}] - {{0}}.depth * {{0}}.normal[{i}]' for i in range(3))})"
 _WINDOW = "extents; [*local_size[:2]]; ~max(extents)"
+_ALONG = '"xyz"[max(range(3), key=lambda i: abs({0}.axis[i]))]'
 _LEAN, _RISE = "math.acos(min(1.0, abs({0}.axis[2])))", "math.asin(min(1.0, abs({0}.axis[2])))"
 """Of an axis: to the z axis, and to the horizontal plane."""
 _LEVEL = 'find_parts("hole") if abs(p.axis[2]) < 0.5'
@@ -185,12 +186,13 @@ _MEANINGS: Mapping[Measure, str | Mapping[str, str]] = {
     Measure.FILL: {"model": f"100 * {{0}}.volume / {_BOX}"},
     Measure.LONG_AXIS: {
         "model": '"xyz"[list({0}.extents).index(max({0}.extents))]',
-        "ROUND hole boss": '"xyz"[max(range(3), key=lambda i: abs({0}.axis[i]))]',
-        "": '"xyz"[list({0}.extents).index(max({0}.extents))]',
+        "ROUND hole boss": _ALONG,
+        "": f'"xyz"[list({{0}}.extents).index(max({{0}}.extents))]; ~{_ALONG}',
     },
     Measure.REMOVED: {"model": f"{_BOX} - {{0}}.volume"},
     Measure.STANDING_AREA: {
-        "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)'
+        "model": 'sum(f.area for f in faces(facing="bottom") if f.center[2] - {0}.min_corner[2] < 5e-05)',
+        "": "area",
     },
     **{measure: _end(side) for measure, side in ENDS.items()},
 }

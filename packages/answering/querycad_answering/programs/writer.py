@@ -6,9 +6,10 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 
-from querycad_contracts import AnswerType, Measure, Part, PartQuery, Relation
+from querycad_contracts import AnswerType, Measure, Part, PartKind, PartQuery, Relation
 from querycad_language import forms
 from querycad_language.forms import Count, Distance, Form, Get, Reduce
+from querycad_language.lexicon import lexicon
 from querycad_language.measures import SCALARS, answer_type, of_several
 
 from .builder import Builder, Compared, Grounds, Unwritable, Written
@@ -154,6 +155,8 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
     if measure is Measure.POSITION and target.noun.split()[-1:] == ["end"] and all(part.tip for part in parts):
         measure = Measure.TIP  # a shaft ends at its tip
     expression = build.read(measure, parts)
+    if _is_circle(target) and all(part.kind is PartKind.HOLE for part in parts):
+        return _through_centers(build, name, len(parts), measure)
     if expression == "{0}.tip" and sum(len(part.tips) for part in parts) > 1:
         return f"[tip for p in {name} for tip in p.tips]", AnswerType.POINTS
     if measure in _DENSE:
@@ -170,6 +173,27 @@ def _of_parts(build: Builder, form: Get, target: PartQuery) -> tuple[str, Answer
         return f"{_listed(build, expression, target)}[0]", AnswerType.LENGTHS
     steps = measure in _STEPPED and form.reduce in _OF_STEPS
     return _reduced(build, _listed(build, expression, target, steps), form.reduce, _type(measure, expression))
+
+
+def _is_circle(query: PartQuery) -> bool:
+    noun = lexicon().nouns.get(query.noun)
+    return noun is not None and noun.name == "bolt circle"
+
+
+def _through_centers(build: Builder, name: str, count: int, measure: Measure) -> tuple[str, AnswerType]:
+    """Diameter or radius of the circle through two centres, which are opposite, or three, by Heron's formula.
+
+    More at equal angles are a pattern, which has a diameter of its own. Raises Unwritable.
+    """
+    if count not in (2, 3) or measure not in _STEPPED:
+        raise Unwritable
+    share = "" if measure is Measure.DIAMETER else " / 2"
+    build.lines += ["import math", f"centers = [p.center for p in {name}]"]
+    if count == 2:
+        return f"math.dist(*centers){share}", AnswerType.LENGTH
+    build.lines.append("a, b, c = [math.dist(centers[i - 1], centers[i]) for i in range(3)]")
+    build.lines.append("area = math.sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c)) / 4")
+    return f"a * b * c / (2 * area){share}", AnswerType.LENGTH
 
 
 def _type(measure: Measure, expression: str) -> AnswerType:

@@ -113,7 +113,8 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
         return at  # 'boss vertical extent'
     place = begin == at and text.find(at, "place")
     sided = text.is_word(at, "side")  # 'on each side': no attribute
-    if own and adjective and not (sided or is_noun(text, adjective.end) or place) and adjective.value.tags:
+    asked = text.find(begin, "verbs") is not None and text.has("much", "degree")  # 'how much is it tilted'
+    if own and adjective and not (sided or asked or is_noun(text, adjective.end) or place) and adjective.value.tags:
         (build.lacking if negated else build.adjectives).append(adjective.value.name)
         return adjective.end
     if (end := placed(phrases, at, build, depth)) > at:

@@ -83,8 +83,6 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     noun, adjective, measure = text.find(at, "noun"), text.find(at, "adjective"), text.find(at, "measure")
     if noun and text.find(at, "reach", "passing") and not _names(text, at, build.article):
         noun = None  # 'ring sticks up': a verb
-    if not build.nouns and (end := _by_measure(text, at, build)) > at:
-        return end
     if _is_over(text, at, build, noun) or _is_measure(text, build, noun, adjective, measure):
         return at
     if (end := _ranked(text, at, build)) > at:
@@ -110,15 +108,6 @@ def _shares_noun(text: Text, adjective: Span, build: PhraseBuilder) -> bool:
     """'The big and the small end': does another adjective follow, with the noun of both?"""
     article = text.is_word(adjective.end, "and") and text.find(adjective.end + 1, "article")
     return bool(article and build.article and text.find(adjective.end + 2, "adjective"))
-
-
-def _by_measure(text: Text, at: int, build: PhraseBuilder) -> int:
-    """'The middle step': a word of a measure that tells parts."""
-    measure = text.find(at, "measure")
-    if measure is None or measure.end > at + 1 or not text.is_word(at, "middle") or not text.find(at + 1, "noun"):
-        return at
-    build.adjectives.append("middle")
-    return at + 1
 
 
 def _names(text: Text, at: int, article: bool) -> bool:
@@ -149,6 +138,8 @@ def _is_measure(
     """Is the word a measure, and no part that has one: 'mouth diameter'?"""
     if measure is None or (noun and noun.end > measure.end) or (adjective and adjective.end > measure.end):
         return False
+    if adjective and text.is_word(measure.start, "middle") and text.find(measure.end, "noun"):
+        return False  # 'the middle step'
     others = [one for one in text.all("measure", "scale") if one.start != measure.start]
     if others and superlative(text, measure.start) and text.find(measure.end - 1, "noun"):
         return False  # 'how long is the thinnest section'

@@ -100,7 +100,8 @@ class Phrases:
             but = self.text.is_word(at, "not") and self.text.is_word(at - 1, ",", "(", "but")
             if but and at + 1 == mention.start and mention.part.definite:
                 return range(at, at + 1)  # 'lugs (the long ones, not the ribs)'
-        out = self.text.find(mention.end, "left_out") if mention.query and mention.query.ranks else None
+        sure = mention.query and (mention.query.ranks or not self.text.is_word(mention.end, "out", "aside"))
+        out = self.text.find(mention.end, "left_out") if sure else None  # 'the slot does not count'
         return range(mention.end, out.end) if out is not None else range(0)
 
     @cached_property

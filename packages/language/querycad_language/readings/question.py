@@ -167,7 +167,7 @@ class Question:
         for end in (at + 2, at + 1):
             name = " ".join(token.raw.lower() for token in self.text.tokens[at:end])
             if name in units:
-                return end, units[name][1]
+                return min(end, len(self.text)), units[name][1]
         return None
 
     @cached_property

@@ -43,10 +43,10 @@ class Reader(Question):
         parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
         parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
         parses += [one for parse in parses for holder in self.holders[:MAX_VIEWS] for one in _held(parse, holder)]
-        words = passable(self)
+        words, named = passable(self), self.text.has("axis") and not self.text.has("side")
         best: dict[Form, Reading] = {}
         for parse in parses:
-            if isinstance(parse.form, Towards) and self.text.has("axis", "+"):
+            if isinstance(parse.form, Towards) and (self.text.has("+") or named):
                 parse = Parse(replace(parse.form, axes=True), parse.features, parse.used)
             reading = finished(self, parse, words)
             known = best.get(reading.form)

@@ -96,6 +96,8 @@ class Inventory:
         tags = {part.kind, *part.tags, *_IMPLIED.get(part.kind, ())}
         if "plate" in part.tags:
             tags = {_TURNED.get(tag, tag) for tag in tags}
+        if "elongated" in part.tags and part.kind.cuts_in:  # a vertical slot runs up, and does not open there
+            tags = tags - {*_TURNED} | {"vertical" if part.extents[2] == max(part.extents) else "horizontal"}
         if part.kind == "hole" and part.diameter is not None:
             if any(abs(part.diameter - core) <= near for core, near in self.cores):
                 tags.add("core_diameter")

@@ -61,6 +61,8 @@ def _counts(question: Question, span: Span) -> bool:
     text = question.text
     if question.unit(span.end) is not None and not text.find(span.end, "noun"):  # feet are both
         return False
+    if text.find(span.end, "stuff") or text.tokens[span.start].raw == "counts":  # 'amount of metal left', 'it counts'
+        return False
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
 

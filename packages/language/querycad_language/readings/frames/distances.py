@@ -114,7 +114,8 @@ def _distance_words(question: Question) -> Iterator[_Words]:
     for span in text.all("distance", "gap"):
         noun = text.find(span.start, "noun")
         other = (noun and noun.end > span.end) or text.is_word(span.start - 1, "angular")  # a pitch circle is no pitch
-        if question.in_question(span.start) and not other:
+        slot = text.is_word(span.start, "clearance") and text.find(span.end, "noun")  # 'the clearance slot'
+        if question.in_question(span.start) and not (other or slot):
             used = {*span.tokens, *text.at_phrases("between")}
             for at in text.at_words("how") if span.category == "gap" else ():  # 'how wide is the gap'
                 used |= {at, *(scale.tokens if (scale := text.find(at + 1, "scale")) else ())}

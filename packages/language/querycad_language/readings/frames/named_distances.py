@@ -6,15 +6,14 @@ from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
-from querycad_contracts import Measure, PartKind, PartQuery
-from querycad_language.forms import Behind, Combine, Distance, Get, Plane, Reduce
+from querycad_contracts import Measure, PartKind
+from querycad_language.forms import Behind, Combine, Distance, Get, Reduce
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 
-from .anchors import anchors_of, ends_between
-from .distances import BORDERS
-from .related_parts import floored, is_cut
+from .anchors import ends_between
+from .related_parts import floored
 
 _THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
@@ -22,28 +21,6 @@ _DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", 
 
 
 def named_distances(question: Question) -> Iterator[Parse]:
-    """'The lugs form a square. What is its side?', 'What is left between the bottom of the hole and the far side?'"""
-    yield from _behind_end(question)
-    yield from _rectangle(question)
-
-
-def _behind_end(question: Question) -> Iterator[Parse]:
-    """'How much is left between the end of the blind bore and the opposite face?': what is left below its bottom."""
-    text = question.text
-    opposite = {i for i in text.at_words("opposite", "other", "far") if text.is_word(i + 1, *BORDERS, "outside")}
-    spots = anchors_of(question) if opposite else []
-    for spot in spots:
-        cut = spot.anchor.of if isinstance(spot.anchor, Plane) else None
-        if cut is None and isinstance(spot.anchor, PartQuery) and spot.anchor.noun == "end":
-            cut = next((what for _, what in places_of(spot.anchor, "of")), None)
-        if cut is not None and is_cut(cut) and spot.at < min(opposite):
-            used = {*spot.used, *opposite, *(i + 1 for i in opposite), *range(question.asking[0], spot.at)}
-            used = used.union(*(other.used for other in spots if opposite & other.used))
-            left = Get((Measure.BOTTOM_THICKNESS,), cut)
-            yield Parse(left, {"material_under": 1.0, "under_between": float(text.has("between"))}, used)
-
-
-def _rectangle(question: Question) -> Iterator[Parse]:
     """'The lugs form a square. What is its side?', 'Side lengths of the rectangle that the pins lie on?'"""
     text = question.text
     drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}

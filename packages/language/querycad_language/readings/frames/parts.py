@@ -103,28 +103,32 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
     """The sides to choose from, and where they stand: 'left or right', 'on the top, the front or the back'."""
     spans = list(text.all("side"))
     for first, last in pairwise(spans):
-        if last.start - first.end < 6 and any(text.is_word(i, "or") for i in range(first.end, last.start)):
+        if last.start - first.end < 6 and any(text.is_word(i, "or", "/") for i in range(first.end, last.start)):
             sides = tuple(dict.fromkeys(span.value for span in spans))
             return sides, {i for i in range(spans[0].start, spans[-1].end) if not text.find(i, "noun")}
     return (), set()
 
 
 def mating(question: Question) -> Iterator[Parse]:
-    """'Which shaft does the bore fit?', 'Which pin goes through the lugs?': as wide as the hole that it goes in."""
+    """'Which shaft does the bore fit?', 'How thick a pin goes through the lugs?': as wide as what it goes in."""
     text = question.text
     nouns = [mention for mention in question.parts if mention.part.known]
+    verbs = text.all("fits")
     for index, male in enumerate(nouns):
         lead = range(max(question.asking[0], male.start - 4), male.start + 1)
-        asked = next((i for i in lead if text.is_word(i, "what", "which")), None)
-        verb = next((span for span in text.all("fits") if 0 <= span.start - male.end < MATES_WITHIN), None)
+        asked = next((i for i in lead if text.is_word(i, "what", "which", "how") or text.find(i, "most")), None)
+        near = (span for span in verbs if male.start - 4 <= span.start < male.end + MATES_WITHIN)
+        verb = next((span for span in near if span.start not in male.used), None)
         if asked is None or verb is None or any(text.find(i, "be", "do") for i in range(asked, male.start)):
             continue
         own = (f"{male.part.noun} {hole}" for hole in ("hole", "bore"))
         noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
         unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
-        fitted = [(one.part, one.used) for one in nouns[index + 1 : index + 3]] or [unnamed]
-        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in fitted if not is_cut(part)]
-        used = {*range(asked, male.end), *verb.tokens}
+        others = nouns[index + 1 : index + 3] or nouns[max(0, index - 1) : index]  # 'The slots: which bolt will pass?'
+        fitted = [(one.part, one.used) for one in others] or [unnamed]
+        cut = is_cut(male.part)  # 'what bore does the pin need?' is asked of the pin
+        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in fitted if not (cut or is_cut(part))]
+        used = {*range(asked, male.end), *verb.tokens, *text.at_phrases("most", "relation")}
         for query, more in fitted:
             yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
 

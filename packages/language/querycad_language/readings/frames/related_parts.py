@@ -160,6 +160,10 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
             yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
         case (Measure.WIDTH,) if (cut := floored(target)) is not None:  # 'how wide is the floor of the groove'
             yield Parse(replace(get, measures=(Measure.BOTTOM_WIDTH,), target=cut), parse.features, parse.used)
+        case (Measure.INNER_RADIUS | Measure.OUTER_RADIUS | Measure.RADIUS,) if target.noun in ("inside", "outside"):
+            said = _INSIDE[0] if target.noun == "inside" else _OUTSIDE[0]  # 'the radius on the inside of the bend'
+            for _, bend in places_of(target, "of")[:1]:
+                yield Parse(replace(get, measures=(said,), target=bend), {**parse.features, "there": 1.0}, parse.used)
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):
                 if is_cut(holder):

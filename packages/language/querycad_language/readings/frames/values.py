@@ -34,6 +34,8 @@ _CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
 _LENGTHWISE = ("lengthwise", "lengthways")
 _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
+_RUNNING = frozenset(("along", "parallel", "run", "lie", "coordinate", "follow", "go", "point", "stretch", "direction"))
+_TURNING = frozenset(("about", "around", "turn", "spin", "rotate", "revolve"))
 _JOINTS = ("and", ",", "&", "x", "then", "by")
 _OVERALL = frozenset(("overall", "total", "complete", "entire", "whole", "full", "maximum"))
 
@@ -161,8 +163,8 @@ def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
     if get.measures[0] in (Measure.ANGLE, Measure.INCLINATION) and against:
         found.append(((Measure.DRAFT,), against))  # 'the angle of the cone to the centreline', 'per side'
-    for span in text.all("leaning") if get.measures[0] in _ANGLES else ():
-        begin = span.start - 1 - text.is_word(span.start - 1, "the", "global", "world")
+    for span in text.all("leaning") if get.measures[0] in (*_ANGLES, Measure.MAGNITUDE) else ():
+        begin = span.start - 1 - text.is_word(span.start - 1, "the", "global", "world", "straight", "perfectly")
         if text.is_word(begin, "from", "to", "against", "off", "with", "above", "and", "between"):
             found.append(((Measure(span.value),), {*range(begin, span.end), *text.covered("axis")}))
     for measures, said in found:
@@ -235,9 +237,10 @@ def wholes(question: Question) -> Iterator[Parse]:
     used = longest | axes | named | text.at_phrases("measure", "ask", "axis_preposition", "passing")
     if longest and axes and asks and not question.parts:
         yield Parse(Get((Measure.LONG_AXIS,), None), {"along_axis": 1.0, "asked_noun": 1.0}, used)
-    led = text.at_words("along", "parallel", "run", "lie", "coordinate", "follow", "go", "point")
+    led = text.at_words(*_RUNNING, *_TURNING)
     either = text.has("or") and len({span.value for span in text.all("axis")}) > 1
-    which = any(text.is_word(i + 1 + text.is_word(i + 1, "coordinate"), "axis") for i in text.at_phrases("ask"))
+    far = {i: 6 if text.is_word(i + 1, "of") else 2 + text.is_word(i + 1, "coordinate") for i in text.at_phrases("ask")}
+    which = any("axis" in text.words[i + 1 : i + end] for i, end in far.items())  # 'which of the coordinate axes'
     which |= asks and text.has("axis") and (len(text.at_words("x", "y", "z")) > 1 or bool(text.at_phrases("parallel")))
     for mention in question.parts[:2] if led and (which or either) else ():
         bare = tuple(name for name in mention.part.adjectives if "parallel" not in name)  # 'does it run along x or y?'
