@@ -255,8 +255,9 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
     for query, grounded in grounds.items():
-        guessed = {"guessed_known": 1.0} if query.known and GUESSED in grounded.features else {}
-        for name, value in (grounded.features | guessed).items():
+        thing = not {*query.words[-1:]}.isdisjoint(lexicon().words("whole"))  # 'the narrow bit' may be any part
+        guessed = {"guessed_thing" if thing else "guessed_known": 1.0} if query.known else {}
+        for name, value in (grounded.features | (guessed if GUESSED in grounded.features else {})).items():
             features[name] = features.get(name, 0.0) + value
     for read in written.reads:
         for name in (f"measure_{read.grade}", f"{read.measure} of {read.kind}", f"{read.measure} as {read.expression}"):
