@@ -44,6 +44,18 @@ MISSING_COUNT = 3
 
 With 1 the others gain half a percent, and of what is missing 27 % are refused instead of 48 %."""
 
+AT_WORK = frozenset((
+    "workshop_talker", "handling_researcher", "description_writer", "foundry_buyer", "drive_part_chatter",
+    "peg_assembler", "model_downloader", "toolroom_planner", "redesign_inspector", "drawingless_buyer",
+    *(f"reworded-{who}" for who in (
+        "desk_colleague", "jobshop_texter", "cell_automation_engineer", "lay_describer", "from_to_measurer",
+        "second_language_engineer", "mailing_purchaser", "meeting_designer",
+    )),
+))  # fmt: skip
+"""Writers who ask as at work, and not down a list of dimensions; and those who ask the same again."""
+AT_WORK_COUNT = 2
+"""How often one of their questions counts: they are an eighth of all. ADR 36."""
+
 
 @dataclass(frozen=True, slots=True)
 class Told:
@@ -134,12 +146,14 @@ def without(rows: Sequence[Row], left_out: Sequence[Row]) -> list[Row]:
 
 def balanced(rows: Sequence[Row]) -> list[Row]:
     """The questions as often as they count in fitting."""
-    return [row for row in rows for _ in range(_count(fold_of(row)))]
+    return [row for row in rows for _ in range(_count(row.question.writer, fold_of(row)))]
 
 
-def _count(fold: str) -> int:
+def _count(writer: str, fold: str) -> int:
     if asks_for_missing(fold):
         return MISSING_COUNT
+    if writer in AT_WORK:
+        return AT_WORK_COUNT
     return 1 if is_hand(fold) or fold.startswith("plain") else KNOWN_COUNT
 
 

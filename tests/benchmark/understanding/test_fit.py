@@ -10,7 +10,9 @@ from benchmark.understanding.affinity import Pairs
 from benchmark.understanding.collect import Row, Tried
 from benchmark.understanding.compare import compared
 from benchmark.understanding.cross_validation import (
+    AT_WORK_COUNT,
     Told,
+    balanced,
     calibration_error,
     cross_validated,
     fitted,
@@ -67,6 +69,12 @@ def test_that_the_part_is_not_there_is_learned_as_an_answer_of_its_own() -> None
     table = fit([*there, *missing], {})
     assert (answered(there[0], table).right, answered(there[0], table).refused) == (True, False)
     assert (answered(missing[0], table).right, answered(missing[0], table).refused) == (True, True)
+
+
+def test_questions_as_people_ask_at_work_count_more_often() -> None:
+    rows = [row(writer, "specified:a") for writer in ("specifier", "peg_assembler", "reworded-jobshop_texter")]
+    writers = [one.question.writer for one in balanced(rows)]
+    assert [writers.count(one.question.writer) for one in rows] == [1, AT_WORK_COUNT, AT_WORK_COUNT]
 
 
 def test_words_tell_programs_apart_that_have_the_same_features_otherwise() -> None:
