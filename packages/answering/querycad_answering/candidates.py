@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 from querycad_contracts import AnswerType, Bottom, Grounded, Measure, Part, PartQuery
@@ -204,6 +205,12 @@ def _of_reading(
                 break
 
 
+@cache
+def things() -> frozenset[str]:
+    """Nouns for the whole model, or for anything: 'part', 'piece'."""
+    return frozenset(lexicon().words("whole"))
+
+
 Way = tuple[int, Grounded]
 """A way to ground a query, and which of them it is."""
 
@@ -255,7 +262,7 @@ def _features(reading: Reading, grounds: dict[PartQuery, Grounded], written: Wri
     """Those of the words, of the groundings, and of the measures."""
     features: Features = dict(reading.features)
     for query, grounded in grounds.items():
-        thing = not {*query.words[-1:]}.isdisjoint(lexicon().words("whole"))  # 'the narrow bit' may be any part
+        thing = not things().isdisjoint(query.words[-1:])  # 'the narrow bit' may be any part
         guessed = {"guessed_thing" if thing else "guessed_known": 1.0} if query.known else {}
         for name, value in (grounded.features | (guessed if GUESSED in grounded.features else {})).items():
             features[name] = features.get(name, 0.0) + value

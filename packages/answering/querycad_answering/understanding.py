@@ -32,7 +32,7 @@ from querycad_language.readings.skipped_words import CLOSED
 
 from .addressing import Addressed, address, folded, is_certain, is_restricted, may_name_parts, names_all, reader_of
 from .affinity import Affinity
-from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, with_value
+from .candidates import CALLED_SO, Absence, Candidate, Ground, absences, candidates, things, with_value
 from .companion_values import beside, is_of_whole, of_height, reads_height, standing
 from .drawing.callouts import ids_text, told_parts
 from .drawing.meaning import describe
@@ -313,7 +313,7 @@ class Understanding:
             noun = lexicon().nouns.get(query.noun) if query.known else None
             whole = taken.features.get("whole_sense") and not CALLED_SO & taken.features.keys()
             unlikely = noun is not None and not noun.product and best.confidence < KIN
-            guess = counts and (whole or "guessed" in taken.features) and query.noun not in lexicon().words("whole")
+            guess = counts and (whole or "guessed" in taken.features) and query.noun not in things()
             if guess or (unlikely and "kin_instead" in taken.features):
                 return self._asked.absent(Absence(query, taken, {}))  # no propeller is on a flange
         return None
