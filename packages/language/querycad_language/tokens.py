@@ -280,9 +280,8 @@ def _pieces() -> frozenset[str]:
 def _compound(word: str) -> tuple[str, ...] | None:
     """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
     lex, known = lexicon(), _pieces()
-    if word.endswith(("ing", "ed")) and is_english(word):
-        return None  # 'webbed' is no bed
-    for cut in range(3, len(word) - 2):
+    inflected = word.endswith(("ing", "ed")) and is_english(word)  # 'webbed' is no bed
+    for cut in range(3, 0 if inflected else len(word) - 2):
         second = lex.singular(word[cut:])
         if word[:cut] in known and second in known:
             return word[:cut], second

@@ -377,19 +377,6 @@ def test_an_upright_plate_may_be_an_upright_floor() -> None:
     assert [p.id for p in found] == ["floor-1", "wall-1"]
 
 
-def test_a_long_cut_is_vertical_where_it_runs_up_and_not_where_it_opens_up() -> None:
-    slots = {"x": (0.05, 0.005, 0.004), "z": (0.005, 0.004, 0.05)}
-    tags = ("elongated", "vertical")  # by the axis that it opens along
-    runs = inventory(
-        *(
-            part(f"slot-{name}", (i * 0.1, 0.0, 0.0), extents=extents, tags=tags)
-            for i, (name, extents) in enumerate(slots.items())
-        )
-    )
-    assert [p.id for p in find(runs, "the vertical slot").parts] == ["slot-z"]
-    assert [p.id for p in find(runs, "the horizontal slot").parts] == ["slot-x"]
-
-
 def sized_hole(number: int, diameter_mm: float, *steps_mm: float) -> Part:
     radii = tuple(size / 2e3 for size in (*steps_mm, diameter_mm))
     return hole(number, 10 * number, diameter=diameter_mm * 1e-3, radius=diameter_mm / 2e3, radii=radii)

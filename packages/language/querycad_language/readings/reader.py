@@ -43,7 +43,8 @@ class Reader(Question):
         parses = [parse for frame in FRAMES for parse in islice(frame(self), MAX_DRAFTS)] or list(bare(self))
         parses += [one for parse in parses for view in self.views[:MAX_VIEWS] for one in _viewed(parse, view)]
         parses += [one for parse in parses for holder in self.holders[:MAX_VIEWS] for one in _held(parse, holder)]
-        words, named = passable(self), self.text.has("axis") and not self.text.has("side")
+        words, sided = passable(self), self.text.has("side")  # 'which side, in the file's axes' asks for no axis
+        named = any(not (sided and self.text.tokens[i].plural) for i in self.text.at_words("axis"))
         best: dict[Form, Reading] = {}
         for parse in parses:
             if isinstance(parse.form, Towards) and (self.text.has("+") or named):

@@ -111,9 +111,8 @@ def _offered(text: Text) -> tuple[tuple[Side, ...], set[int]]:
 
 def mating(question: Question) -> Iterator[Parse]:
     """'Which shaft does the bore fit?', 'How thick a pin goes through the lugs?': as wide as what it goes in."""
-    text = question.text
+    text, verbs = question.text, question.text.all("fits")
     nouns = [mention for mention in question.parts if mention.part.known]
-    verbs = text.all("fits")
     for index, male in enumerate(nouns):
         lead = range(max(question.asking[0], male.start - 4), male.start + 1)
         asked = next((i for i in lead if text.is_word(i, "what", "which", "how") or text.find(i, "most")), None)
@@ -126,8 +125,8 @@ def mating(question: Question) -> Iterator[Parse]:
         unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
         others = nouns[index + 1 : index + 3] or nouns[max(0, index - 1) : index]  # 'The slots: which bolt will pass?'
         fitted = [(one.part, one.used) for one in others] or [unnamed]
-        cut = is_cut(male.part)  # 'what bore does the pin need?' is asked of the pin
-        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in fitted if not (cut or is_cut(part))]
+        solid = [] if is_cut(male.part) else [one for one in fitted if not is_cut(one[0])]  # 'what bore does it need?'
+        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in solid]
         used = {*range(asked, male.end), *verb.tokens, *text.at_phrases("most", "relation")}
         for query, more in fitted:
             yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)
