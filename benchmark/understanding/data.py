@@ -17,9 +17,9 @@ SHARED = Path("../shared")
 SPECIFIED = Path("benchmark/specified/models")
 UNREAD = frozenset((
     "buyer_and_teacher", "cell_task_writer", "drawing_lecturer", "fixture_integrator", "hardware_user",
-    "list_checker", "path_programmer", "pipework_engineer", "polite_replacer", "robot_teacher", "sample_rebuilder",
-    "script_publisher", "supplier_file_opener", "teacher_and_student", "test_part_checker", "voice_mechanic",
-    "welded_part_reviewer",
+    "list_checker", "mating_part_designer", "path_programmer", "pipework_engineer", "polite_replacer",
+    "robot_teacher", "sample_rebuilder", "script_publisher", "special_machine_designer", "supplier_file_opener",
+    "teacher_and_student", "test_part_checker", "voice_mechanic", "welded_part_reviewer",
 ))  # fmt: skip
 """Writers of `benchmark/specified` whose questions nobody has read: nothing is fitted on them."""
 MISSING = "absent"
