@@ -21,7 +21,7 @@ UNREAD = frozenset((
     "robot_teacher", "sample_rebuilder", "script_publisher", "special_machine_designer", "supplier_file_opener",
     "teacher_and_student", "test_part_checker", "voice_mechanic", "welded_part_reviewer",
 ))  # fmt: skip
-"""Writers of `benchmark/specified` whose questions nobody has read: nothing is fitted on them."""
+"""Writers of `benchmark/specified` and `benchmark/asked` whose questions nobody has read: nothing is fitted on them."""
 MISSING = "absent"
 """The kind of a question about what its model does not have: the right answer is to say so."""
 SI = {

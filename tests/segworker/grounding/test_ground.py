@@ -250,12 +250,6 @@ def test_exceptions_are_taken_away_and_further_kinds_added() -> None:
     assert "slot-1" in ids(best(asked(also=(slots,))))
 
 
-def test_an_exception_that_leaves_none_may_except_nothing() -> None:
-    found = ground(PLATE, asked(excluded=(asked(),)))
-    assert any(len(way.parts) == 3 for way in found if "excluded_nothing" in way.features)
-    assert any(not way.parts for way in found)
-
-
 def test_an_id_is_that_part_or_none() -> None:
     assert ids(best(PartQuery(noun="hole", ids=("hole-2",)))) == {"hole-2"}
     missing = best(PartQuery(noun="hole", ids=("hole-99",)))

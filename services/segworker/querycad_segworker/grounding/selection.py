@@ -25,7 +25,6 @@ def excepted(request: Request, way: Candidate) -> Iterator[Candidate]:
             other = other.model_copy(update={"noun": query.noun, "known": query.known})
         ids = {part.id for part in request.best(other)}
         left = [part for part in way.parts if part.id not in ids]
-        yield from () if left else [way.to(way.parts, "excluded_nothing")]  # 'tapped holes, not the screw holes'
         way = way.to(left, "excluded" if len(left) < len(way.parts) else "excluded_nothing")
     yield way
 
