@@ -140,9 +140,10 @@ def _is_measure(
         return False
     if adjective and text.is_word(measure.start, "middle") and text.find(measure.end, "noun"):
         return False  # 'the middle step'
-    others = [one for one in text.all("measure", "scale") if one.start != measure.start]
-    if others and superlative(text, measure.start) and text.find(measure.end - 1, "noun"):
-        return False  # 'how long is the thinnest section'
+    others = [one for one in text.all("measure", "scale") if one.start not in measure.tokens]
+    if others and superlative(text, measure.start):  # 'how long is the thinnest section', 'the largest-diameter collar'
+        if text.find(measure.end - 1, "noun") or (noun_follows(text, measure.end) and not build.nouns):
+            return False
     if noun is not None and text.tokens[noun.end - 1].plural:
         return False  # 'the cogs'
     if noun is None or noun.end != measure.end or build.article or build.nouns:
@@ -154,6 +155,10 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     """'second largest', 'deepest', 'topmost'; 'the second bore' in no order that is said."""
     ordinal = text.find(at, "ordinal")
     scale = superlative(text, ordinal.end if ordinal else at)
+    of = text.find(scale.end, "measure") if scale else None
+    if scale and of and noun_follows(text, of.end) and not ordinal:  # 'the largest-diameter collar'
+        build.ranks.append(Rank(measure=of.value, most=scale.value.degree == "most", count=build.count or 1))
+        return of.end
     if scale and (ordinal or text.is_word(at - 1, "the") or noun_follows(text, scale.end)):  # 'does the largest have'
         most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
         build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))

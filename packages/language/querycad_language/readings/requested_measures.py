@@ -74,7 +74,8 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
         begin = asked.start
         while text.is_word(begin - 1, *_MEASURED):
             begin -= 1
-        size = kept[-1] if kept and kept[-1].measures[0] in (Measure.MAGNITUDE, Measure.SIZE) else None
+        wider = (Measure.MAGNITUDE, Measure.SIZE, *(_ACROSS if kept and begin == kept[-1].end else ()))  # 'hex size across …'
+        size = kept[-1] if kept and kept[-1].measures[0] in wider else None
         joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
         joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
         if size and asked.how == "verb" and asked.measures == size.measures:  # 'how many mm does it measure in height'
@@ -235,7 +236,9 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
     same = wide.value is narrow.value is Measure.POSITION  # 'the coordinates of the centre of the bore'
     if not same and (wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value)):
         return None
-    return Requested(span.start, other.end, (narrow.value,), "noun", used=frozenset(range(span.start, other.end)))
+    deeper = _of_measure(text, other, taken) if same and of else None  # 'the coordinates of the centre of the mouth'
+    end, value = (deeper.end, deeper.measures[0]) if deeper else (other.end, narrow.value)
+    return Requested(span.start, end, (value,), "noun", used=frozenset(range(span.start, end)))
 
 
 def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:

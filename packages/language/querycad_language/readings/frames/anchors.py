@@ -28,8 +28,10 @@ def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
     for _, first in places_of(query, "between"):
         second = next(iter(first.also), None)
-        end: End = Boundary(None) if second is not None and _is_edge(second) else second or "each other"
-        yield replace_fields(first, also=(), plural=first.plural or second is None), end
+        other = floored(second) or second if second is not None else None  # 'between the floor of the pocket and the slot'
+        end: End = Boundary(None) if second is not None and _is_edge(second) else other or "each other"
+        one = floored(first) or first
+        yield replace_fields(one, also=(), plural=one.plural or second is None), end
 
 
 def pairs_named(parts: Sequence[Mention], *relations: str) -> list[tuple[PartQuery, PartQuery, frozenset[int]]]:

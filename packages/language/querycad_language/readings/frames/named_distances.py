@@ -41,7 +41,8 @@ def material(question: Question, get: Get, features: Features, used: AbstractSet
         return
     for first, second in ends_between(get.target):
         yield Parse(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
-    for _, other in places_of(get.target, "around", "near"):  # 'the wall around the bore'
+    walls = ("on",) if get.measures[0] is Measure.WALL_THICKNESS else ()  # 'the wall thickness at the counterbore'
+    for _, other in places_of(get.target, "around", "near", *walls):  # 'the wall around the bore'
         yield Parse(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
     under: Features = {**features, "material_under": 1.0, "under_between": float(text.has("between"))}
     said = text.at_phrases("remaining") | text.at_words("under", "below", "beneath", "underneath", "behind")

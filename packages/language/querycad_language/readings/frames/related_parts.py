@@ -65,6 +65,10 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
+        case (Measure.INCLUDED_ANGLE,) if is_cut(get.target):  # 'the point angle at the bottom of the hole'
+            point = PartQuery(noun="conical bottom", words=("conical", "bottom"), definite=True)
+            its = replace(get, target=placed_in(point, "of", get.target or point))
+            yield Parse(its, {**parse.features, "its_end": 1.0}, parse.used | question.text.at_words("bottom"))
         case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
             owner = PartQuery(noun=_OWNERS[measure], definite=True)
             yield Parse(replace(get, target=owner), parse.features, parse.used)

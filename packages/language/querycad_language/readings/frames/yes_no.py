@@ -19,6 +19,8 @@ from .distances import angles, distances, overhangs
 from .predicates import all_such, verb_start
 from .values import density_of
 
+_WIDE = ("wide", "big", "large", "long", "deep", "high", "tall", "thick")
+
 
 def yes_no(question: Question) -> Iterator[Parse]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
@@ -119,6 +121,16 @@ def _fits(question: Question, start: int) -> Iterator[Parse]:
         wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
         check = Check(wide, Relation.AT_LEAST, sizes[0][1])
         yield Parse(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
+    for at in text.at_words("enough"):  # 'is the slot wide enough to let a 6 mm pin pass?'
+        scale = next((one for one in text.all("scale") if one.end == at and text.words[one.start] in _WIDE), None)
+        hole = next((m for m in question.parts if m.end <= at), None)
+        large = scale is not None and scale.value.measure is Measure.MAGNITUDE
+        found = next(((i, size) for i, size in sizes if i > at), None)
+        if scale is not None and hole is not None and found is not None:
+            get = Get((Measure.DIAMETER if large else scale.value.measure,), hole.query)
+            used = {*hole.used, *scale.tokens, at, found[0], *(i for m in question.parts if m.start > at for i in m.used)}
+            used |= text.at_phrases("fits") | text.at_words("let", "take", "accept", "pass", "through")
+            yield Parse(Check(get, Relation.AT_LEAST, found[1]), {"mating": 1.0}, used)
 
 
 def _apart(question: Question, start: int) -> Iterator[Parse]:
