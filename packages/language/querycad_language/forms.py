@@ -109,8 +109,8 @@ class Distance:
     reduce: Reduce = Reduce.ONE
 
 
-LONGEST, SHORTER = 3, 4
-"""Along the longest side of the model, along the other one of its two longer sides."""
+LONGEST, SHORTER, HORIZONTAL = 3, 4, 5
+"""Along the longest side of the model, the other one of its two longer sides, that of x and y where they lie apart."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ CLOSED = frozenset([
     "minus", "axis_preposition", "most", "least", "mean", "total", "different", "view", "number", "ordinal",
     "whole_adjective", "edge", "origin", "near", "far", "parallel", "perpendicular", "density", "verbs", "neighbor",
     "remaining", "axis", "stuff", "operation", "left_out", "leaving", "overview", "overlap", "contact", "carry",
-    "fasten", "comparing", "emerging", "engagement", "entering",
+    "fasten", "comparing", "emerging", "engagement", "entering", "flush",
 ])  # fmt: skip
 """Categories whose words are no names of parts."""
 EXTENTS = ("over_all", "facewise", "outside_to_outside", "surface_to_surface")

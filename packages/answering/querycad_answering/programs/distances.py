@@ -8,7 +8,18 @@ from dataclasses import replace
 
 from querycad_contracts import AnswerType, Part, PartKind, PartQuery, Side
 from querycad_language import forms
-from querycad_language.forms import LONGEST, SHORTER, Anchor, Boundary, Distance, MassCentre, Origin, Plane, Reduce
+from querycad_language.forms import (
+    HORIZONTAL,
+    LONGEST,
+    SHORTER,
+    Anchor,
+    Boundary,
+    Distance,
+    MassCentre,
+    Origin,
+    Plane,
+    Reduce,
+)
 
 from .builder import Builder, Read, Unwritable
 from .meanings import along_axis
@@ -72,6 +83,9 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
 
 def _axis(build: Builder, form: Distance) -> int | None:
     """Which of x, y, z: where the words say so one of the longer sides along which the parts lie apart."""
+    if form.axis == HORIZONTAL:
+        spread = _spread(build.all_of(*(one for one in (form.first, form.second) if isinstance(one, PartQuery))))
+        return int(spread[1] > spread[0])
     if form.axis not in (LONGEST, SHORTER):
         return form.axis
     order = sorted(range(3), key=lambda i: build.whole.extents[i], reverse=True)

@@ -192,6 +192,10 @@ def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
         build.lacking.append(denied.value.name)  # 'the non-chamfered hole'
         return denied.end
     if (side := text.find(at, "side")) and not build.nouns:
+        many = text.find(side.end, "number")
+        if many is not None and many.value > 1 and noun_follows(text, many.end):  # 'the upper two holes'
+            build.ranks.append(Rank(side=side.value, count=int(many.value)))
+            return many.end
         faced = side.end + text.is_word(side.end, "side", "face", "half")
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
             build.seen_on([side.value], half=text.is_word(side.end, "half"))

@@ -23,7 +23,8 @@ _SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}  # what closes a hollow model there
 _CUT_BY = {
     "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
-    "bored": "bore", "grooved": "groove", "filleted": "fillet",
+    "bored": "bore", "grooved": "groove", "filleted": "fillet", "slotted": "slot", "recessed": "recess", "rounded": "round",
+    "notched": "notch", "beveled": "bevel",
 }  # fmt: skip
 MAX_OWNERS = 12  # parts further away are hardly meant; no question that was collected names more
 
@@ -114,8 +115,10 @@ def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention
     """'To which width are the lugs chamfered?', 'Countersunk to what size?': what was cut at them."""
     text = question.text
     sentence = next(((a, b) for a, b in text.sentences if a <= asked.start < b), question.asking)
+    named = any(m.query is not None and sentence[0] <= m.start < sentence[1] for m, _ in linked)
     for at in sorted(text.at_words(*_CUT_BY)):
         said = sentence[0] <= at < sentence[1] or text.is_word(sentence[0], "to")  # '… are chamfered: to what width?'
+        said = said or (at < sentence[0] and not named)  # 'The bore is counterbored. How deep?'
         said = said or _CUT_BY[text.words[at]] in text.words[slice(*sentence)]
         adjective = text.find(at, "adjective") if said else None
         cut = _CUT_BY[text.words[at]] if adjective is not None and not noun_follows(text, adjective.end) else None

@@ -28,7 +28,26 @@ _EXTENDING = {
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
 _JOINTS = ("and", ",", "x", "/", "&", "+", "plus", "its", "as", "well", "by", "followed", "then")
 _INTO = ("into", "inside", "in")
-_GOING = ("go", "goe", "goes", "milled", "cut", "drilled", "bored", "machined", "run", "extend", "reach", "sink", "let")
+_GOING = (
+    "push",
+    "insert",
+    "slide",
+    "screw",
+    "plug",
+    "go",
+    "goe",
+    "goes",
+    "milled",
+    "cut",
+    "drilled",
+    "bored",
+    "machined",
+    "run",
+    "extend",
+    "reach",
+    "sink",
+    "let",
+)
 _MEASURED = ("its", "the", "a", "when", "it", "is", "measured", "taken", "so", "as", "i", "e", "meaning", "that", "be")
 _ACROSS = (Measure.ACROSS_FLATS, Measure.ACROSS_CORNERS, Measure.DIAGONAL)
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
@@ -74,7 +93,11 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
         begin = asked.start
         while text.is_word(begin - 1, *_MEASURED):
             begin -= 1
-        wider = (Measure.MAGNITUDE, Measure.SIZE, *(_ACROSS if kept and begin == kept[-1].end else ()))  # 'hex size across …'
+        wider = (
+            Measure.MAGNITUDE,
+            Measure.SIZE,
+            *(_ACROSS if kept and begin == kept[-1].end else ()),
+        )  # 'hex size across …'
         size = kept[-1] if kept and kept[-1].measures[0] in wider else None
         joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
         joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
@@ -303,8 +326,11 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
             break  # 'outer diameter and overall length'
         if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
             break  # 'the holes in the cone tips, Ø?'
-        measures.append(more.value)
-        end = more.end
+        ahead = text.skip(more.end, "axis_preposition", "article")
+        axis = text.find(ahead, "axis") if measures[-1] in EXTENTS and ahead > more.end else None
+        along = axis is not None and axis.value < len(EXTENTS)  # 'length along x, width along y'
+        measures.append(EXTENTS[axis.value] if axis is not None and along else more.value)
+        end = axis.end if axis is not None and along else more.end
     lengths = [one for one in measures if one not in (Measure.SIZE, Measure.MAGNITUDE)]
     named = len(lengths) > 1 or (lengths and text.is_word(span.end, ","))  # 'size, width by height' asks for two
     return lengths if named else measures, end

@@ -28,7 +28,9 @@ def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
     for _, first in places_of(query, "between"):
         second = next(iter(first.also), None)
-        other = floored(second) or second if second is not None else None  # 'between the floor of the pocket and the slot'
+        other = (
+            floored(second) or second if second is not None else None
+        )  # 'between the floor of the pocket and the slot'
         end: End = Boundary(None) if second is not None and _is_edge(second) else other or "each other"
         one = floored(first) or first
         yield replace_fields(one, also=(), plural=one.plural or second is None), end
@@ -218,7 +220,8 @@ def planes_of(question: Question) -> list[Spot]:
         before = next((m for m in question.parts if m.head < at <= m.head + 2), None)
         if any(m.start <= at < m.end and m is not before for m in question.mentions):
             continue  # 'the base plate and the top plate'
-        if before is not None and (after > side.end or text.is_word(at, "top", "bottom", "underside")):
-            bare = replace_fields(before.part, sides=(), ends=())
+        flat = places_of(before.part, "of") if before and before.part.noun == "flat" else ()  # 'the plate's flat front'
+        if before is not None and (flat or after > side.end or text.is_word(at, "top", "bottom", "underside")):
+            bare = replace_fields(flat[0][1] if flat else before.part, sides=(), ends=())
             found.append(Spot(at, Plane(side.value, bare), {*before.used, *range(before.head, after)}))
     return found

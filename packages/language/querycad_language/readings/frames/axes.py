@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Set as AbstractSet
 
 from querycad_contracts import Measure, PartQuery
-from querycad_language.forms import LONGEST, SHORTER
+from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -13,6 +13,7 @@ from querycad_language.text import Text
 ALONG = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
 """The axes that the measures of a whole run along."""
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
+_LEVELS = {"vertical": 2, "height": 2, "level": 2, "horizontal": HORIZONTAL}
 _MEASURES = {"width": 0, "depth": 1, "height": 2}
 
 
@@ -27,11 +28,12 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
     for at in sorted(text.at_phrases("axis_preposition") - taken):
         if (found := _along(text, at)) is not None:
             return found
-    for at in text.at_words("vertical") - taken:
-        if text.find(at + 1, "noun"):
+    for at in sorted(text.at_words(*_LEVELS) - taken):
+        apart = text.find(at + 1, "distance", "gap")
+        if text.find(at + 1, "noun") and not apart:
             continue  # 'the vertical drill holes'
-        if text.find(at + 1, "distance", "gap") or (text.find(at + 1, "measure") and question.in_question(at)):
-            return 2, {at}  # 'the vertical distance'
+        if apart or (text.is_word(at, "vertical") and text.find(at + 1, "measure") and question.in_question(at)):
+            return _LEVELS[text.words[at]], {at}  # 'the vertical distance', 'the height offset'
     for span in (one for one in text.all("axis") if one.start not in taken):
         that = max((i for i in text.at_words("that", "which") if i < span.start), default=span.start)
         if any(text.find(i, "passing") for i in range(that, span.start)):
@@ -89,13 +91,20 @@ def own_axis_named(question: Question) -> set[int]:
 def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
     text = question.text
+    for at in text.at_words("and", "by", "x", "/", "&"):
+        if {text.words[at - 1], *text.words[at + 1 : at + 2]} == {
+            "horizontal",
+            "vertical",
+        }:  # 'horizontal and vertical'
+            return (_LEVELS[text.words[at - 1]], _LEVELS[text.words[at + 1]]), {at - 1, at, at + 1}
     spans: dict[int, int] = {at: span.value for span in text.all("axis") for at in span.tokens}
+    crossing = {at for at in text.at_words("cross", "transverse") if text.is_word(at + 1, "direction")}
     times = {at for at in spans if text.is_word(at, "x") and {at - 1, at + 1} <= spans.keys()}
     spans = {at: axis for at, axis in spans.items() if at not in times}  # 'long way x short way'
     led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective", "axis")}
     if LONGEST in spans.values() or text.at_words("long", "along", "longer") - led:
         spans |= dict.fromkeys(text.at_words("long", "along", "longer") - led, LONGEST)
-        spans |= dict.fromkeys(text.at_words("short", "across", "shorter") - led, SHORTER)
+        spans |= dict.fromkeys((text.at_words("short", "across", "shorter") | crossing) - led, SHORTER)
     led_to = [found for at in sorted(text.at_phrases("axis_preposition")) if (found := _along(text, at)) is not None]
     if len(dict(led_to)) > 1 and not spans:  # 'along the length and across the width'
         return tuple(axis for axis, _ in led_to), set().union(*(tokens for _, tokens in led_to))

@@ -8,7 +8,18 @@ from itertools import chain, pairwise, permutations, product
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import LONGEST, Anchor, Angle, Boundary, Distance, MassCentre, Plane, Reduce, Several
+from querycad_language.forms import (
+    LONGEST,
+    SHORTER,
+    Anchor,
+    Angle,
+    Boundary,
+    Distance,
+    MassCentre,
+    Plane,
+    Reduce,
+    Several,
+)
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
@@ -90,7 +101,7 @@ def distances(question: Question) -> Iterator[Parse]:
             form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
             yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
-            if axes and second == "each other" and (max(axes) < LONGEST or min(axes) >= LONGEST):
+            if axes and second == "each other" and len({one in (LONGEST, SHORTER) for one in axes}) == 1:
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
@@ -124,7 +135,10 @@ def _distance_words(question: Question) -> Iterator[_Words]:
     for at in range(*question.asking):
         if text.is_word(at, "how"):
             yield from _how(question, at)
-        elif (measure := text.find(at, "measure")) and measure.value in _APART:
+        elif (measure := text.find(at, "measure")) and measure.value in (Measure.DIAGONAL, Measure.ACROSS_CORNERS):
+            if text.is_word(measure.end, "between"):  # 'the diagonal between two opposite holes'
+                yield _Words(measure.start, measure.end, "centers", {*measure.tokens, measure.end})
+        elif measure is not None and measure.value in _APART:
             ahead = set(range(measure.end, len(text))) - text.covered("over_all")
             if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
                 mode: Mode = "centers" if measure.value in _HIGH else "surfaces"

@@ -8,6 +8,7 @@ from dataclasses import replace
 from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
 from querycad_language.forms import Get, Reduce, Target
 from querycad_language.lexicon import lexicon
+from querycad_language.measures import ENDS
 from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
@@ -19,6 +20,7 @@ _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
 _CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _CLOSING = ("roof", "floor", "top", "bottom", "end wall")
+_OUTER_ENDS = ("rim", "edge", "end", "end face", "face", "top", "top face", "outer edge")
 _FLANKS = ("flank", "side", "wall", "side wall")
 _BOUNDS = {
     **dict.fromkeys((Measure.ANGLE, Measure.INCLUDED_ANGLE, Measure.DRAFT), _FLANKS),
@@ -30,7 +32,7 @@ _THERE: dict[Measure, dict[tuple[str, ...], Measure]] = {
     Measure.WIDTH: {("mouth", "opening", "top", "rim"): Measure.MOUTH_WIDTH, ("bottom", "floor"): Measure.BOTTOM_WIDTH},
     Measure.DIAMETER: {("mouth", "opening", "entry", "entrance"): Measure.MOUTH_WIDTH},
     Measure.RADIUS: {("outside",): Measure.OUTER_RADIUS, ("inside",): Measure.INNER_RADIUS},
-    Measure.POSITION: {("surface", "face", "mouth", "underside"): Measure.OPENING},
+    Measure.POSITION: {("surface", "face", "mouth", "underside", "wall", "plane"): Measure.OPENING},
 }  # fmt: skip
 """What a measure is at one end or on one side, and the words for those, which follow one of these within so many."""
 _AT, _NEAR = ("at", "on", "pierce", "enter", "meet", "cross", "leave", "cut", "hit", "exit"), 6
@@ -62,6 +64,8 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
             yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
         case (Measure.POSITION,) if get.target is not None and (cut := floored(get.target)) is not None:
             yield Parse(replace(get, measures=(Measure.FLOOR_CENTER,), target=cut), parse.features, parse.used)
+        case (Measure.POSITION,) if get.target is not None and get.target.noun in _OUTER_ENDS:
+            yield from _centre_of_end(get, get.target, parse)
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
             floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
             yield Parse(floor, parse.features, parse.used)
@@ -72,6 +76,15 @@ def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> 
         case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
             owner = PartQuery(noun=_OWNERS[measure], definite=True)
             yield Parse(replace(get, target=owner), parse.features, parse.used)
+
+
+def _centre_of_end(get: Get, end: PartQuery, parse: Parse) -> Iterator[Parse]:
+    """'The centre of the tube's upper rim', 'the middle of the right-hand end face of the rod'."""
+    sides = (*end.ends, *end.sides, *(rank.side for rank in end.ranks if rank.side is not None))
+    said = next((measure for measure, side in ENDS.items() if side in sides[:1]), None)
+    for _, holder in places_of(end, "of")[:1]:
+        form = replace(get, measures=(said or Measure.TIP,), target=holder)
+        yield Parse(form, {**parse.features, "its_end": 1.0}, parse.used)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:

@@ -6,15 +6,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure, PartQuery, Relation, SizeFilter
+from querycad_contracts import Measure, PartQuery, Rank, Relation, SizeFilter
 from querycad_language import forms
-from querycad_language.forms import Check, Distance, Every, Exists, Get, Reduce, mapped
+from querycad_language.forms import Check, Distance, Every, Exists, Get, Plane, Reduce, mapped
 from querycad_language.phrases import Mention, placed_in, places_of, replace_fields, stated_size
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
+from .anchors import pairs_named
 from .distances import angles, distances, overhangs
 from .predicates import all_such, verb_start
 from .values import density_of
@@ -26,6 +27,11 @@ def yes_no(question: Question) -> Iterator[Parse]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     start = verb_start(question)
     yield from _overlapping(question, start)
+    for first, second, used in pairs_named(question.parts) if (flush := question.text.at_phrases("flush")) else ():
+        faced = next(iter(question.text.all("side")), None)  # 'is the hub flush with the rim on the left?'
+        side, said = (faced.value, {*faced.tokens}) if faced is not None else (None, set())
+        one, other = (Plane(side, replace_fields(part, sides=())) for part in (first, second))
+        yield Parse(Check(Distance(one, other), Relation.AT_MOST, 0.0), {"check": 1.0}, used | flush | said)
     yield from (either := list(_either(question)))
     if start is not None and not either:
         yield from (parse.with_more({"check": 1.0}, {start}) for parse in _claims(question, start))
@@ -106,30 +112,46 @@ def _either(question: Question) -> Iterator[Parse]:
 
 
 def _fits(question: Question, start: int) -> Iterator[Parse]:
-    """'Does a 12.5 mm gauge enter the small bore?': is it as wide as what is stated?"""
+    """'Does a 12.5 mm gauge enter the small bore?', 'Is the slot wide enough to let a 6 mm pin pass?'"""
     text = question.text
     verb = next((span for span in text.all("fits") if span.start >= start), None)
-    hole = next((m for m in reversed(question.parts) if verb and m.start >= verb.end), None)
-    within = next((what for _, what in places_of(hole.query, "through", "in")), None) if hole is not None else None
     threads = text.lexicon.threads
     sizes = [(i, token.value) for i, token in enumerate(text.tokens) if token.power == 1]
     sizes += [(i, threads[word]["nominal"]) for i, word in enumerate(text.words) if "nominal" in threads.get(word, ())]
-    if verb is not None and hole is not None and sizes:
-        pin = {i for m in question.parts if m.end <= verb.start for i in m.used}
-        part = within or hole.part  # 'put a 10 mm shaft through this bore'
-        said = tuple(name for name in part.adjectives if name != "through")  # 'would it go through the lug?'
-        wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
-        check = Check(wide, Relation.AT_LEAST, sizes[0][1])
-        yield Parse(check, {"mating": 1.0}, {sizes[0][0], *verb.tokens, *hole.used, *pin})
-    for at in text.at_words("enough"):  # 'is the slot wide enough to let a 6 mm pin pass?'
+    if verb is not None and sizes:
+        hole = next((m for m in reversed(question.parts) if m.start >= verb.end), None)
+        within = next((what for _, what in places_of(hole.query, "through", "in")), None) if hole is not None else None
+        part = within or (hole.part if hole is not None else None)  # 'put a 10 mm shaft through this bore'
+        used = {sizes[0][0], *verb.tokens, *(hole.used if hole is not None else text.at_words("through", "center"))}
+        used |= {i for m in question.parts if m.end <= verb.start for i in m.used}
+        used |= {i for i in text.at_phrases("measure") if i < verb.start}
+        wide: Get | Distance | None = None
+        if part is None and text.has("through"):  # 'would a 58 mm pipe pass through?'
+            largest = (Rank(measure=Measure.DIAMETER),)
+            wide = Get((Measure.DIAMETER,), PartQuery(noun="bore", words=("bore",), definite=True, ranks=largest))
+        elif part is not None and hole is not None and text.is_word(hole.start - 1, "between"):  # 'between the lugs'
+            wide = Distance(replace_fields(part, plural=True, count=None), "each other", "surfaces")
+            used.add(hole.start - 1)
+        elif part is not None:
+            said = tuple(name for name in part.adjectives if name != "through")  # 'would it go through the lug?'
+            wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
+        if wide is not None:
+            yield Parse(Check(wide, Relation.AT_LEAST, sizes[0][1]), {"mating": 1.0}, used)
+    for at in text.at_words("enough"):
         scale = next((one for one in text.all("scale") if one.end == at and text.words[one.start] in _WIDE), None)
-        hole = next((m for m in question.parts if m.end <= at), None)
-        large = scale is not None and scale.value.measure is Measure.MAGNITUDE
+        owner = next((m for m in question.parts if m.end <= at), None)
         found = next(((i, size) for i, size in sizes if i > at), None)
-        if scale is not None and hole is not None and found is not None:
-            get = Get((Measure.DIAMETER if large else scale.value.measure,), hole.query)
-            used = {*hole.used, *scale.tokens, at, found[0], *(i for m in question.parts if m.start > at for i in m.used)}
-            used |= text.at_phrases("fits") | text.at_words("let", "take", "accept", "pass", "through")
+        if scale is not None and owner is not None and found is not None:
+            large = scale.value.measure is Measure.MAGNITUDE
+            get = Get((Measure.DIAMETER if large else scale.value.measure,), owner.query)
+            used = {
+                *owner.used,
+                *scale.tokens,
+                at,
+                found[0],
+                *(i for m in question.parts if m.start > at for i in m.used),
+            }
+            used |= text.at_phrases("fits") | text.at_words("let", "through")
             yield Parse(Check(get, Relation.AT_LEAST, found[1]), {"mating": 1.0}, used)
 
 
