@@ -1,0 +1,158 @@
+"""What passes through or between, what is flush, spacings by level, ends and pieces of parts, and what was cut."""
+
+from __future__ import annotations
+
+import pytest
+
+from querycad_contracts import Measure, PartQuery, Relation, Side
+from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, Check, Distance, Form, Get, Plane, Several
+from querycad_language.phrases import places_of
+from querycad_language.readings.reader import read
+
+
+def forms(question: str) -> list[Form]:
+    return [reading.form for reading in read(question)]
+
+
+def targets(question: str, measure: Measure) -> list[PartQuery]:
+    """The parts that this measure is asked of."""
+    found = [form for form in forms(question) if isinstance(form, Get) and form.measures == (measure,)]
+    return [form.target for form in found if form.target is not None]
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "noun"),
+    [
+        ("Are the grooves wide enough to let a 7 mm cable pass?", Measure.WIDTH, "groove"),
+        ("Is the eye big enough for an M10 bolt?", Measure.DIAMETER, "eye"),
+        ("Would a 58 mm tube go through?", Measure.DIAMETER, "bore"),
+    ],
+)
+def test_what_shall_fit_is_compared_with_what_it_goes_into(question: str, measure: Measure, noun: str) -> None:
+    checks = [form for form in forms(question) if isinstance(form, Check) and form.relation is Relation.AT_LEAST]
+    gets = [form.left for form in checks if isinstance(form.left, Get)]
+    assert any(get.measures == (measure,) and get.target is not None and get.target.noun == noun for get in gets)
+
+
+@pytest.mark.parametrize(
+    "question", ["Would a 20 mm bar fit between the lugs?", "A block 30 mm wide: will it go between the lugs?"]
+)
+def test_what_shall_fit_between_is_compared_with_the_gap(question: str) -> None:
+    checks = [form.left for form in forms(question) if isinstance(form, Check) and form.relation is Relation.AT_LEAST]
+    assert any(isinstance(left, Distance) and left.second == "each other" for left in checks)
+
+
+@pytest.mark.parametrize(
+    ("question", "side"),
+    [("Is the hub flush with the rim on the left?", Side.LEFT), ("Does the pin lie flush with the plate?", None)],
+)
+def test_flush_parts_end_on_one_level(question: str, side: Side | None) -> None:
+    levels = [form.left for form in forms(question) if isinstance(form, Check)]
+    ends = [left.first for left in levels if isinstance(left, Distance)]
+    assert any(isinstance(end, Plane) and end.side is side for end in ends)
+
+
+@pytest.mark.parametrize(
+    ("question", "axes"),
+    [
+        ("Horizontal and vertical spacing of the studs?", [HORIZONTAL, 2]),
+        ("Spacing of the studs in the long direction and in the transverse direction?", [LONGEST, SHORTER]),
+    ],
+)
+def test_spacings_in_two_directions(question: str, axes: list[int]) -> None:
+    several = [form.of for form in forms(question) if isinstance(form, Several)]
+    assert axes in [[distance.axis for distance in of] for of in several]
+
+
+@pytest.mark.parametrize(
+    ("question", "axis"),
+    [
+        ("What is the horizontal distance between the lug and the pin?", HORIZONTAL),
+        ("What is the height offset between the two spigots?", 2),
+    ],
+)
+def test_a_distance_is_horizontal_or_one_of_heights(question: str, axis: int) -> None:
+    assert any(isinstance(form, Distance) and form.axis == axis for form in forms(question))
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("Where is the middle of the pipe's upper rim?", Measure.TOP_END),
+        ("Where's the centre of the right-hand end face of the bar?", Measure.RIGHT_END),
+        ("Give the centre of the outer edge of the spigot.", Measure.TIP),
+    ],
+)
+def test_the_middle_of_a_rim_is_where_the_part_ends(question: str, measure: Measure) -> None:
+    assert targets(question, measure)
+
+
+def test_the_coordinates_of_the_middle_of_a_mouth_are_those_of_the_mouth() -> None:
+    assert targets("State the coordinates of the centre of the mouth of the bore.", Measure.OPENING)
+
+
+@pytest.mark.parametrize(
+    ("question", "measure"),
+    [
+        ("What is the width of the largest-diameter collar?", Measure.DIAMETER),
+        ("Depth of the smallest diameter bore?", Measure.DIAMETER),
+    ],
+)
+def test_a_part_is_ranked_by_a_measure_before_its_noun(question: str, measure: Measure) -> None:
+    ranks = [rank for form in forms(question) if isinstance(form, Get) and form.target for rank in form.target.ranks]
+    assert any(rank.measure is measure for rank in ranks)
+
+
+def test_the_upper_two_are_ranked_by_where_they_are() -> None:
+    ends = [form.first for form in forms("How far apart are the upper two studs?") if isinstance(form, Distance)]
+    ranks = [rank for end in ends if isinstance(end, PartQuery) for rank in end.ranks]
+    assert any(rank.side is Side.TOP and rank.count == 2 for rank in ranks)
+
+
+@pytest.mark.parametrize(
+    "question", ["What is the point angle of the bore?", "Included angle at the bottom of the hole?"]
+)
+def test_the_point_angle_of_a_hole_is_that_of_its_conical_bottom(question: str) -> None:
+    assert any(target.noun == "conical bottom" for target in targets(question, Measure.INCLUDED_ANGLE))
+
+
+@pytest.mark.parametrize(
+    ("question", "measure", "cut"),
+    [
+        ("The bore is counterbored. How deep?", Measure.DEPTH, "counterbore"),
+        ("The two holes have been countersunk on top. What diameter?", Measure.DIAMETER, "countersink"),
+    ],
+)
+def test_what_a_statement_says_was_cut_is_asked_for(question: str, measure: Measure, cut: str) -> None:
+    assert any(target.noun == cut and places_of(target) for target in targets(question, measure))
+
+
+def test_a_flat_front_is_the_front_of_its_part() -> None:
+    ends = [
+        form.first for form in forms("How far behind the plate's flat front is the stud?") if isinstance(form, Distance)
+    ]
+    assert any(isinstance(end, Plane) and end.side is Side.FRONT for end in ends)
+
+
+def test_extents_along_axes_may_each_be_named() -> None:
+    measures = [
+        form.measures for form in forms("Length along x, width along y and height along z?") if isinstance(form, Get)
+    ]
+    assert (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT) in measures
+
+
+def test_a_size_across_corners_is_no_size_across_flats() -> None:
+    measures = [form.measures for form in forms("What hexagon size across corners?") if isinstance(form, Get)]
+    assert measures[0] == (Measure.ACROSS_CORNERS,)
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        "How much land is there between the bore and the groove?",
+        "What web is left between the floor of the counterbore and the slot?",
+    ],
+)
+def test_what_is_left_between_two_cuts_is_a_distance_of_their_surfaces(question: str) -> None:
+    found = [form for form in forms(question) if isinstance(form, Distance) and form.mode == "surfaces"]
+    assert any(isinstance(form.second, PartQuery) for form in found)
