@@ -88,7 +88,10 @@ def _winners(group: Sequence[Question]) -> list[Asked]:
             reader = Reader(one.question, names)
             affinity = Affinity(reader.text.words, whole)
             for candidate in candidates(reader.readings, segcad.ground, whole, affinity):
-                outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
+                try:
+                    outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
+                except FileProblem:  # a measurement that the kernel could not make
+                    continue
                 if outcome.status is RunStatus.OK:
                     value = outcome.value
                     done.append((with_value(candidate, value, whole.extents), is_right(value, one)))

@@ -47,6 +47,7 @@ With 1 the others gain half a percent, and of what is missing 27 % are refused i
 AT_WORK = frozenset((
     "workshop_talker", "handling_researcher", "description_writer", "foundry_buyer", "drive_part_chatter",
     "peg_assembler", "model_downloader", "toolroom_planner", "redesign_inspector", "drawingless_buyer",
+    "skill_parameter_technician", "spreadsheet_student", "grounding_benchmarker",
     *(f"reworded-{who}" for who in (
         "desk_colleague", "jobshop_texter", "cell_automation_engineer", "lay_describer", "from_to_measurer",
         "second_language_engineer", "mailing_purchaser", "meeting_designer",

@@ -89,7 +89,6 @@ PICTURES: Final = 3
 DESCRIPTIONS: Final = 100
 """Most different calls of a run that find parts or faces; each may take long, and its time is not the program's."""
 
-_ROUND: Final = (PartKind.HOLE, PartKind.GEAR, PartKind.BOSS, PartKind.CYLINDER, PartKind.COUNTERBORE, PartKind.ARC)
 _PARALLEL: Final = 1e-3
 """Radians; axes nearer to one direction are parallel."""
 Seen = Part | Face | Body | Shape | LocalFrame | Opening
@@ -361,7 +360,7 @@ class Guest:
 
     def center_distance(self, part: Part, other: Part) -> float:
         """How far apart are the centres of two parts, in metres; of two round ones on parallel axes, those axes?"""
-        if part.kind == other.kind and part.kind in _ROUND and part.axis and other.axis:
+        if (part.radius or part.kind is PartKind.GEAR) and part.kind == other.kind and part.axis and other.axis:
             apart = sub(other.center, part.center)
             aside = math.sqrt(max(0.0, dot(apart, apart) - dot(apart, part.axis) ** 2))
             if self.angle_to(part, other) < _PARALLEL and aside > BOX_SLACK_M:
