@@ -55,8 +55,8 @@ def noun_phrase(query: PartQuery | None, several: bool = False) -> str:
     ]
     tail = [_size(size) for size in query.sizes] + [place_phrase(place) for place in query.places]
     tail += [f"nearest to {noun_phrase(rank.near)}" for rank in query.ranks if rank.near]
-    tail += [f"visible from the {' or '.join(query.sides)}"] if query.sides else []
-    tail += [f"not visible from the {' or '.join(query.unseen)}"] if query.unseen else []
+    seen = {"visible": query.sides, "not visible": query.unseen}
+    tail += [f"{how} from the {' or '.join(sides)}" for how, sides in seen.items() if sides]
     tail += [f"except {noun_phrase(other)}" for other in query.excluded]
     tail += [f"and {noun_phrase(other)}" for other in query.also]
     return " ".join(["the", *words, *tail])
@@ -64,10 +64,9 @@ def noun_phrase(query: PartQuery | None, several: bool = False) -> str:
 
 def none_such(query: PartQuery, values: Sequence[float] = ()) -> str:
     """'no hole is wider than 80 mm; they have 5 mm to 26 mm', the ends of `values`; '' where nothing restricts."""
-    said = [*query.colors, *map(_compared, query.sizes)]
     left = {"colors": (), "sizes": (), "plural": False, "count": None, "ranks": ()}
-    if not said:
-        said, left = list(query.adjectives), {**left, "adjectives": ()}
+    if not (said := [*query.colors, *map(_compared, query.sizes)]):
+        said, left = [*query.adjectives], {**left, "adjectives": ()}
     noun = noun_phrase(query.model_copy(update=left)).removeprefix("the ")
     have = " to ".join(dict.fromkeys(stated(value, query.sizes[0].measure) for value in values))
     return f"no {noun} is {' and '.join(said)}" + (f"; they have {have}" if have else "") if said else ""
@@ -107,16 +106,17 @@ def place_phrase(place: Place) -> str:
 
 def stated(value: float, measure: Measure | None = None) -> str:
     """A stated value of a measure, in mm, mm², mm³, degrees or kg."""
+    if measure is Measure.MASS:
+        return f"{value:.6g} kg"
     scale, unit = _UNITS.get(answer_type(measure or Measure.LENGTH), (1e3, " mm"))
-    scale, unit = (1.0, " kg") if measure is Measure.MASS else (scale, unit)
     return f"{value * scale:.6g}{unit}"
 
 
 def plural_of(noun: str) -> str:
     """What several of these are called: 'boss' gives 'bosses', 'foot' gives 'feet'."""
     *before, last = noun.split(" ")
-    if last in lexicon().plurals:
-        return " ".join((*before, lexicon().plurals[last]))
+    if plural := lexicon().plurals.get(last):
+        return " ".join((*before, plural))
     if noun.endswith(("s", "x", "ch", "sh")):
         return f"{noun}es"
     return f"{noun[:-1]}ies" if noun.endswith("y") and noun[-2:-1] not in "aeiou" else f"{noun}s"

@@ -7,16 +7,17 @@ from dataclasses import replace
 
 from .tokens import Token
 
-Finds = Callable[[int, str], bool]
-"""Does a phrase of the category begin at the token?"""
+Finds = Callable[..., object]
+"""Given a token and categories: does a phrase of one of them begin there?"""
 
 _LONGEST = 12  # tokens of a topic; longer ones are clauses of their own
 MOST_OF_NOUN = 3  # words of a noun behind 'which'
 _TELLING = ("side", "adjective", "most", "least", "ordinal")  # what tells parts of one name apart
 _PRONOUNS = ("it", "they", "them")
-_MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale")
+_MAIN_VERBS = ("emerging", "stopping", "passing", "fits", "reach", "measure", "scale", "relation")
 """What is said of parts without 'are': 'which emerge at the back'."""
-_VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative", "relation")
+_VERBS = ("be", "do", "have", "modal", "ask", "where", "count", "imperative")
+_STOPS = (",", ".", "?", "!", ";", ":")
 
 
 def restored(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
@@ -28,10 +29,10 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     """'From the left lug to the right one', 'which lug is wider, the upper one or …': 'one' for the noun before."""
     found: list[Token] = []
     which: tuple[Token, ...] = ()
-    told: dict[str, tuple[Token, ...]] = {}
+    told: dict[str | None, tuple[Token, ...]] = {}
     ends = ("or", "?") if any(token.word == "or" for token in tokens) else ()
     for at, token in enumerate(tokens):
-        way = next((category for category in _TELLING if finds(at - 1, category)), None) if at else None
+        way = next((category for category in _TELLING if finds(at - 1, category)), None)
         end = next((end for end in range(at + 1, at + 1 + MOST_OF_NOUN) if not finds(end, "noun")), at)
         if finds(at, "noun") and token.word != "one":
             if way is not None and not finds(at - 1, "noun"):
@@ -41,7 +42,7 @@ def _ones(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
                 which = tuple(replace(one, raw=one.word, plural=False) for one in tokens[at:end])  # 'of the two lugs'
         elif token.word in ends and way is not None and tokens[at - 2].word == "the":
             found += which  # 'the upper or the lower one'
-        meant = told.get(way or "", which) if token.word == "one" and found and found[-1].word != "which" else ()
+        meant = told.get(way, which) if token.word == "one" and found and found[-1].word != "which" else ()
         found += (*meant[:-1], replace(meant[-1], plural=token.plural)) if meant else (token,)
     return tuple(found)
 
@@ -51,17 +52,12 @@ def _topics(tokens: tuple[Token, ...], finds: Finds) -> tuple[Token, ...]:
     for comma, token in enumerate(tokens):
         if token.word not in (",", ":"):
             continue
-        start = max((at + 1 for at in range(comma) if tokens[at].word in (".", "?", "!", ";", ":", ",")), default=0)
-        topic = tokens[start:comma]
-        verbal = any(finds(at, category) for at in range(start, comma) for category in _VERBS if category != "relation")
-        joined = tokens[comma + 1 : comma + 2] != () and tokens[comma + 1].word == "and"
-        measured = joined and any(finds(at, "measure") for at in range(start, comma))  # 'hub width, and how long is it'
-        named = any(finds(at, "noun") for at in range(start, comma))
-        if not topic or len(topic) > _LONGEST or verbal or measured or not named:
-            continue
-        begin = comma + 1 + joined
-        gap = _gap(tokens, begin, finds)
-        if gap is not None:
+        start = max((at + 1 for at in range(comma) if tokens[at].word in _STOPS), default=0)
+        topic, where = tokens[start:comma], range(start, comma)
+        begin = comma + 1 + any(one.word == "and" for one in tokens[comma + 1 : comma + 2])
+        no_topic = ("measure", *_VERBS) if begin > comma + 1 else _VERBS  # 'hub width, and how long is it'
+        named = any(finds(at, "noun") for at in where) and not any(finds(at, *no_topic) for at in where)
+        if named and len(topic) <= _LONGEST and (gap := _gap(tokens, begin, finds)):
             at, end = gap
             bare = tokens[at - 1 if at == len(tokens) else at].word in _PRONOUNS or topic[0].word != "of"
             whole = topic[1:] if bare and topic[0].word in ("of", "for", "with", "about", "regarding") else topic
@@ -73,7 +69,7 @@ def _gap(tokens: Sequence[Token], begin: int, finds: Finds) -> tuple[int, int] |
     """Where the topic belongs, and where what it replaces ends."""
     words = [token.word for token in tokens]
     for at in range(begin, len(words)):
-        if words[at] in (",", ".", "?", "!", ";", ":") or (finds(at, "noun") and words[at] not in ("one", "ones")):
+        if words[at] in _STOPS or (finds(at, "noun") and words[at] not in ("one", "ones")):
             return None
         if words[at] in _PRONOUNS:
             return at, at + 1
@@ -83,6 +79,6 @@ def _gap(tokens: Sequence[Token], begin: int, finds: Finds) -> tuple[int, int] |
         if asks:
             end = at + asks + (at + asks < len(words) and words[at + asks] in ("one", "ones"))
             last = end == len(words) or words[end] in (".", "?", "!")  # 'lugs: how many?'
-            if last or any(finds(end, category) for category in (*_VERBS, *_MAIN_VERBS)):
+            if last or finds(end, *_VERBS, *_MAIN_VERBS):
                 return at + asks, end
     return None

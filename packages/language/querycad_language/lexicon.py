@@ -18,9 +18,9 @@ Degree = Literal["positive", "more", "less", "most", "least"]
 DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
 """The order of the lists of a scale in measures.toml."""
 _MARKS: dict[str, tuple[str, Any]] = {
-    "alone": ("alone", True), "several": ("several", True), "widest": ("step", "widest"),
-    "narrowest": ("step", "narrowest"),
-}  # fmt: skip
+    **{mark: (mark, True) for mark in ("alone", "several")},
+    **{mark: ("step", mark) for mark in ("widest", "narrowest")},
+}
 """What marks of a sense other than picks set."""
 _VALUES: dict[str, type[Side | Relation]] = {
     "side": Side, "view": Side, "place_extreme": Side, "ground": Side, "relation": Relation, "behind": Relation,
@@ -236,8 +236,7 @@ def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
         lex.add("noun", noun, words)
     for word in data["products"]["words"]:
         senses = tuple(map(_sense, ("model @alone", f"body [{word}]", "model ~0.5")))
-        lex.nouns.setdefault(word, Noun(word, senses, product=True))
-        lex.add("noun", lex.nouns[word], [word])
+        lex.add("noun", lex.nouns.setdefault(word, Noun(word, senses, product=True)), [word])
 
 
 def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
@@ -253,7 +252,7 @@ def _add_adjectives(lex: Lexicon, entries: list[dict[str, Any]]) -> None:
 def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
     """The closed classes: those with values of their own, and the plain lists of words."""
     for factor, power, names in words.pop("unit").values():
-        lex.units.update(dict.fromkeys(names, (factor, power)))
+        lex.units |= dict.fromkeys(names, (factor, power))
     for category in ("number", "ordinal"):
         for word, value in words.pop(category)["words"].items():
             lex.add(category, value, [word])
@@ -273,13 +272,8 @@ def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
             lex.add("scale", Scale(Measure(name), degree), phrases)
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():
-            lex.add(category, Measure(name), [*phrases, *map(_gerund, phrases)])
-
-
-def _gerund(phrase: str) -> str:
-    """'sticking out' of 'stick out'."""
-    verb, *rest = phrase.split()
-    return " ".join([verb.removesuffix("e") + "ing", *rest])
+            gerunds = [re.sub(r"^(\S+?)e?(?!\S)", r"\1ing", phrase) for phrase in phrases]  # 'sticking out'
+            lex.add(category, Measure(name), [*phrases, *gerunds])
 
 
 def _screw_holes(nominal: float, pitch: float, tap: float, clear: Sequence[float], unit: float) -> dict[str, float]:
@@ -308,6 +302,5 @@ def _add_standards(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, (low, high) in data["colour"].items():
         lex.hues[name] = (float(low), float(high))
         lex.add("color", name, [name])
-    lex.add("color", "gray", ("gray", "silver", "black", "white"))
-    for name in ("silver", "black", "white"):
-        lex.phrases[name] = [("color", name)]
+    lex.add("color", "gray", ["gray"])
+    lex.phrases |= {name: [("color", name)] for name in ("silver", "black", "white")}

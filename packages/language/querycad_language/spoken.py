@@ -24,11 +24,10 @@ def _digits(found: re.Match[str]) -> str:
         return found[0]
     if fraction := found["fraction"]:
         return _FRACTIONS[fraction.lower()]
-    said = found[0].lower().replace("-", " ")
-    added = 0.5 if " and a half" in said else 0.0
-    said = re.sub(r" and a half\b", "", re.sub(r"\ba (?=hundred|thousand)", "one ", said))
-    digits = str(alpha2digit(said, "en", threshold=0.0))
-    return re.sub(r"\d+$", lambda last: f"{int(last[0]) + added:g}", digits) if added else digits
+    said = re.sub(r"\ba (?=hundred|thousand)", "one ", found[0].lower().replace("-", " "))
+    whole = re.sub(r" and a half\b", "", said)
+    digits = str(alpha2digit(whole, "en", threshold=0.0))
+    return re.sub(r"\d+$", lambda last: f"{int(last[0]) + 0.5:g}", digits) if whole != said else digits
 
 
 @cache

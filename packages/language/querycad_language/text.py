@@ -35,7 +35,7 @@ class Text:
         self.question = question
         self.lexicon: Lexicon = lexicon()
         self._tell(tokenize(question, names))
-        moved = restored(self.tokens, lambda at, category: self.find(at, category) is not None)
+        moved = restored(self.tokens, self.find)
         if moved != self.tokens:
             self._tell(moved)
         if self.has(*ROUNDED) and not self.at_phrases("distance", "where"):
@@ -50,10 +50,8 @@ class Text:
 
     def _tell(self, tokens: tuple[Token, ...]) -> None:
         self.tokens = tokens
-        self._all: dict[tuple[str, ...], list[Span]] = {}
         self._begins: dict[tuple[str, ...], frozenset[int]] = {}
         self.words = [token.word for token in tokens]
-        self._said = frozenset(self.words)
         self.spans: list[list[Span]] = self.lexicon.spans(self.words)
         for i in self.at_words("left"):  # 'the left lug' is none that remains
             if self.find(i - 1, "article") or self.find(i + 1, "noun", "side_noun"):
@@ -66,9 +64,8 @@ class Text:
             span = self.find(at, *EXTENTS)
             if span and self.words[at + 1] == "to" and self.words[at] == self.words[at + 2]:
                 self._stands_alone(at, at + 3)
-            elif span and self.words[span.end - 1] == "other":  # 'from one end to the other'
-                if not self.find(at - 1, "passing") and not self.find(at - 2, "passing"):
-                    self._stands_alone(at, span.end)
+            elif span and self.words[span.end - 1] == "other" and not self.any_in(range(at - 2, at), "passing"):
+                self._stands_alone(at, span.end)  # 'from one end to the other'
 
     def _stands_alone(self, start: int, end: int) -> None:
         """In 'the rod end to end' nothing reaches into the adverb from before it: it is no rod end."""
@@ -89,12 +86,10 @@ class Text:
 
     def all(self, *categories: str) -> list[Span]:
         """The phrases of the categories, from left to right, none inside another."""
-        if (found := self._all.get(categories)) is None:
-            found = self._all[categories] = []
-            for at in range(len(self.tokens)):
-                span = self.find(at, *categories) if not found or at >= found[-1].end else None
-                if span is not None:
-                    found.append(span)
+        found: list[Span] = []
+        for at in sorted(self.at_phrases(*categories)):
+            if (not found or at >= found[-1].end) and (span := self.find(at, *categories)):
+                found.append(span)
         return found
 
     def covered(self, *categories: str) -> set[int]:
@@ -107,17 +102,21 @@ class Text:
 
     def has(self, *words: str) -> bool:
         """Does one of these words occur at all?"""
-        return not self._said.isdisjoint(words)
+        return any(word in self.words for word in words)
 
     def at_words(self, *words: str) -> set[int]:
         """Where these words stand."""
         return {at for at, word in enumerate(self.words) if word in words}
 
+    def any_in(self, where: range, *categories: str) -> bool:
+        """Does a phrase of one of the categories begin in the stretch?"""
+        return any(self.find(at, *categories) for at in where)
+
     def at_phrases(self, *categories: str) -> frozenset[int]:
         """Where phrases of these categories begin."""
         if (begins := self._begins.get(categories)) is None:
-            found = (i for i in range(len(self.tokens)) if self.find(i, *categories))
-            begins = self._begins[categories] = frozenset(found)
+            begins = frozenset(i for i in range(len(self.tokens)) if self.find(i, *categories))
+            self._begins[categories] = begins
         return begins
 
     def skip(self, at: int, *categories: str) -> int:
@@ -133,11 +132,15 @@ class Text:
 
     def is_break(self, at: int) -> bool:
         """Does a clause end here?"""
-        return self.tokens[at].kind is Kind.SYMBOL and self.words[at] in BREAKS
+        return self.is_kind(at, Kind.SYMBOL) and self.words[at] in BREAKS
 
     def is_possessive(self, at: int) -> bool:
         """Is it the 's of an owner?"""
-        return 0 <= at < len(self.tokens) and self.tokens[at].kind is Kind.POSSESSIVE
+        return self.is_kind(at, Kind.POSSESSIVE)
+
+    def is_kind(self, at: int, *kinds: Kind) -> bool:
+        """Is there a token here, of one of the kinds?"""
+        return 0 <= at < len(self.tokens) and self.tokens[at].kind in kinds
 
     def is_content(self, at: int) -> bool:
         """Is it a word that no closed class has: the name of something?"""
@@ -150,8 +153,10 @@ class Text:
         if not self.spans[at]:
             before, acts = self.words[at - 1] if at else "", self.find(at + 1, "article", "pronoun") is not None
             passive = token.word.endswith("ed") and before in _PASSIVE  # 'the floor that it is bolted to'
-            verb = passive or before in _WHO or (before == "to" and acts)  # 'which side I chuck', 'to turn it'
-            verb = verb or (token.word.endswith("ing") and before in ("before", "after", "by", "when", "while"))
+            acting = token.word.endswith("ing") and before in ("before", "after", "by", "when", "while")
+            verb = (
+                passive or acting or before in _WHO or (before == "to" and acts)
+            )  # 'which side I chuck', 'to turn it'
             if verb or token.word.endswith(("ly", "wise", "wards")):
                 return False
         return not any(span.category in CLOSED for span in self.spans[at] if span.end == at + 1)
@@ -159,7 +164,6 @@ class Text:
     @cached_property
     def sentences(self) -> list[tuple[int, int]]:
         """(start, end) of each sentence; a colon, a semicolon and a dash part sentences too."""
-        symbols = (at for at, token in enumerate(self.tokens) if token.kind is Kind.SYMBOL)
-        ends = [*(at for at in symbols if self.words[at] in (*BREAKS, "-")), len(self.tokens)]
+        ends = [*(at for at in sorted(self.at_words(*BREAKS, "-")) if self.is_kind(at, Kind.SYMBOL)), len(self.tokens)]
         starts = [0, *(end + 1 for end in ends)]
         return [(start, end) for start, end in zip(starts, ends, strict=False) if start < end]

@@ -28,9 +28,7 @@ _THREAD = (
     r"|\b(?:[12][ -])?\d{1,2}(?:/\d{1,2})?\"?(?:-\d{1,2})?\s?NPT\b|\bG\s?(?:(?:1[ -])?\d/\d{1,2}|[12])(?![\w/.-])"
     r"|(?:\b\d{1,2}/\d{1,2}\"?-\d{1,2}|(?<![\w#])#?(?:\d{1,2}-(?:24|28|32|36|40)|[0-5]-(?:44|48|56|64|72|80)))(?!\s?mm|\w)"
 )
-_DENSITY = re.compile(
-    r"\s?(k?g|(?:kilo)?grams?|kilos?)\s?(?:/|per)\s?((?:cubic\s)?[a-z]+(?:\^?3|³)?)(?!\w)", re.IGNORECASE
-)
+_DENSITY = re.compile(r"\s?(k?g|(?:kilo)?grams?|kilos?)\s?(?:/|per)\s?((?:cubic\s)?[a-z]+(?:\^?3)?)(?!\w)", re.I)
 _TOKEN = re.compile(
     rf"(?P<thread>{_THREAD})"
     r"|(?P<times>(?<![x×] )(?<![x×])\b\d{1,4}\s?[x×](?![\w.])(?!\s?\d{1,4}(?:\.\d{1,3})?\s?(?:mm\s?)?[x×]\s?\d))"
@@ -40,7 +38,7 @@ _TOKEN = re.compile(
     r"|(?P<symbol><=|>=|!=|\+/-|[<>=≤≥≠≈~\"”″°,;:?!.&+()±⌀ℛ×/–—-])",
     re.IGNORECASE,
 )
-_UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23]|[²³])?)(?!\w)", re.IGNORECASE)
+_UNIT = re.compile(r"\s?-?(\"|''|”|″|°|[a-zµμ]+(?:\^?[23])?)(?!\w)", re.IGNORECASE)
 _POWER_UNIT = re.compile(r"\s?((?:square|cubic)\s[a-z]+)\b", re.IGNORECASE)
 _OPENING = re.compile(r"\W{0,3}(?:the|this|a|total|it|all|diameter|width|length|depth|height)(?![a-z])", re.IGNORECASE)
 """Words before which 'in' is no unit."""
@@ -53,9 +51,9 @@ _OUTWARD = {
 """The sign and the axis of the file's frame towards each side."""
 
 
-def _fitted(word: str) -> str:
+def _fitted(found: re.Match[str]) -> str:
     """'the press-in bush' is a bush; a lead-in is a part."""
-    return word if word.replace("-", " ").lower() in lexicon().nouns else ""
+    return found[0] if found[0].replace("-", " ").lower() in lexicon().nouns else ""
 
 
 def _sided(side: str, axis: re.Match[str]) -> str:
@@ -70,79 +68,77 @@ _SLASHED = {
     "u/side": "underside", "u/cut": "undercut",
 }  # fmt: skip
 """Drawing offices shorten words at a slash or an apostrophe (BS 308)."""
-_ECHO = re.compile(
-    r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$", re.IGNORECASE
-)
+
+
+def _unslashed(found: re.Match[str]) -> str:
+    """'c'bore' and 'c/bore' are counterbores."""
+    return _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0])
+
+
+def _unlettered(found: re.Match[str]) -> str:
+    """'L x W' is 'length x width'."""
+    return " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower()))
+
+
+_ECHO = r"(?<=\w)(?: ?[-,;:?.–—] ?(?:and )?| and )(?:if (?:so|yes),? )?which(?: ones?)?(?: are they)? ?\?$"
 """'…, and if so, which ones?': those that make it so are evidence of the answer."""
-_FRAME = re.compile(
-    r"[,(]?\s?(?:in )?(?:the )?\b(?:model|file|part)(?:['’]s)? coordinate(?:s| system)\b(?! of\b)\)?", re.I
-)
+_FRAME = r"[,(]?\s?(?:in )?(?:the )?\b(?:model|file|part)(?:['’]s)? coordinate(?:s| system)\b(?! of\b)\)?"
 """'…, in model coordinates': there are no others."""
-_CONTRACTIONS: tuple[tuple[re.Pattern[str], str | Callable[[re.Match[str]], str]], ...] = (
-    (re.compile(r"^(?:\d+\)\s|[\"“])"), ""),
-    (re.compile(r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", re.I), r"\1 is"),
-    (re.compile(r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", re.I), r"\1 not"),
-    (re.compile(r"\bcan['’]t\b|\bcannot\b", re.I), "can not"),
-    (re.compile(r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", re.I), r"\1"),
-    (re.compile(r"\bi\.\s?e\.?(?!\w)", re.I), "that is"),
-    (re.compile(r"\be\.\s?g\.?(?!\w)", re.I), "for example"),
-    (re.compile(r"(?:\bno\.|#)(?=\s?of\b)", re.I), "number"),
-    (re.compile(r"\bw/o\b", re.I), "without"),
-    (re.compile(r"^(confirm|verify|check)(?: this)?:", re.I), r"\1 that"),
-    (re.compile(r"\bhow proud\b", re.I), "how far out"),
+_PLAINER: tuple[tuple[str, str | Callable[[re.Match[str]], str]], ...] = (
+    (r"^(?:\d+\)\s|[\"“])", ""),
+    (r"\b(what|where|how|which|who|that|there|it|here)['’]s\b", r"\1 is"),
+    (r"\b(is|are|do|does|has|have|was|were|did|could|would|should)n['’]t\b", r"\1 not"),
+    (r"\bcan['’]t\b|\bcannot\b", "can not"),
+    (r"\b(i|we|you|they|it|he|she)['’](?:d|ll|ve|re|m)\b", r"\1"),
+    (r"\bi\.\s?e\.?(?!\w)", "that is"),
+    (r"\be\.\s?g\.?(?!\w)", "for example"),
+    (r"(?:\bno\.|#)(?=\s?of\b)", "number"),
+    (r"\bw/o\b", "without"),
+    (r"^(confirm|verify|check)(?: this)?:", r"\1 that"),
+    (r"\bhow proud\b", "how far out"),
     (_ECHO, "?"),
     (_FRAME, " "),
-    (re.compile(r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", re.I), r"\1 "),
-    (re.compile(r"\b(?:outer|free) (?=end faces?\b)", re.I), ""),  # no tip
-    (re.compile(r"\b(?:twice|double(?= the\b))", re.I), "2 times"),
-    (re.compile(r"\bhalf (?=as [a-z]+ as\b)", re.I), "0.5 times "),
-    (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) overhang(?= (?:the|its|it)\b)", re.I), r"\1 project beyond"),
-    (re.compile(r"\b(what|which)(?: bolt| pitch| hole)? circle(?= (?:do|are)\b)", re.I), r"\1 diameter circle"),
-    (re.compile(r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", re.I), ""),
-    (re.compile(r"\b([xyz])([+−-])(?=[ -](?:side|face|end|half|wall)\b)", re.I), r"\2\1"),
-    *((re.compile(rf"(?<![\w+-]){axis}(?=[ -]([a-z]+))", re.I), partial(_sided, to)) for to, axis in _OUTWARD.items()),
-    (re.compile(r"(?<=[a-z])\((e?s)\)", re.I), r"\1"),
-    (re.compile(r"(\b(?:each|both) of (?:the|its|these)) (?:two|three|four|five|six|\d)(?= [a-z])", re.I), r"\1"),
-    (re.compile(r"\b(?:(?:what is )?(?:the|what) (?:amount|distance) by which|by what amount)\b", re.I), "by how much"),
-    (re.compile(r"\|\|"), " parallel to "),
-    (re.compile(r"\bright through(?= to\b)", re.I), "fully through"),  # no side
-    (re.compile(r"\bl\s?/\s?d\b", re.I), "length to diameter ratio"),
-    (re.compile(r"\b([xyz])-(?=axis|direction)", re.I), r"\1 "),
-    (re.compile(r"(?<=[a-z])_(?=[a-z])", re.I), " "),
-    (re.compile(r"\bw/\s?(?=[a-z])", re.I), "with "),
-    (
-        re.compile(r"\b[acou]['’/](?:all|line|bore|sink|sunk|side|cut|[acfl])(?=e?[ds]?\b)", re.I),
-        lambda found: _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0]),
-    ),
-    (re.compile(r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", re.I), "around "),
-    (re.compile(r"\b[a-z]+-(?:in|on|fit)(?= [a-z])", re.I), lambda found: _fitted(found[0])),
-    (re.compile(r"\bthro(?:['’]|\b)", re.I), "through"),
-    (re.compile(r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", re.I), r"across \2 of the \1"),
-    (re.compile(r"\bc-c\b", re.I), "center to center"),
-    (re.compile(r"\bC[oO]?[GM]\b"), "center of mass"),  # a cog is a gear
-    (
-        re.compile(r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|dp|d|t|thk)\b)+", re.I),
-        lambda found: " x ".join(_LETTERS[letter[0]] for letter in re.split(r"\s*[x×]\s*", found[0].lower())),
-    ),
-    (
-        re.compile(r"(?<!\d)(\d{1,3}(?:[.,]\d+)?)\s?(?:[EFGHJKNPSefghjknps]|JS|js)[1-9]\d?\b(?! ?mm)"),
-        r"\1",
-    ),  # ISO 286: '8H7'
-    (re.compile(r"\b(?:[dD](?:\s?=\s?)?|[dD]ia(?:m|meter)?\.? )(?=\d+(?:[.,]\d+)?(?: ?mm)? [a-z]{3})"), "⌀ "),
-    (re.compile(rf"(?<![\d.,⌀])({_DECIMAL})\s?dia(?:m\.?|meter(?= [a-z]{{3}}))?\b\.?", re.I), r"⌀ \1"),
-    (re.compile(r"(\bdo(?:es)? [^?.]{1,60}) stand(?= (?:out|up|off|proud|above|over|from)\b)", re.I), r"\1 protrude"),
-    (re.compile(rf"({_DECIMAL})\s?[x×]\s?(?={_DECIMAL}(?:\s?[x×]\s?{_DECIMAL})?\s?(mm|cm|inch)\b)", re.I), r"\1 \2 x "),
-    (re.compile(r"\bM (?=\d)"), "M"),
-    (re.compile(r"\bo\.\s?d\.?(?!\w)", re.I), "outer diameter"),
-    (re.compile(r"\bi\.\s?d\.?(?!\w)", re.I), "inner diameter"),
+    (r"\b(top|upper|bottom|lower|left|right|front|rear|back) end (?=faces?\b)", r"\1 "),
+    (r"\b(?:outer|free) (?=end faces?\b)", ""),  # no tip
+    (r"\b(?:twice|double(?= the\b))", "2 times"),
+    (r"\bhalf (?=as [a-z]+ as\b)", "0.5 times "),
+    (r"(\bdo(?:es)? [^?.]{1,60}) overhang(?= (?:the|its|it)\b)", r"\1 project beyond"),
+    (r"\b(what|which)(?: bolt| pitch| hole)? circle(?= (?:do|are)\b)", r"\1 diameter circle"),
+    (r" (?:are there|do(?:es)? \w{1,12} (?:have|see))(?= (?:that|which|whose|where)\b)", ""),
+    (r"\b([xyz])([+−-])(?=[ -](?:side|face|end|half|wall)\b)", r"\2\1"),
+    *((rf"(?<![\w+-]){axis}(?=[ -]([a-z]+))", partial(_sided, to)) for to, axis in _OUTWARD.items()),
+    (r"(?<=[a-z])\((e?s)\)", r"\1"),
+    (r"(\b(?:each|both) of (?:the|its|these)) (?:two|three|four|five|six|\d)(?= [a-z])", r"\1"),
+    (r"\b(?:(?:what is )?(?:the|what) (?:amount|distance) by which|by what amount)\b", "by how much"),
+    (r"\|\|", " parallel to "),
+    (r"\bright through(?= to\b)", "fully through"),  # no side
+    (r"\bl\s?/\s?d\b", "length to diameter ratio"),
+    (r"\b([xyz])-(?=axis|direction)", r"\1 "),
+    (r"(?<=[a-z])_(?=[a-z])", " "),
+    (r"\bw/\s?(?=[a-z])", "with "),
+    (r"\b[acou]['’/](?:all|line|bore|sink|sunk|side|cut|[acfl])(?=e?[ds]?\b)", _unslashed),
+    (r"(?<=[a-z] )round (?=(?:the|its|a|an|each|this|that)\b)", "around "),
+    (r"\b[a-z]+-(?:in|on|fit)(?= [a-z])", _fitted),
+    (r"\bthro(?:['’]|\b)", "through"),
+    (r"\bacross (?:the )?(\w+)['’]s? (corners|flats)\b", r"across \2 of the \1"),
+    (r"\bc-c\b", "center to center"),
+    (r"\b(?-i:C[oO]?[GM])\b", "center of mass"),  # a cog is a gear
+    (r"(?:⌀|\b[lwbhdt](?:ength|idth|hk)?)(?:\s{0,2}[x×]\s{0,2}(?:l|w|b|h|dp|d|t|thk)\b)+", _unlettered),
+    (r"(?<!\d)(\d{1,3}(?:[.,]\d+)?)\s?(?-i:[EFGHJKNPSefghjknps]|JS|js)[1-9]\d?\b(?! ?(?-i:mm))", r"\1"),  # '8H7'
+    (r"\b(?-i:(?:[dD](?:\s?=\s?)?|[dD]ia(?:m|meter)?\.? )(?=\d+(?:[.,]\d+)?(?: ?mm)? [a-z]{3}))", "⌀ "),
+    (rf"(?<![\d.,⌀])({_DECIMAL})\s?dia(?:m\.?|meter(?= [a-z]{{3}}))?\b\.?", r"⌀ \1"),
+    (r"(\bdo(?:es)? [^?.]{1,60}) stand(?= (?:out|up|off|proud|above|over|from)\b)", r"\1 protrude"),
+    (rf"({_DECIMAL})\s?[x×]\s?(?={_DECIMAL}(?:\s?[x×]\s?{_DECIMAL})?\s?(mm|cm|inch)\b)", r"\1 \2 x "),
+    (r"\b(?-i:M) (?=\d)", "M"),
+    (r"\bo\.\s?d\.?(?!\w)", "outer diameter"),
+    (r"\bi\.\s?d\.?(?!\w)", "inner diameter"),
 )
-
-
-_SYMBOLS = {
+_CONTRACTIONS = tuple((re.compile(pattern, re.IGNORECASE), plain) for pattern, plain in _PLAINER)
+_SYMBOLS = str.maketrans({
     "Ø": " ⌀ ", "ø": " ⌀ ", "∅": " ⌀ ", "℄": " centerline ", "↧": " depth ", "⌴": " counterbore ", "⌵": " countersink ",
     "□": " square ", "⊥": " perpendicular to ", "∥": " parallel to ",
     "→": " to ", "↔": " to ", "∠": " angle ", "²": "2", "³": "3",
-}  # fmt: skip
+})  # fmt: skip
 """ISO 129-1 and ASME Y14.5."""
 _MARKS = {"⌀": Measure.DIAMETER, "ℛ": Measure.RADIUS}
 DENSITY = -3  # the power of lengths in kilograms per cubic metre
@@ -182,9 +178,7 @@ class Token:
 def tokenize(text: str, names: frozenset[str] = frozenset()) -> tuple[Token, ...]:
     """What are the tokens of a question? `names`: words of product names, which are never taken for misspelt ones."""
     text = written(unicodedata.normalize("NFC", " ".join(text[: 2 * MAX_CHARS].split())[:MAX_CHARS]))
-    for symbol, words in _SYMBOLS.items():
-        text = text.replace(symbol, words)
-    text = text[:MAX_CHARS]
+    text = text.translate(_SYMBOLS)[:MAX_CHARS]
     text = re.sub(r"\bR\s?(?=\d)", " ℛ ", text)
     for pattern, plain in _CONTRACTIONS:
         text = pattern.sub(plain, text)
@@ -252,20 +246,18 @@ def _value(text: str) -> float:
 
 
 def _words(raw: str, names: frozenset[str]) -> list[Token]:
-    lex = lexicon()
-    lower = raw.lower()
+    lex, lower = lexicon(), raw.lower()
     spelt = lex.spelling.get(lower, lower)
     if " " in spelt:
         return [Token(lex.fold(word), raw) for word in spelt.split()]
     known, folded = lex.vocabulary, lex.singular(spelt)
     if folded not in known and spelt in known:
         folded = spelt
-    pieces: tuple[str, ...] = (folded,)
     if folded not in known and folded[:2] == "un" and folded[2:] in lex.adjectives:  # 'unchamfered'
         return [Token("non", raw), Token(folded[2:], raw)]
     spellable = TYPO_MIN_LETTERS <= len(folded) <= TYPO_MAX_LETTERS and folded.isalpha()
-    if spellable and folded not in known and names.isdisjoint((folded, lower)):
-        pieces = _compound(folded) or (_correct(folded),)
+    misspelt = spellable and folded not in known and names.isdisjoint((folded, lower))
+    pieces = (_compound(folded) or (_correct(folded),)) if misspelt else (folded,)
     return [Token(piece, raw, plural=folded != spelt) for piece in pieces]
 
 
@@ -279,10 +271,10 @@ def _pieces() -> frozenset[str]:
 @lru_cache(maxsize=4096)
 def _compound(word: str) -> tuple[str, ...] | None:
     """The pieces of a closed compound such as 'screwhole', both of them nouns of parts or adjectives."""
-    lex, known = lexicon(), _pieces()
+    known = _pieces()
     inflected = word.endswith(("ing", "ed")) and is_english(word)  # 'webbed' is no bed
     for cut in range(3, 0 if inflected else len(word) - 2):
-        second = lex.singular(word[cut:])
+        second = lexicon().singular(word[cut:])
         if word[:cut] in known and second in known:
             return word[:cut], second
     return None
@@ -308,9 +300,7 @@ def _correct(word: str) -> str:
         substituted = len(word) == len(known) and sorted(word) != sorted(known)
         if not (substituted and len(word) < 6):
             best = min(best, (int(OSA.distance(word, known, score_cutoff=allowed)), known))
-    if best[0] > allowed or is_english(word):  # 'closer' is no slip of 'closed'
-        return word
-    return best[1]
+    return word if best[0] > allowed or is_english(word) else best[1]  # 'closer' is no slip of 'closed'
 
 
 def is_english(word: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from querycad_contracts import Measure, PartQuery, Place
@@ -9,7 +10,7 @@ from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import GENERIC, Mention, PhraseBuilder
+from .mention import GENERIC, Mention, PhraseBuilder, replace_fields
 
 _GATHERED = ("adjectives", "lacking", "sizes", "threads", "colors", "ranks", "sides", "unseen", "ends", "excluded",
              "also", "ids")  # fmt: skip
@@ -26,8 +27,6 @@ def head_of(text: Text, build: PhraseBuilder, start: int, at: int) -> Mention | 
         return _whole(text, build, start, whole)
     if (end := _without_noun(text, build, start, at)) is not None:
         return end
-    if build.adjectives or build.ranks:
-        return None
     pointing = text.is_word(start, "this", "that", "these", "those", "them", "one")
     if (at <= start + 1) if pointing else (at == start and text.find(at, "pronoun")):
         return Mention(start, start + 1, None, frozenset((start,)), start, pronoun=True)
@@ -69,42 +68,37 @@ def mention_of(text: Text, start: int, end: int, build: PhraseBuilder) -> Mentio
     compound = [PartQuery(noun=name, words=(name,)) for name in names[:-1] if name != names[-1]]
     places = (*build.places, *(Place(relation="", what=query) for query in compound))
     unknown = tuple(text.words[at] for at in build.unknown)
-    named = " ".join(text.words[noun.start : noun.end]) if noun is not None else " ".join(unknown)
+    naming: Sequence[int] = noun.tokens if noun is not None else build.unknown
+    named = " ".join(text.words[at] for at in naming)
     if noun is not None and named not in text.lexicon.nouns:
         named = noun.value.name
     owned = any(place.relation == "of" and place.what for place in build.places)
-    told = owned and (build.adjectives or build.ranks or build.ends)
-    if noun is not None and noun.value.name == "object" and told:
+    if names[-1:] == ["object"] and owned and (build.adjectives or build.ranks or build.ends):
         named = "section"  # 'the thinnest part of the shaft'
     known = noun is not None or not unknown
-    head = noun.end - 1 if noun is not None else build.unknown[-1] if build.unknown else start
+    head = naming[-1] if naming else start
     plural = any(text.tokens[i].plural for i in (noun.tokens if noun is not None else (head,)))
     gathered: dict[str, Any] = {name: tuple(dict.fromkeys(getattr(build, name))) for name in _GATHERED}
+    gathered |= {name: getattr(build, name) for name in ("count", "definite", "sample", "deictic")}
     query = PartQuery(
         noun=named,
         known=known,
         words=tuple(text.words[at] for at in range(start, noun.end if noun else end) if _says(text, at, build, noun)),
-        count=build.count,
         plural=plural or build.each or (build.count or 1) > 1,
-        definite=build.definite,
-        sample=build.sample,
-        deictic=build.deictic,
         places=places,
         unknown=unknown if known else (),
         **gathered,
     )
-    among = places[0].what if noun is None and not unknown and places and places[0].relation == "of" else None
+    among = places[0].what if not naming and places and places[0].relation == "of" else None
     if among is not None and among.plural and (build.ranks or build.adjectives):  # 'the largest of the slots'
         chosen = {name: (*getattr(among, name), *getattr(query, name)) for name in ("ranks", "adjectives")}
-        query = among.model_copy(update={**chosen, "plural": query.plural, "definite": True, "count": build.count})
-    used = frozenset(build.used.union(noun.tokens if noun is not None else build.unknown))
-    return Mention(start, end, query, used, head, plural=query.plural)
+        query = replace_fields(among, **chosen, plural=query.plural, definite=True, count=build.count)
+    return Mention(start, end, query, frozenset(build.used.union(naming)), head, plural=query.plural)
 
 
 def _says(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bool:
     """Is it a word of the phrase that says what is meant?"""
-    if text.tokens[at].kind is not Kind.WORD or text.find(at, "article"):
-        return False
-    if not text.is_content(at) and not text.find(at, "noun", "side", "color", "adjective"):
+    says = text.is_content(at) or text.find(at, "noun", "side", "color", "adjective")
+    if not says or not text.is_kind(at, Kind.WORD) or text.find(at, "article"):
         return False
     return noun is not None or at in build.unknown or text.find(at, "side", "adjective") is not None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from querycad_contracts import PartQuery, Place, Rank, Side, SizeFilter
 from querycad_language.lexicon import Span
@@ -10,6 +11,9 @@ from querycad_language.lexicon import Span
 MAX_DEPTH = 3  # places within places within places: deeper ones are no questions
 GENERIC = frozenset(("object", "body", "section"))
 """Nouns that behind another one add nothing: 'the pipe piece', 'the adapter plate body'."""
+
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +60,8 @@ class PhraseBuilder:
     sample: bool = False
     deictic: bool = False
     article: bool = False
+    depth: int = 0  # in how many other phrases it stands
+    joined: bool = False  # may 'and' add a further kind?
     used: set[int] = field(default_factory=set)
 
     def seen_on(self, sides: list[Side], half: bool) -> None:
@@ -64,6 +70,12 @@ class PhraseBuilder:
             self.adjectives += [f"{side.value} half" for side in sides]
         else:
             self.sides += sides
+
+
+def gather(into: list[T], what: T, end: int) -> int:
+    """Gathers what the words up to `end` mean; returns that end."""
+    into.append(what)
+    return end
 
 
 def replace_fields(query: PartQuery, **fields: object) -> PartQuery:
@@ -90,5 +102,5 @@ def places_of(query: PartQuery | None, *relations: str) -> list[tuple[Place, Par
 
 def bare_of(query: PartQuery, *nouns: str) -> bool:
     """Is it one of the nouns and nothing that restricts it: 'the surfaces', 'all faces'?"""
-    plain = query.model_copy(update={"plural": False, "definite": False, "sense": 0})
+    plain = replace_fields(query, plural=False, definite=False, sense=0)
     return query.noun in nouns and plain == PartQuery(noun=query.noun, words=query.words) and len(query.words) == 1

@@ -8,18 +8,17 @@ from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import MAX_DEPTH, PhraseBuilder, replace_fields
+from .mention import MAX_DEPTH, PhraseBuilder, gather, replace_fields
 from .words import is_noun, noun_follows
 
 if TYPE_CHECKING:
     from .reader import Phrases
 
 
-def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def seen(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
     text = phrases.text
-    beside = text.find(at, "place")
-    if beside is not None and beside.value in ("left", "right"):
+    if (beside := text.find(at, "place")) is not None and beside.value in ("left", "right"):
         return at  # 'to the left of the collar'
     negated = text.is_word(at, "not", "invisible", "hidden")
     start = text.skip(at + 1, "passing") if negated else at
@@ -40,14 +39,13 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
     at_end = seeing is None and not negated and (text.is_word(end - 1, "end") or text.is_word(start, "near"))
-    other = phrases.at(end + 1, depth + 1) if text.is_word(end, "of") and depth < MAX_DEPTH else None
+    other = phrases.at(end + 1, build.depth + 1) if text.is_word(end, "of") else None
     if other is not None and other.query is not None:  # 'on the left side of the flange'
         build.ends += sides if at_end else []  # 'at the left end of the shaft'
         build.places.append(Place(relation="of", what=other.query, side=None if at_end else sides[0]))
         return other.end
-    end = other.end if other is not None else end
     (build.unseen if negated else build.ends if at_end else build.sides).extend(sides)
-    return end
+    return other.end if other is not None else end
 
 
 def leads_away(text: Text, at: int) -> bool:
@@ -66,8 +64,7 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
     sides: list[Side] = []
     end = prep.end
     while True:
-        inner = text.skip(end, "article", "each")
-        span = text.find(inner, "side")
+        span = text.find(text.skip(end, "article", "each"), "side")
         if span is None or text.is_word(text.skip(span.end, "side"), "corner"):
             break
         after = text.skip(span.end, "side_noun")
@@ -75,9 +72,8 @@ def _sides(text: Text, at: int) -> tuple[list[Side], int]:
             break
         sides.append(span.value)
         end = after
-        if not text.is_word(end, "and", "or", ",", "&"):
-            break
-        if not text.find(text.skip(end + 1, "article", "side_preposition"), "side"):
+        another = text.find(text.skip(end + 1, "article", "side_preposition"), "side")
+        if another is None or not text.is_word(end, "and", "or", ",", "&"):
             break
         end = text.skip(end + 1, "side_preposition")
     return (sides, end) if sides else ([], at)
@@ -93,8 +89,7 @@ def sideways(text: Text, at: int, build: PhraseBuilder) -> int:
     if not text.is_word(end, "side", "flank") or text.is_word(end + 1, "of", "to", "half") or is_noun(text, wall):
         return at
     across = text.is_word(start, "through") and text.is_word(start + 1, "both")  # 'through both sides'
-    build.adjectives.append("through" if across else "horizontal")
-    return wall
+    return gather(build.adjectives, "through" if across else "horizontal", wall)
 
 
 def along(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -106,37 +101,34 @@ def along(text: Text, at: int, build: PhraseBuilder) -> int:
         return at
     end = text.skip(end, "parallel", "axis_preposition", "function", "article")
     axis = text.find(end, "axis")
-    runs = text.find(at, "passing") or axes is not None or any(text.find(i, "count", "parallel") for i in range(end))
+    runs = text.find(at, "passing") or axes is not None or text.any_in(range(end), "count", "parallel")
     if axis is None or axis.value > 2 or not runs or build.sizes:  # 'longer than 5 mm along z': of the size
         return at
     build.adjectives.append(f"{'xyz'[axis.value]} parallel")
     return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
-def nearest(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def nearest(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
     text = phrases.text
     if (end := _by_coordinate(text, at, build)) > at:
         return end
     span = text.find(at, "near", "far")
-    if span is None or depth >= MAX_DEPTH or text.is_word(at - 1, "to"):  # 'from the pin to the nearest edge': an end
-        return at
+    if span is None or build.depth >= MAX_DEPTH or text.is_word(at - 1, "to"):
+        return at  # 'from the pin to the nearest edge': an end
     most = span.category == "far"
     start = span.end + text.is_word(span.end, "to", "from")
     inner = text.skip(start, "article")
     if edge := text.find(inner, "edge"):
-        build.ranks.append(Rank(edge=True, most=most))
-        return edge.end
+        return gather(build.ranks, Rank(edge=True, most=most), edge.end)
     if text.is_word(inner, "center", "middle") and not text.is_word(inner + 1, "of"):
-        build.adjectives.append("farthest out" if most else "innermost")
-        return inner + 1
+        return gather(build.adjectives, "farthest out" if most else "innermost", inner + 1)
     if side := text.find(inner, "side"):
         away = most and "from" in text.words[span.start : start]
         build.ranks.append(Rank(side=side.value.opposite if away else side.value))
         return text.skip(side.end, "side_noun")
-    if (other := phrases.inner(start, depth)) is not None:
-        build.ranks.append(Rank(near=other.query, most=most))
-    return other.end if other is not None else at
+    other = phrases.inner(start, build.depth)
+    return gather(build.ranks, Rank(near=other.query, most=most), other.end) if other is not None else at
 
 
 def _by_coordinate(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -148,11 +140,10 @@ def _by_coordinate(text: Text, at: int, build: PhraseBuilder) -> int:
     if axis is None or axis.value > 2 or degree == "positive":  # 'at large x' is no order
         return at
     sign = 1.0 if degree in ("most", "more") or text.is_word(start, "positive") else -1.0
-    build.ranks.append(Rank(side=next(side for side in Side if side.outward[axis.value] == sign)))
-    return axis.end
+    return gather(build.ranks, Rank(side=next(side for side in Side if side.outward[axis.value] == sign)), axis.end)
 
 
-def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def central(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'in the middle of the plate', 'in the four corners'."""
     text = phrases.text
     span = text.find(at, "center")
@@ -167,30 +158,29 @@ def central(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     else:
         return at
     build.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")
-    other = phrases.at(end + 1, depth + 1, False) if text.is_word(end, "of") and depth < MAX_DEPTH else None
+    other = phrases.at(end + 1, build.depth + 1, joined=False) if text.is_word(end, "of") else None
     if other is not None and other.query is not None:
         build.places.append(Place(relation="in", what=other.query))
-    return other.end if other is not None else max(end, span.end if span is not None else 0)
+    return other.end if other is not None else span.end if span is not None else end
 
 
-def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def placed(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
     text = phrases.text
     span = text.find(at, "place")
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
-    if span is None or depth >= MAX_DEPTH or (longer and longer.end > span.end) or leads_away(text, at):
+    if span is None or (longer and longer.end > span.end) or leads_away(text, at):
         return at
     if text.words[at].endswith("ed") and text.find(at - 1, "be") and not text.is_word(at - 2, "that", "which"):
         return at  # 'the board is carried by posts': what is said of it, not which
     start = span.end
-    size = start < len(text) and text.tokens[start].kind in (Kind.QUANTITY, Kind.NUMBER)
-    if size and text.find(at, "relation"):
+    if text.is_kind(start, Kind.QUANTITY, Kind.NUMBER) and text.find(at, "relation"):
         return at
     inner = text.skip(start, "each", "article")
     piece = text.skip(inner, "side_noun", "edge")
     if piece > inner and text.is_word(piece, "of") and not text.is_word(at, "from"):  # 'in the side of' is in it
         start = piece + 1
-    other = phrases.at(start, depth + 1, joined=span.value == "between")
+    other = phrases.at(start, build.depth + 1, joined=span.value == "between")
     if other is None:
         return at
     if other.query is None:
@@ -198,11 +188,9 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if text.find(other.end, "measure") and not text.is_word(other.end, "of"):
         return at  # 'holes in plate thickness direction'
     also = text.skip(other.end, "side", "ground", "side_noun")  # 'groove bottom and bore'
-    second = phrases.inner(also + 1, depth) if span.value == "between" and text.is_word(also, "and") else None
+    second = phrases.inner(also + 1, build.depth) if span.value == "between" and text.is_word(also, "and") else None
     if second is not None:
         both = replace_fields(other.query, also=(*other.query.also, second.part))
-        build.places.append(Place(relation="between", what=both))
-        return second.end
+        return gather(build.places, Place(relation="between", what=both), second.end)
     rim = span.value == "around" and start > span.end  # 'around the edge of the plate' is on it
-    build.places.append(Place(relation="of" if rim else span.value, what=other.query))
-    return other.end
+    return gather(build.places, Place(relation="of" if rim else span.value, what=other.query), other.end)

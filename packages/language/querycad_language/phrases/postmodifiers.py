@@ -8,10 +8,10 @@ from querycad_contracts import Place, Rank, Relation
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import Mention, PhraseBuilder
+from .mention import MAX_DEPTH, PhraseBuilder, gather
 from .places import along, central, leads_away, nearest, placed, seen, sideways
 from .sizes import stated_size
-from .words import is_noun, noun_follows, superlative
+from .words import is_noun, noun_follows, scale_at, superlative
 
 if TYPE_CHECKING:
     from .reader import Phrases
@@ -20,15 +20,14 @@ _OPENING = ("open", "opens", "break", "breaks", "out")
 _GAP = ("be", "do", "seeing", "function", "have")  # words that may lead to a modifier: 'that are', 'which has'
 
 
-def modifiers(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
+def modifiers(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """Where the modifiers that begin here end."""
-    end = at
-    while (after := _modifier(phrases, end, build, depth, joined)) > end:
-        end = after
-    return end
+    while (end := _modifier(phrases, at, build)) > at:
+        at = end
+    return at
 
 
-def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
+def _modifier(phrases: Phrases, start: int, build: PhraseBuilder) -> int:
     """Where a modifier that begins here, or behind words such as 'that are', ends; `start` where none does."""
     text = phrases.text
     relative = False
@@ -37,7 +36,7 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
         to_side = text.find(opening.end if opening else at + 1, "side_preposition")
         to_side = to_side if to_side and not text.is_word(to_side.end, "both", "one") else None
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
-            after = _joins(phrases, at, build, depth, joined) or _left_out(phrases, at + 1, build, depth)
+            after = _joins(phrases, at, build) or _left_out(phrases, at + 1, build)
             if after == at + 1 and _opens(text, at):
                 continue
         elif to_side and (opening or text.is_word(at, *_OPENING)):
@@ -45,7 +44,7 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         else:
-            after = _one_modifier(phrases, at, build, depth, joined)
+            after = _one_modifier(phrases, at, build)
         if after > at + text.is_word(at, "(", ","):
             after += text.is_word(after, ")") and "(" in text.words[start:after]
             build.used.update(range(start, after))
@@ -62,49 +61,46 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder, depth: int, jo
 def _is_verb(text: Text, at: int) -> bool:
     """May the word be the verb of a relative clause, or an adverb: 'which pass vertically through the plate'?"""
     known = text.find(at, "noun", "measure", "scale", "adjective", "side", "place", "ask", "count", "be", "article")
-    return text.tokens[at].kind is Kind.WORD and known is None
+    return text.is_kind(at, Kind.WORD) and known is None
 
 
 def _opens(text: Text, at: int) -> bool:
     """Does a modifier follow a comma or a bracket?"""
     if text.find(at + 1, "seeing", "except") or text.is_word(at + 1, "which", "that", "with"):
         return True
-    counted = any(text.find(i, "count") for i in range(at))
-    if counted and text.is_word(at + 1, "neither", "no", "without"):
+    if text.is_word(at + 1, "neither", "no", "without") and text.any_in(range(at), "count"):
         return text.find(text.skip(at + 2, "article"), "trait", "adjective") is not None  # 'slots, no chamfer'
     size = stated_size(text, at + 1)
     apart = size is not None and size[0].measure is not None and text.is_word(size[1], ",")  # 'the slot, 5 mm wide,'
     if size is not None and (apart or size[0].relation is not Relation.EQUAL or "=" in text.words[at : size[1]]):
         return True  # 'slots, width > 5 mm'
-    return text.words[at] == "(" and text.tokens[min(at + 1, len(text) - 1)].kind in (Kind.QUANTITY, Kind.THREAD)
+    return text.words[at] == "(" and text.is_kind(at + 1, Kind.QUANTITY, Kind.THREAD)
 
 
 def _leads(text: Text, at: int) -> bool:
     """May the word stand between a noun and a modifier of it?"""
-    if text.find(at, "passing") and text.find(at + 1, "relation", "scale"):
-        return True  # 'that go deeper than 5 mm'
-    if text.is_word(at, "both") and text.find(at - 1, "be"):
+    going = text.find(at, "passing") and text.find(at + 1, "relation", "scale")  # 'that go deeper than 5 mm'
+    if going or (text.is_word(at, "both") and text.find(at - 1, "be")):
         return True  # 'that are both through and wider than 6 mm'
-    if text.find(at, *_GAP) is None or text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the"):
-        return False
-    if text.is_possessive(at):
+    own = text.find(at, "measure", "scale") or text.is_word(at, "a", "an", "the")
+    if own or text.find(at, *_GAP) is None or text.is_possessive(at):
         return False  # "the flange's corners" are no corner flange
     verb = text.is_word(at, "do", "does", "how", "what", "have", "has")
     return not verb or text.is_word(at - 1, "that", "which", "where")
 
 
-def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
+def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     text = phrases.text
-    if (end := seen(phrases, at, build, depth)) > at:
+    if (end := seen(phrases, at, build)) > at:
         return end
     be = text.is_word(at - 1, "are", "is")  # 'the holes of the rail are stepped': said of the noun around it
-    own = depth == 0 or text.is_word(at - 1 - be, "that", "which")
+    own = build.depth == 0 or text.is_word(at - 1 - be, "that", "which")
     restricting = (_through, sideways, along, _colored, _ranked, _fitted, _stated_size)
     for read in restricting if own else (_fitted, _stated_size):
         if (end := read(text, at, build)) > at:
             return end
     for nested in (_trait, _exception, nearest, central):
-        if (end := nested(phrases, at, build, depth)) > at:
+        if (end := nested(phrases, at, build)) > at:
             return end
     negated = text.is_word(at, "not")
     begin = at + 2 if text.is_word(at, "on", "in", "around") and text.is_word(at + 2, "inside", "outside") else at
@@ -115,41 +111,31 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, j
     sided = text.is_word(at, "side")  # 'on each side': no attribute
     asked = text.find(begin, "verbs") is not None and text.has("much", "degree")  # 'how much is it tilted'
     if own and adjective and not (sided or asked or is_noun(text, adjective.end) or place) and adjective.value.tags:
-        (build.lacking if negated else build.adjectives).append(adjective.value.name)
-        return adjective.end
-    if (end := placed(phrases, at, build, depth)) > at:
-        return end
-    return _joins(phrases, at, build, depth, joined) or at
+        return gather(build.lacking if negated else build.adjectives, adjective.value.name, adjective.end)
+    end = placed(phrases, at, build)
+    return end if end > at else _joins(phrases, at, build) or at
 
 
-def _joins(phrases: Phrases, at: int, build: PhraseBuilder, depth: int, joined: bool) -> int:
+def _joins(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
     text = phrases.text
-    comma = text.is_word(at, ",")
-    other = phrases.at(at + 1, depth + 1, False) if joined and text.is_word(at, "and", "or", "&", "plus", ",") else None
-    if other is None or (comma and not text.is_word(other.end, ",", "and", "&")):
+    plural = build.nouns and any(text.tokens[i].plural for i in build.nouns[-1].tokens)
+    if not (plural and build.joined and text.is_word(at, "and", "or", "&", "plus", ",")):
         return 0
-    end = _also(text, other, build, at)
-    return end if end > at else 0
-
-
-def _also(text: Text, other: Mention, build: PhraseBuilder, at: int) -> int:
-    """'holes and slots': both kinds count; not where a measure of its own follows."""
-    query = other.query
-    if query is None or not build.nouns or not query.known or not query.noun or not query.plural:
-        return at
+    other = phrases.at(at + 1, min(build.depth + 1, MAX_DEPTH), joined=False)
+    if other is None or other.query is None or not (other.query.known and other.query.noun and other.query.plural):
+        return 0
     there = text.is_word(other.end + 1, "there")  # 'how many holes and slots are there'
-    plural = any(text.tokens[i].plural for i in build.nouns[-1].tokens)
-    if (text.find(other.end, "measure", "be", "do") and not there) or not plural:
-        return at
-    build.also.append(query)
-    return other.end
+    own = text.find(other.end, "measure", "be", "do") and not there  # a measure of its own follows
+    if own or (text.is_word(at, ",") and not text.is_word(other.end, ",", "and", "&")):
+        return 0
+    return gather(build.also, other.query, other.end)
 
 
 def _through(text: Text, at: int, build: PhraseBuilder) -> int:
     """'that go all the way through', 'do not pass through the part', 'are through'."""
     end = text.skip(at, "passing", "do", "negation")
-    negated = any(text.find(i, "negation") for i in range(at, end)) or text.is_word(at - 1, "not")
+    negated = text.any_in(range(at, end), "negation") or text.is_word(at - 1, "not")
     tags = build.lacking if negated else build.adjectives
     if text.find(end, "emerging", "stopping"):
         return _ending(text, at, end, tags)
@@ -169,12 +155,10 @@ def _ending(text: Text, at: int, verb: int, tags: list[str]) -> int:
     """'that come out on the other side', 'that stop inside the material'."""
     place = text.skip(text.skip(verb, "emerging", "stopping"), "place", "side_preposition", "article")
     if text.find(verb, "stopping") and text.find(place, "stuff", "whole"):
-        tags.append("blind")
-        return place + 1
+        return gather(tags, "blind", place + 1)
     across = text.find(verb, "emerging") and text.is_word(place, "to", "other", "far", "opposite", "back")
     side = next((i for i in range(place, place + 5) if across and text.find(i, "side_noun")), None)
-    tags += ["through"] if side is not None else []
-    return side + 1 if side is not None else at
+    return gather(tags, "through", side + 1) if side is not None else at
 
 
 def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -182,8 +166,7 @@ def _colored(text: Text, at: int, build: PhraseBuilder) -> int:
     color = text.find(at + text.is_word(at, "colored", "painted"), "color")
     if color is None or not (text.find(at - 1, "be") or color.start > at) or is_noun(text, color.end):
         return at
-    build.colors.append(color.value)
-    return color.end
+    return gather(build.colors, color.value, color.end)
 
 
 def _stated_size(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -191,15 +174,15 @@ def _stated_size(text: Text, at: int, build: PhraseBuilder) -> int:
     found = stated_size(text, at)
     if found is None:
         return at
-    noun, place = text.find(found[1], "noun"), text.find(found[1], "measure", "place", "seeing")
-    if is_noun(text, found[1]) and (place is None or (noun and noun.end > place.end)):
+    size, end = found
+    noun, place = text.find(end, "noun"), text.find(end, "measure", "place", "seeing")
+    if is_noun(text, end) and (place is None or (noun and noun.end > place.end)):
         return at  # '… around the 13 mm holes', '… 5 mm through holes': the size is another noun's
-    sizes, end = [found[0]], found[1]
+    sizes = [size]
     again = stated_size(text, end + 1) if text.is_word(end, "and", "but", ",") else None
-    if again is not None and Relation.EQUAL not in (found[0].relation, again[0].relation):  # 'over 4 but under 8 mm'
-        measure = found[0].measure or again[0].measure
-        sizes = [one.model_copy(update={"measure": one.measure or measure}) for one in (found[0], again[0])]
-        end = again[1]
+    if again is not None and Relation.EQUAL not in (size.relation, again[0].relation):  # 'over 4 but under 8 mm'
+        measure, sizes, end = size.measure or again[0].measure, [size, again[0]], again[1]
+        sizes = [one.model_copy(update={"measure": one.measure or measure}) for one in sizes]
     build.sizes += sizes
     return end
 
@@ -208,55 +191,50 @@ def _fitted(text: Text, at: int, build: PhraseBuilder) -> int:
     """'that are M6', 'that take an M6 bolt', 'would an M6 bolt fit'."""
     begin = text.skip(at, "modal")
     start = text.skip(text.skip(begin, "fits"), "article")
-    if start >= len(text) or text.tokens[start].kind is not Kind.THREAD:
+    if not text.is_kind(start, Kind.THREAD):
         return at
     noun = text.find(start + 1, "noun")
     end = noun.end if noun is not None else start + 1
     behind = text.find(end, "fits")
     if noun is not None and not text.find(begin, "fits") and behind is None:
         return at  # '… are M6 holes': the thread is another noun's
-    build.threads.append(text.tokens[start].word)
-    return behind.end if behind is not None else end
+    return gather(build.threads, text.tokens[start].word, behind.end if behind is not None else end)
 
 
 def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     """'with the smallest diameter', 'is the largest'."""
-    alone = superlative(text, at + 2) if text.find(at, "be") and text.is_word(at + 1, "the") else None
-    if alone is not None and not noun_follows(text, alone.end):
-        build.ranks.append(Rank(measure=alone.value.measure, most=alone.value.degree == "most"))
-        return alone.end
-    more = text.find(at + 1, "scale") if text.find(at, "be") and text.is_word(0, "which") else None
-    ends = more is not None and (more.end >= len(text) or text.is_break(more.end))
-    if more is not None and more.value.degree in ("more", "less") and ends:  # 'which lug is thicker'
-        build.ranks.append(Rank(measure=more.value.measure, most=more.value.degree == "more"))
-        return more.end
+    the, which = text.is_word(at + 1, "the"), text.is_word(0, "which")
+    alone = superlative(text, at + 2) if the else scale_at(text, at + 1, "more", "less") if which else None
+    if alone is not None and text.find(at, "be"):
+        ends = alone.end >= len(text) or text.is_break(alone.end)
+        if not noun_follows(text, alone.end) if the else ends:  # 'which lug is thicker'
+            most = alone.value.degree in ("most", "more")
+            return gather(build.ranks, Rank(measure=alone.value.measure, most=most), alone.end)
     place = text.find(at, "place", "have")
-    counted = ("in", "on") if any(text.find(i, "count") for i in range(at)) else ()  # 'how many holes at max diameter'
-    start = text.skip(place.end, "article") if place and place.value in ("with", "of", "have", *counted) else len(text)
+    counted = ("in", "on") if text.any_in(range(at), "count") else ()  # 'how many holes at max diameter'
+    if place is None or place.value not in ("with", "of", "have", *counted):
+        return at
+    start = text.skip(place.end, "article")
     span = text.find(start, "most", "least") or superlative(text, start)
-    more = text.find(start, "scale") if place and place.value == "with" and span is None else None
-    if more is not None and more.value.degree in ("more", "less"):  # 'with the greater depth'
-        span = more
+    if span is None and place.value == "with":  # 'with the greater depth'
+        span = scale_at(text, start, "more", "less")
     measure = text.find(span.end, "measure") if span is not None else None
     if span is None or measure is None or leads_away(text, at):
         return at
-    most = {"most", "more"} & {span.category, getattr(span.value, "degree", "")}
-    build.ranks.append(Rank(measure=measure.value, most=bool(most)))
-    return measure.end
+    most = getattr(span.value, "degree", span.category) in ("most", "more")
+    return gather(build.ranks, Rank(measure=measure.value, most=most), measure.end)
 
 
-def _trait(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def _trait(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
     text = phrases.text
     place = text.find(at, "place")
-    if place is not None and place.value not in ("with", "without"):
-        place = None
-    counts = depth == 0 and any(text.find(i, "count") for i in range(at))  # 'how many holes have a thread'
-    have = text.find(at, "have")
-    lead = place or (have if counts else None)
-    start = lead.end if lead is not None else have.end if have is not None else at
+    place = place if place is not None and place.value in ("with", "without") else None
+    counts = build.depth == 0 and text.any_in(range(at), "count")  # 'how many holes have a thread'
+    lead = place or text.find(at, "have")
+    start = lead.end if lead is not None else at
     none = text.is_word(start, "no", "neither")  # 'have neither a thread nor a chamfer', 'no thread no chamfer'
-    if lead is None and not none:
+    if not (place or none or (lead and counts)):
         return at
     lacking = none or (place is not None and place.value == "without")
     start = text.skip(start + text.is_word(start, "no", "any", "neither"), "article")
@@ -265,11 +243,10 @@ def _trait(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (build.lacking if lacking else build.adjectives).append(span.value.name)
         return _further(text, span.end, build) if lacking else span.end
-    other = phrases.inner(start, depth) if place is not None else None
+    other = phrases.inner(start, build.depth) if place is not None else None
     if other is None:
         return at
-    build.places.append(Place(relation="with", what=other.part, negated=lacking))
-    return other.end
+    return gather(build.places, Place(relation="with", what=other.part, negated=lacking), other.end)
 
 
 def _further(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -284,20 +261,18 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
     return _further(text, span.end, build)
 
 
-def _left_out(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def _left_out(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """', the dowel holes left out', ', dowel holes not counted'."""
-    other = phrases.inner(at, depth) if depth == 0 else None
-    span = phrases.text.find(other.end, "left_out") if other is not None else None
-    if other is None or span is None:
+    other = phrases.inner(at, build.depth) if build.depth == 0 else None
+    if other is None or (span := phrases.text.find(other.end, "left_out")) is None:
         return at
-    build.excluded.append(other.part)
-    return span.end
+    return gather(build.excluded, other.part, span.end)
 
 
-def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> int:
+def _exception(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     """'except the one in the middle'."""
     text = phrases.text
-    if depth > 0:
+    if build.depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
     scale, span = text.find(at, "scale"), text.find(at, "except", "minus")
     below = scale is not None and text.is_word(scale.end, "than") and text.skip(scale.end + 1, "article")
@@ -306,12 +281,12 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder, depth: int) -> i
     start = span.end if span is not None else int(below) - 1
     inner = text.skip(start, "article")
     ranked = inner > start and superlative(text, inner) is not None  # 'minus the largest'
-    other = phrases.at(start, depth + 1) if ranked or span is None or span.category == "except" else None
+    other = phrases.at(start, build.depth + 1) if ranked or span is None or span.category == "except" else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)
     more = text.skip(other.end + 1, "except") if text.is_word(other.end, "and", "or", ",") else other.end
     again = span is not None and (more > other.end + 1 or (more > other.end and text.find(more, "article")))
-    second = phrases.at(more, depth + 1) if again else None  # 'besides the slit and (besides) the keyway'
+    second = phrases.at(more, build.depth + 1) if again else None  # 'besides the slit and (besides) the keyway'
     build.excluded += [second.query] if second is not None and second.query is not None else []
     return second.end if second is not None else other.end

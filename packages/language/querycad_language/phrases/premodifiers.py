@@ -7,9 +7,9 @@ from querycad_language.lexicon import Span
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
-from .mention import GENERIC, PhraseBuilder
+from .mention import GENERIC, PhraseBuilder, gather
 from .sizes import size_before
-from .words import ends_do_question, is_noun, is_verb, noun_follows, superlative
+from .words import ends_do_question, is_noun, is_verb, noun_follows, scale_at, superlative
 
 
 def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -17,15 +17,13 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
     token = text.tokens[at]
     empty = not (build.nouns or build.unknown)
     adjective = text.find(at, "adjective")
+    if adjective and adjective.end > at + 1 and (token.kind is Kind.NUMBER or text.find(at, "number")):
+        return _word(text, at, build)  # 'six sided': no count
     match token.kind:
-        case _ if adjective and adjective.end > at + 1 and (token.kind is Kind.NUMBER or text.find(at, "number")):
-            return _word(text, at, build)  # 'six sided': no count
         case Kind.TIMES:
             build.count = int(token.value)
-            return at + 1
         case Kind.THREAD:
             build.threads.append(token.word)
-            return at + 1
         case Kind.QUANTITY:
             return size_before(text, at, build) if empty else at
         case Kind.NUMBER:
@@ -33,7 +31,9 @@ def before_noun(text: Text, at: int, build: PhraseBuilder) -> int:
         case Kind.WORD:
             end = _determiner(text, at, build) if empty else at
             return end if end > at else _word(text, at, build)
-    return at
+        case _:
+            return at
+    return at + 1
 
 
 def _determiner(text: Text, at: int, build: PhraseBuilder) -> int:
@@ -64,8 +64,7 @@ def _number(text: Text, at: int, build: PhraseBuilder) -> int:
     token = text.tokens[at]
     whole = token.value == int(token.value)
     noun = text.find(at + 1, "noun")
-    scale = text.find(at + 1, "scale")
-    sized = scale.value.degree == "positive" if scale is not None else text.is_word(at + 1, "time")  # 'is it 8 wide'
+    sized = scale_at(text, at + 1, "positive") or text.is_word(at + 1, "time")  # 'is it 8 wide'
     one = build.definite and noun and not text.tokens[noun.end - 1].plural and not text.find(noun.end, "noun")
     if not build.nouns and ((not whole and text.find(at + 1, "noun", "adjective")) or (one and token.value > 1)):
         build.sizes.append(SizeFilter(low=token.value * 1e-3))  # 'the 13.5 holes', 'the 25 lug'
@@ -88,14 +87,10 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     if (end := _ranked(text, at, build)) > at:
         return end
     if noun and _is_head(text, at, build, noun, adjective):
-        build.nouns.append(noun)
-        return noun.end
+        return gather(build.nouns, noun, noun.end)
     if adjective and (text.is_word(at - 1, "how") or text.find(adjective.end, "article")):
         return at  # 'how deep the holes are', 'they go through the lever'
-    scale = text.find(at, "scale") if build.article and adjective and text.is_word(adjective.end, "of") else None
-    one_of = scale is not None and scale.value.degree in ("more", "less")  # 'the larger of the two'
-    follows = adjective and (noun_follows(text, adjective.end) or _shares_noun(text, adjective, build))
-    if adjective and (build.nouns or follows or one_of):
+    if adjective and (build.nouns or noun_follows(text, adjective.end) or _goes_alone(text, adjective, build)):
         if build.nouns and not is_noun(text, adjective.end):
             return at
         phrase = " ".join(text.words[at : adjective.end])
@@ -104,8 +99,10 @@ def _word(text: Text, at: int, build: PhraseBuilder) -> int:
     return _attribute(text, at, build) or _unknown(text, at, build, measure)
 
 
-def _shares_noun(text: Text, adjective: Span, build: PhraseBuilder) -> bool:
-    """'The big and the small end': does another adjective follow, with the noun of both?"""
+def _goes_alone(text: Text, adjective: Span, build: PhraseBuilder) -> bool:
+    """'The big and the small end', with the noun of both; 'the larger of the two'."""
+    if text.is_word(adjective.end, "of"):
+        return build.article and scale_at(text, adjective.start, "more", "less") is not None
     article = text.is_word(adjective.end, "and") and text.find(adjective.end + 1, "article")
     return bool(article and build.article and text.find(adjective.end + 2, "adjective"))
 
@@ -116,7 +113,7 @@ def _names(text: Text, at: int, article: bool) -> bool:
         return True
     acts = text.find(at, "adjective") or (text.find(at, "passing") and not article)
     acts = acts or text.tokens[at].plural or (at > 0 and text.tokens[at - 1].plural)
-    return not acts and not any(text.find(i, "do") for i in range(at - 12, at))
+    return not acts and not text.any_in(range(at - 12, at), "do")
 
 
 def _is_over(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bool:
@@ -125,11 +122,10 @@ def _is_over(text: Text, at: int, build: PhraseBuilder, noun: Span | None) -> bo
         return True  # the nouns of a compound are singular: 'standoffs stand' has a verb
     if noun is None or noun.end > at + 1:
         return False
-    if (build.nouns or build.unknown) and ends_do_question(text, at):
-        return True  # 'does the axis of the bore run?'
     if build.nouns and text.is_word(at, "cut") and text.find(at + 1, "place"):
         return True  # 'the window cut in the wall'
-    return bool(build.nouns or build.unknown) and text.is_word(at, "inside", "interior")  # 'the board inside'
+    last = ends_do_question(text, at) or text.is_word(at, "inside", "interior")
+    return last and bool(build.nouns or build.unknown)  # 'does the axis of the bore run?', 'the board inside'
 
 
 def _is_measure(
@@ -146,31 +142,27 @@ def _is_measure(
             return False
     if noun is not None and text.tokens[noun.end - 1].plural:
         return False  # 'the cogs'
-    if noun is None or noun.end != measure.end or build.article or build.nouns:
-        return True
-    return text.find(noun.end, "measure") is None
+    apart = noun is None or noun.end != measure.end or build.article or build.nouns
+    return bool(apart) or text.find(measure.end, "measure") is None
 
 
 def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     """'second largest', 'deepest', 'topmost'; 'the second bore' in no order that is said."""
     ordinal = text.find(at, "ordinal")
     scale = superlative(text, ordinal.end if ordinal else at)
-    of = text.find(scale.end, "measure") if scale else None
-    if scale and of and noun_follows(text, of.end) and not ordinal:  # 'the largest-diameter collar'
-        build.ranks.append(Rank(measure=of.value, most=scale.value.degree == "most", count=build.count or 1))
-        return of.end
-    if scale and (ordinal or text.is_word(at - 1, "the") or noun_follows(text, scale.end)):  # 'does the largest have'
-        most, nth = scale.value.degree == "most", ordinal.value if ordinal else 1
-        build.ranks.append(Rank(measure=scale.value.measure, most=most, nth=nth, count=build.count or 1))
-        return scale.end
+    of = text.find(scale.end, "measure") if scale and not ordinal else None
+    of = of if of and noun_follows(text, of.end) else None  # 'the largest-diameter collar'
+    alone = ordinal or text.is_word(at - 1, "the")  # 'does the largest have'
+    if scale and (of or alone or noun_follows(text, scale.end)):
+        measure, nth = of.value if of else scale.value.measure, ordinal.value if ordinal else 1
+        build.ranks.append(Rank(measure=measure, most=scale.value.degree == "most", nth=nth, count=build.count or 1))
+        return of.end if of else scale.end
     noun = text.find(ordinal.end, "noun") if ordinal else None
     counted = ordinal and (ordinal.value > 1 or (noun and text.is_word(noun.end, "from")))  # 'first slot from the top'
     if ordinal and counted and is_noun(text, ordinal.end) and not text.is_word(at, "next"):
-        build.ranks.append(Rank(nth=ordinal.value))
-        return ordinal.end
+        return gather(build.ranks, Rank(nth=ordinal.value), ordinal.end)
     if (extreme := text.find(at, "place_extreme")) and noun_follows(text, extreme.end):
-        build.ranks.append(Rank(side=extreme.value, count=build.count or 1))
-        return extreme.end
+        return gather(build.ranks, Rank(side=extreme.value, count=build.count or 1), extreme.end)
     return at
 
 
@@ -189,24 +181,20 @@ def _is_head(text: Text, at: int, build: PhraseBuilder, noun: Span, adjective: S
 def _attribute(text: Text, at: int, build: PhraseBuilder) -> int:
     """Where a side, a colour or what is lacking ends; 0 where none stands here."""
     if not build.nouns and text.is_word(at, "non") and (denied := text.find(at + 1, "adjective")):
-        build.lacking.append(denied.value.name)  # 'the non-chamfered hole'
-        return denied.end
+        return gather(build.lacking, denied.value.name, denied.end)  # 'the non-chamfered hole'
     if (side := text.find(at, "side")) and not build.nouns:
         many = text.find(side.end, "number")
         if many is not None and many.value > 1 and noun_follows(text, many.end):  # 'the upper two holes'
-            build.ranks.append(Rank(side=side.value, count=int(many.value)))
-            return many.end
+            return gather(build.ranks, Rank(side=side.value, count=int(many.value)), many.end)
         faced = side.end + text.is_word(side.end, "side", "face", "half")
         if faced > side.end and is_noun(text, faced):  # 'the underside lugs', 'left half lugs'
             build.seen_on([side.value], half=text.is_word(side.end, "half"))
             return faced
         other = text.find(text.skip(side.end + text.is_word(side.end, "and", "or"), "article"), "side")
         if is_noun(text, side.end) or (other and is_noun(text, other.end) and not text.find(other.end, "side_noun")):
-            build.ends.append(side.value)  # 'the top left hole', 'the upper and the lower hole'
-            return side.end
+            return gather(build.ends, side.value, side.end)  # 'the top left hole', 'the upper and the lower hole'
     if (color := text.find(at, "color")) and noun_follows(text, color.end):
-        build.colors.append(color.value)
-        return color.end
+        return gather(build.colors, color.value, color.end)
     return 0
 
 
@@ -217,5 +205,4 @@ def _unknown(text: Text, at: int, build: PhraseBuilder, measure: Span | None) ->
     known = text.find(at, "ground", "verbs", "reach", "passing", "emerging", "fits", "aside", "side_noun")
     if known or text.is_word(at, "s") or is_verb(text, at):
         return at
-    build.unknown.append(at)
-    return at + 1
+    return gather(build.unknown, at, at + 1)

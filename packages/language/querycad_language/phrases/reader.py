@@ -28,8 +28,8 @@ class Phrases:
         self._known: dict[tuple[int, int, bool], Mention | None] = {}
 
     def at(self, start: int, depth: int = 0, joined: bool = True) -> Mention | None:
-        """The longest noun phrase that begins here. `joined`: 'and' may add a further kind."""
-        if self._aside(self.text.skip(start, "article")):
+        """The longest noun phrase here; none within too many others. `joined`: 'and' may add a further kind."""
+        if depth > MAX_DEPTH or self._aside(self.text.skip(start, "article")):
             return None
         key = (start, depth, joined)
         if key not in self._known:
@@ -38,15 +38,15 @@ class Phrases:
         return self._known[key]
 
     def inner(self, start: int, depth: int) -> Mention | None:
-        """The parts that are named here within a phrase; none within too many others."""
-        mention = self.at(start, depth + 1, joined=False) if depth < MAX_DEPTH else None
+        """The parts that are named here within a phrase."""
+        mention = self.at(start, depth + 1, joined=False)
         return mention if mention is not None and mention.query is not None else None
 
     def place(self, start: int) -> tuple[Place | None, int]:
         """The place by another part that begins here, apart from what is there, and where it ends."""
         for read in (placed, seen):
             build = PhraseBuilder()
-            end = read(self, start, build, 0)
+            end = read(self, start, build)
             if build.places:
                 return build.places[0], end
         return None, start
@@ -75,7 +75,7 @@ class Phrases:
         left = [m for m in found if m.query is not None and self._leaving(m)]
         found = [m for m in found if m.head not in self.included]
         kept = [m for m in found if m not in left]
-        named = next((m for m in kept if self._counted(m) and not self.text.is_word(m.start - 1, "or")), None)
+        named = next((m for m in kept if m.plural and m.part.noun and not self.text.is_word(m.start - 1, "or")), None)
         if left and named is None and left[0].part.noun and (others := self.text.at_words("other", "rest")):
             named = replace(left[0], query=replace_fields(left[0].part, ranks=(), plural=True))
             kept = [replace(named, used=named.used | others)]  # 'without the tallest lugs, the others are how many'
@@ -85,10 +85,6 @@ class Phrases:
         used = named.used.union(*(m.used | set(self._leaving(m)) for m in left))
         query = replace_fields(named.part, excluded=(*named.part.excluded, *(m.part for m in left)))
         return [replace(m, query=query, used=used) if m is named else m for m in kept]
-
-    @staticmethod
-    def _counted(mention: Mention) -> bool:
-        return mention.query is not None and mention.query.plural and bool(mention.query.noun)
 
     def _leaving(self, mention: Mention) -> range:
         """The words that leave a mention out, before or behind it."""
@@ -109,8 +105,8 @@ class Phrases:
         """The words that say that parts count as well, which they do anyway: ', the big one included'."""
         text, found = self.text, set[int]()
         for end in text.at_words("included", "counted"):
-            start = next((i + 1 for i in range(end - 1, 0, -1) if text.tokens[i].kind is Kind.SYMBOL), end)
-            if not any(text.find(i, "negation", "minus", "ask", "count", "be") for i in range(start, end)):
+            start = next((i + 1 for i in range(end - 1, 0, -1) if text.is_kind(i, Kind.SYMBOL)), end)
+            if not text.any_in(range(start, end), "negation", "minus", "ask", "count", "be"):
                 found.update(range(start, end + 1 + text.is_word(end + 1, "too")) if start < end else ())
         for start in text.at_words("including", "incl", "counting", *["with"] * bool(text.at_phrases("over_all"))):
             other = self.at(start + 1) if not text.find(start - 1, "negation", "minus") else None
@@ -148,19 +144,19 @@ class Phrases:
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
 
     def _read(self, start: int, depth: int, joined: bool) -> Mention | None:
-        build, at = PhraseBuilder(), start
+        build, at = PhraseBuilder(depth=depth, joined=joined), start
         while at < min(len(self.text), start + MAX_LEAD) and (after := before_noun(self.text, at, build)) > at:
             build.used.update(range(at, after))
             at = after
         head = head_of(self.text, build, start, at)
         if not isinstance(head, int):
             return head
-        return mention_of(self.text, start, modifiers(self, head, build, depth, joined), build)
+        return mention_of(self.text, start, modifiers(self, head, build), build)
 
     def view(self, at: int) -> Mention | None:
         """A side that is said here apart from a part, as a mention without a noun."""
-        build = PhraseBuilder()
-        end = seen(self, at, build, 1)
+        build = PhraseBuilder(depth=1)
+        end = seen(self, at, build)
         inner = self.text.skip(at, "article")
         if end == at and inner > at and (side := self.text.find(inner, "side")):
             owner = self.text.skip(side.end, "side_noun")
@@ -180,13 +176,13 @@ class Phrases:
         start = text.skip(at, "article")
         side = text.find(start, "side") if not text.is_word(at - 1, "and", "or", "/") else None
         lead = at - text.is_word(at - 1, "only", "just")
-        if side is None or not (lead == 0 or text.tokens[lead - 1].kind is Kind.SYMBOL):
+        if side is None or not (lead == 0 or text.is_kind(lead - 1, Kind.SYMBOL)):
             return at
         end = text.skip(side.end, "side_noun")
         half = text.is_word(end - 1, "half")
         end += text.is_word(end, "only", "alone")
         whole = text.skip(text.skip(end + 1, "article"), "whole") if text.is_word(end, "of") else end
-        if whole < len(text) and text.tokens[whole].kind is not Kind.SYMBOL:
+        if whole < len(text) and not text.is_kind(whole, Kind.SYMBOL):
             return at
         build.seen_on([side.value], half)
         return whole

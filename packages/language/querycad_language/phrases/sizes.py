@@ -7,7 +7,7 @@ from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .mention import PhraseBuilder
-from .words import noun_follows
+from .words import noun_follows, scale_at
 
 COMPARISONS = {"more": Relation.MORE, "less": Relation.LESS}
 _POWERS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: None, 2: Measure.AREA, 3: Measure.VOLUME}
@@ -23,15 +23,13 @@ def size_before(text: Text, at: int, build: PhraseBuilder) -> int:
     token = text.tokens[at]
     if token.power != 1:
         return at
-    after = at + 1
-    scale = text.find(after, "scale")
-    measure = token.measure
-    if scale is not None and scale.value.degree == "positive":
+    measure, after = token.measure, at + 1
+    if (scale := scale_at(text, after, "positive")) is not None:
         measure, after = scale.value.measure, scale.end
     elif (noun := text.find(after, "measure")) and noun_follows(text, noun.end) and not text.find(noun.end, "be"):
         measure, after = noun.value, noun.end
     build.sizes.append(SizeFilter(measure=measure, low=token.value))
-    while text.is_word(after, "x") and after + 1 < len(text) and text.tokens[after + 1].kind is Kind.QUANTITY:
+    while text.is_word(after, "x") and text.is_kind(after + 1, Kind.QUANTITY):
         build.sizes.append(SizeFilter(low=text.tokens[after + 1].value))
         after += 2
     return after
@@ -51,8 +49,8 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
         bare = bare and not text.is_word(at + 1, "time")  # '2 times the width'
         if bare and not noun_follows(text, at + 1) and not text.is_word(at - 2, "more", "less", "fewer"):
             return SizeFilter(measure=measure, relation=relation, low=token.value * 1e-3), at + 1
-        wide = text.find(at + 1, "scale") if token.kind is Kind.NUMBER else None
-        if wide is not None and wide.value.degree == "positive" and not noun_follows(text, wide.end):  # 'is it 8 wide'
+        wide = scale_at(text, at + 1, "positive") if token.kind is Kind.NUMBER else None
+        if wide is not None and not noun_follows(text, wide.end):  # 'is it 8 wide'
             return SizeFilter(measure=wide.value.measure, relation=relation, low=token.value * 1e-3), wide.end
         if scale := text.find(at, "scale"):
             if scale.value.degree in ("most", "least") or not text.is_word(scale.end, "than", "as"):
@@ -72,18 +70,16 @@ def stated_size(text: Text, at: int) -> tuple[SizeFilter, int] | None:
 
 def _sized(text: Text, at: int, measure: Measure | None, relation: Relation) -> tuple[SizeFilter, int]:
     low, high, end = text.tokens[at].value, None, at + 1
-    joined = text.is_word(end, "to", "-", "through") or (
-        text.is_word(end, "and") and "between" in text.words[max(0, at - 3) : at]
-    )
+    both = text.is_word(end, "and") and "between" in text.words[max(0, at - 3) : at]
+    joined = both or text.is_word(end, "to", "-", "through")
     up_to = text.is_word(end, "up") and text.is_word(end + 1, "to")
     upper = end + 1 + up_to + 2 * text.is_word(end + 3, "including")  # 'up to and including'
-    other = text.tokens[upper] if (joined or up_to) and relation is Relation.EQUAL and upper < len(text) else None
-    if other is not None and other.kind is Kind.QUANTITY:
-        high, end, relation = other.value, upper + 1, Relation.BETWEEN
+    if (joined or up_to) and relation is Relation.EQUAL and text.is_kind(upper, Kind.QUANTITY):
+        high, end, relation = text.tokens[upper].value, upper + 1, Relation.BETWEEN
     if behind := text.find(end, "behind"):
         relation, end = behind.value, behind.end
-    scale, noun = text.find(end, "scale"), text.find(end + text.is_word(end, "in", "of"), "measure")
-    if measure is None and scale is not None and scale.value.degree == "positive":
+    scale, noun = scale_at(text, end, "positive"), text.find(end + text.is_word(end, "in", "of"), "measure")
+    if measure is None and scale is not None:
         measure, end = scale.value.measure, scale.end
     elif measure is None and noun is not None and not text.is_word(noun.end, "of"):
         measure, end = noun.value, noun.end

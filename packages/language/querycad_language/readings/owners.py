@@ -18,13 +18,13 @@ from .requested_measures import Requested
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
 """Links that grammar makes: where there is one, other parts are hardly meant."""
 _CUTS = frozenset(kind.value for kind in PartKind if kind.cuts_in)
-_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
+CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
 _SECTIONS = ("part", "section", "portion", "end")
 _PLATES = {Side.TOP: "roof", Side.BOTTOM: "floor"}  # what closes a hollow model there
 _CUT_BY = {
     "counterbored": "counterbore", "countersunk": "countersink", "spotfaced": "spotface", "chamfered": "chamfer",
-    "bored": "bore", "grooved": "groove", "filleted": "fillet", "slotted": "slot", "recessed": "recess", "rounded": "round",
-    "notched": "notch", "beveled": "bevel",
+    "bored": "bore", "grooved": "groove", "filleted": "fillet", "slotted": "slot", "recessed": "recess",
+    "rounded": "round", "notched": "notch", "beveled": "bevel",
 }  # fmt: skip
 MAX_OWNERS = 12  # parts further away are hardly meant; no question that was collected names more
 
@@ -41,17 +41,14 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     """All that the measure may be asked of."""
     text = question.text
     near = sorted(question.mentions, key=lambda mention: abs(mention.head - asked.start))[:MAX_OWNERS]
-    linked = [(m, _link(question, asked, m)) for m in sorted(near, key=lambda one: one.start)]
-    linked = [(m, link) for m, link in linked if link != "overlap"]
-    each = any(not noun_follows(text, at + 1) for at in text.at_words("each"))
+    apart = (m for m in sorted(near, key=lambda one: one.start) if m.end <= asked.start or m.start >= asked.end)
+    linked = [(m, _link(question, asked, m)) for m in apart]
+    each = any(not noun_follows(text, at + 1) for at in text.at_words("each"))  # 'the holes and the diameter of each'
     named = any(text.is_word(i, "its", "their") for i in {asked.start - 1, *asked.used})
-    named = named or any(m.pronoun and link in STRONG for m, link in linked)
-    pronoun = named or each  # 'the holes and the diameter of each'
+    pronoun = each or named or any(m.pronoun and link in STRONG for m, link in linked)
     owned = any(link in STRONG and not m.pronoun for m, link in linked)
-    nearest = 0
-    for mention, link in sorted(linked, key=lambda pair: abs(pair[0].head - asked.start)):
-        if mention.pronoun or (mention.query is None and link not in STRONG):
-            continue
+    owners = [(m, link) for m, link in linked if not m.pronoun and (m.query is not None or link in STRONG)]
+    for nearest, (mention, link) in enumerate(sorted(owners, key=lambda pair: abs(pair[0].head - asked.start))):
         features = {f"link_{link}": 1.0}
         if pronoun and link in ("earlier", "before", "far_before", "topic", "having"):
             features = {"link_pronoun": 1.0, "pronoun_steps": float(nearest)}
@@ -62,20 +59,18 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
             features["introduced"] = 1.0
         one = "link_pronoun" in features and mention.plural and text.has("its", "it") and not text.has("they", "their")
         features |= {"pronoun_number": 1.0} if one else {}
-        nearest += 1
         used = set(mention.used)
-        if mention.start >= asked.end and link in ("of", "subject", "preposition", "after"):
+        if link in ("of", "subject", "preposition", "after"):
             used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
         yield Owner(mention.query, used, features)
-        for holder in _part_of(mention.query, one):
+        for holder in _part_of(mention.query, one) if mention.query is not None else ():
             yield Owner(holder, used, {**features, "pronoun_number": 0.0})
     yield from _compound_of(text, linked, asked)
     yield from _cut_at(question, asked, linked)
     for span in text.all("side") if asked.measures in ((Measure.AREA,), (Measure.THICKNESS,)) else ():
         if text.find(span.start - 1, "article") and not any(span.start in m.used for m in question.mentions):
-            noun = "face"  # 'the area of the underside'
-            if asked.measures == (Measure.THICKNESS,):  # 'what is the thickness of the top?'
-                noun = _PLATES.get(span.value, "wall")
+            thick = asked.measures == (Measure.THICKNESS,)  # 'the thickness of the top', 'the area of the underside'
+            noun = _PLATES.get(span.value, "wall") if thick else "face"
             query = PartQuery(noun=noun, sides=() if noun in _PLATES.values() else (span.value,), definite=True)
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
     features = {} if pronoun else {"link_whole": 1.0, "owner_passed": float(owned)}
@@ -84,17 +79,15 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
     yield Owner(None, sides, features)
 
 
-def _part_of(query: PartQuery | None, one: bool) -> Iterator[PartQuery]:
+def _part_of(query: PartQuery, one: bool) -> Iterator[PartQuery]:
     """'The narrower section of the keyway', 'the cone at its slender end': the cut or cone, as wide as is said.
 
     `one`: 'The holes lie on a circle. How broad is it?' asks of the circle.
     """
-    if query is None:
-        return
     yield from (what for _, what in places_of(query) if one and not what.plural)
     for place, what in places_of(query, "on"):  # 'the holes lie on a circle of which diameter?'
-        if what.noun in _CIRCLES:
-            yield placed_in(replace_fields(what, noun=_CIRCLES[-1]), "of", without(query, place))
+        if what.noun in CIRCLES:
+            yield placed_in(replace_fields(what, noun=CIRCLES[-1]), "of", without(query, place))
     for relation, ends in (("of", _CUTS | {"cone"}), ("", {"cone"})):
         for _, holder in places_of(query, relation) if query.noun in _SECTIONS else ():
             if (noun := lexicon().nouns.get(holder.noun)) is not None and ends.issuperset(noun.senses[0].kind):
@@ -114,36 +107,33 @@ def _compound_of(text: Text, linked: Sequence[tuple[Mention, str]], asked: Reque
 def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention, str]]) -> Iterator[Owner]:
     """'To which width are the lugs chamfered?', 'Countersunk to what size?': what was cut at them."""
     text = question.text
-    sentence = next(((a, b) for a, b in text.sentences if a <= asked.start < b), question.asking)
-    named = any(m.query is not None and sentence[0] <= m.start < sentence[1] for m, _ in linked)
+    sentence = range(*next(((a, b) for a, b in text.sentences if a <= asked.start < b), question.asking))
+    named = any(m.query is not None and m.start in sentence for m, _ in linked)
     for at in sorted(text.at_words(*_CUT_BY)):
-        said = sentence[0] <= at < sentence[1] or text.is_word(sentence[0], "to")  # '… are chamfered: to what width?'
-        said = said or (at < sentence[0] and not named)  # 'The bore is counterbored. How deep?'
-        said = said or _CUT_BY[text.words[at]] in text.words[slice(*sentence)]
-        adjective = text.find(at, "adjective") if said else None
-        cut = _CUT_BY[text.words[at]] if adjective is not None and not noun_follows(text, adjective.end) else None
-        holder = next((m for m, _ in reversed(linked) if m.start < at), None)
-        if cut is not None and not text.find(at, "trait") and holder is not None:
+        cut = _CUT_BY[text.words[at]]
+        said = at in sentence or text.is_word(sentence.start, "to")  # '… are chamfered: to what width?'
+        said = said or (at < sentence.start and not named)  # 'The bore is counterbored. How deep?'
+        said = (said or any(text.is_word(i, cut) for i in sentence)) and not text.find(at, "trait")
+        adjective, holder = text.find(at, "adjective"), next((m for m, _ in reversed(linked) if m.start < at), None)
+        if said and adjective is not None and not noun_follows(text, adjective.end) and holder is not None:
             held = PartQuery(noun=cut, words=(cut,), plural=holder.plural)
             if (of := holder.query) is not None:
-                kept = tuple(name for name in of.adjectives if adjective and name != adjective.value.name)
+                kept = tuple(name for name in of.adjectives if name != adjective.value.name)
                 held = placed_in(held, "of", replace_fields(of, adjectives=kept))
             yield Owner(held, {*holder.used, at, at + 1}, {"link_compound": 1.0, "link_compound_of": 1.0})
 
 
 def _link(question: Question, asked: Requested, mention: Mention) -> str:
-    """How do the words link a measure to a part?"""
-    apart = question.sentence_of(mention.start) != question.sentence_of(asked.start)
-    if mention.end <= asked.start:
-        return "earlier" if apart else _link_before(question, asked, mention)
-    if mention.start >= asked.end:
-        return "later" if apart else _link_behind(question, asked, mention)
-    return "overlap"
+    """How do the words link a measure to a part before or behind it?"""
+    before = mention.end <= asked.start
+    if question.sentence_of(mention.start) != question.sentence_of(asked.start):
+        return "earlier" if before else "later"
+    return _link_before(question.text, asked, mention) if before else _link_behind(question, asked, mention)
 
 
-def _link_before(question: Question, asked: Requested, mention: Mention) -> str:
+def _link_before(text: Text, asked: Requested, mention: Mention) -> str:
     """The part is named before the measure."""
-    text, between = question.text, range(mention.end, asked.start)
+    between = range(mention.end, asked.start)
     if not between:
         return "compound"
     if any(map(text.is_possessive, between)):
@@ -152,21 +142,19 @@ def _link_before(question: Question, asked: Requested, mention: Mention) -> str:
         return "topic"
     if any(text.find(i, "have", "ask") for i in between):
         return "having"
-    return "before" if all(not text.is_content(i) for i in between) else "far_before"
+    return "far_before" if any(map(text.is_content, between)) else "before"
 
 
 def _link_behind(question: Question, asked: Requested, mention: Mention) -> str:
     """The part is named behind the measure."""
     text, between = question.text, range(asked.end, mention.start)
-    others = [other for other in question.mentions if not other.pronoun]
-    if any(asked.end <= other.start and other.end <= mention.start for other in others):
+    others = (other for other in question.mentions if not other.pronoun)
+    passed = any(asked.end <= other.start and other.end <= mention.start for other in others)
+    if passed or any(map(text.is_content, between)):
         return "far"
-    if any(text.is_content(i) for i in between):
-        return "far"
-    if between and text.is_word(between[0], "of", "for") and not text.is_word(between[0] - 1, "out"):
+    of = between and text.is_word(asked.end, "of", "for") and not text.is_word(asked.end - 1, "out")
+    if of or (not between and asked.how == "noun"):
         return "of"
-    if not between:
-        return "of" if asked.how == "noun" else "subject"
-    if any(text.find(i, "be", "do", "have") for i in between) or asked.how != "noun":
+    if asked.how != "noun" or any(text.find(i, "be", "do", "have") for i in between):
         return "subject"
     return "preposition" if any(text.find(i, "place") for i in between) else "after"

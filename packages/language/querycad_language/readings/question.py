@@ -28,8 +28,8 @@ class Question:
     def __init__(self, question: str, names: Iterable[str] = ()) -> None:
         self.text = Text(question, frozenset(names))
         self.phrases = Phrases(self.text)
-        units = {at for stretch, _ in self.units_asked for at in stretch}
-        self.mentions = [mention for mention in self.phrases.mentions() if not mention.used <= units]
+        self.unit_words = {at for stretch, _ in self.units_asked for at in stretch}
+        self.mentions = [mention for mention in self.phrases.mentions() if not mention.used <= self.unit_words]
         self.asking, self.claims = _asking_sentence(self.text)
 
     @cached_property
@@ -43,25 +43,25 @@ class Question:
         found: list[Mention] = []
         free = {*range(len(self.text))}.difference(*(range(one.start, one.end) for one in self.mentions))
         for at in sorted(free):
-            view = self.phrases.view(at) if not found or at >= found[-1].end else None
-            found += [view] if view is not None else []
+            if (not found or at >= found[-1].end) and (view := self.phrases.view(at)) is not None:
+                found.append(view)
         return found
 
     @cached_property
     def holders(self) -> list[Holder]:
         """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How broad is it?'"""
         text, found = self.text, list[Holder]()
-        first = self.parts[0] if self.parts else None
-        if first is not None and text.skip(0, "article") >= first.start and text.is_word(first.end, ":", ","):
-            found.append(Holder(Place(relation="of", what=first.part), first.used))
-        for start, _ in self.text.sentences:  # 'On the flange, how deep is …?', 'In it there are holes. …'
+        for first in self.parts[:1]:
+            if text.skip(0, "article") >= first.start and text.is_word(first.end, ":", ","):
+                found.append(Holder(Place(relation="of", what=first.part), first.used))
+        for start, _ in text.sentences:  # 'On the flange, how deep is …?', 'In it there are holes. …'
             place, end = self.phrases.place(start)
             leads = text.is_word(end, ",", ":", "-", "there") or text.find(end, "ask", "count", "be", "do")
             found += [Holder(place, frozenset(range(start, end)), "held_place")] if place is not None and leads else []
         for one, other in pairwise(self.parts):
             joined = text.find(one.end, "have") and text.skip(one.end, "have", "article") >= other.start
-            said = joined and not any(text.find(i, "ask") for i in range(one.start))
-            if said and not self.in_question(one.start):
+            asked = self.in_question(one.start) or any(text.find(i, "ask") for i in range(one.start))
+            if joined and not asked:
                 found.append(Holder(Place(relation="of", what=one.part), one.used, "held_of", other.part.noun))
                 found.append(Holder(Place(relation="with", what=other.part), other.used, "held_with", one.part.noun))
         return found
@@ -70,9 +70,8 @@ class Question:
     def hardness(self) -> dict[str, float]:
         """What makes a question hard to read: its length, as the logarithm of its tokens, and words not known here."""
         text = self.text
-        strange = {at for at in range(len(text)) if text.is_content(at) and not text.spans[at]}
-        strange.difference_update(*(stretch for stretch, _ in self.units_asked))
-        return {"words": math.log(max(1, len(text))), "strange_words": float(len(strange))}
+        strange = sum(text.is_content(at) and not text.spans[at] for at in {*range(len(text))} - self.unit_words)
+        return {"words": math.log(max(1, len(text))), "strange_words": float(strange)}
 
     @cached_property
     def closed(self) -> bool:
@@ -83,10 +82,9 @@ class Question:
             return False
         if self.claims or self.whether is not None or self.offers_yes_no:
             return True
-        if text.has("or") and len(text.at_phrases("side")) > 1:
-            return False  # 'on the left or on the right?'
+        either = text.has("or") and len(text.at_phrases("side")) > 1  # 'on the left or on the right?'
         begins = [start, *(i + 1 for i in inside if text.is_word(i, ","))]
-        return any(self._asks_yes_no(begin) for begin in begins)
+        return not either and any(map(self._asks_yes_no, begins))
 
     @cached_property
     def chooses(self) -> bool:
@@ -106,29 +104,23 @@ class Question:
     def offers_yes_no(self) -> bool:
         """'keyway full length, y/n', 'yes or no?', 'true or false?'; and 'slots all alike?'"""
         text, (start, end) = self.text, self.asking
-        yes = (i for i in range(len(text)) if text.is_word(i, "y", "yes", "true"))
-        if any(text.is_word(i + 2, "n", "no", "false") for i in yes):
+        if any(text.is_word(i + 2, "n", "no", "false") for i in text.at_words("y", "yes", "true")):
             return True
-        if not text.is_word(end, "?"):
-            return False
-        if self._declares:
-            return True
-        if any(text.find(i, *_ASKING) for i in range(start, end)):
-            return False
-        return any(start <= at < end for at in text.at_phrases("same"))
+        alike = any(map(self.in_question, text.at_phrases("same")))
+        alike = alike and not any(text.find(i, *_ASKING) for i in range(start, end))
+        return text.is_word(end, "?") and (alike or self._declares)
 
     @property
     def _declares(self) -> bool:
         """Is it said with a question mark: 'Lugs are on both sides?', 'It goes right through?', 'Lug bored?'"""
-        text, (start, end) = self.text, self.asking
+        text, start, inside = self.text, self.asking[0], range(*self.asking)
         subject = next((m for m in self.parts if start <= m.start <= start + 1), None)
-        asks = any(text.find(i, "ask", "where", "count", "imperative") for i in range(start, end))
-        if subject is None or asks or any(text.is_word(i, "how", "or") for i in range(start, end)):
+        if subject is None or any(text.find(i, *_ASKS) or text.is_word(i, "how", "or") for i in inside):
             return False
         verb = next((i for i in range(subject.head + 1, subject.end + 1) if text.is_word(i, *_SAYING)), None)
         trait = text.find(subject.head + 1, "adjective") if not text.find(start, "be", "do", "modal") else None
         if trait is not None and trait.value.tags and not text.find(trait.end, "noun", "measure", "article"):
-            return not any(text.find(i, "measure", "scale") for i in range(start, end))
+            return not any(text.find(i, "measure", "scale") for i in inside)
         return verb is not None and not any(text.is_word(i, "that", "which", "who") for i in range(subject.head, verb))
 
     def _asks_yes_no(self, begin: int) -> bool:
@@ -196,17 +188,16 @@ def seen_from(query: PartQuery, view: Mention) -> PartQuery:
 
 def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     """The last sentence with a question word or an order, else the last; and is it a claim: '…. Is that correct?'"""
-    best: tuple[int, int, int, int] = (-1, 0, 0, len(text))
-    for index, (start, end) in enumerate(text.sentences):
+    best: tuple[int, int, int] = (-1, 0, len(text))
+    for start, end in text.sentences:
         words = range(start, end)
-        if start > 0 and all(text.is_word(i, *_YES_OR_NO) for i in words):
-            continue  # 'slots: yes or no?'
-        if start > 0 and any(text.find(i, "ask") for i in words) and _adds_nothing(text, start, end):
-            continue  # 'Do any cross? Which?'
-        asks = any(text.find(i, "ask", "count", "exists", "imperative", "where") for i in words)
+        answers = all(text.is_word(i, *_YES_OR_NO) for i in words)  # 'slots: yes or no?'
+        if start > 0 and (answers or _adds_nothing(text, words)):
+            continue
+        asks = any(text.find(i, *_ASKS, "exists") for i in words)
         names = any(text.find(i, "measure", "distance", "gap") for i in words)
-        best = max(best, (4 * text.is_word(end, "?") + 3 * asks + 2 * names, index, start, end))
-    _, _, start, end = best
+        best = max(best, (4 * text.is_word(end, "?") + 3 * asks + 2 * names, start, end))
+    _, start, end = best
     begin = _tag(text, start, end)
     if start < begin < end:
         return (start, begin), True
@@ -214,18 +205,17 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     return (before[-1], True) if before else ((start, end), False)
 
 
-def _adds_nothing(text: Text, start: int, end: int) -> bool:
-    """Does a sentence name nothing: 'Which ones?', 'If so, what are they?'"""
-    words = range(start, end)
-    asks = ("noun", "measure", "scale", "count", "side", "verbs", "reach", "distance", "gap")
-    said = any(text.is_content(i) or text.is_word(i, "how") or text.find(i, *asks) for i in words)
-    return end - start <= LONGEST_ECHO and not said
+def _adds_nothing(text: Text, words: range) -> bool:
+    """Does a sentence only ask which: 'Do any cross? Which ones?', 'If so, what are they?'"""
+    if len(words) > LONGEST_ECHO or not any(text.find(i, "ask") for i in words):
+        return False
+    return not any(text.is_content(i) or text.is_word(i, "how") or text.find(i, *_NAMING) for i in words)
 
 
 LONGEST_ECHO = 6  # words of a question that only asks which of those before are meant
+_NAMING = ("noun", "measure", "scale", "count", "side", "verbs", "reach", "distance", "gap")
 _IN_TAGS = ("confirm", "be", "do", "modal", "negation", "pronoun", "article", "function", "whole")
 _TOLD = (",", "you", "we", "number", "value", "dimension", "count", "with")
-_CLAIMED = ("confirm", "negation")
 _ASKS_IF = (
     "me", "true", "yes", "check", "know", "see", "wonder", "sure", "say", "ask", "confirm", "verify", "out", "us",
     "test", "look",
@@ -233,7 +223,8 @@ _ASKS_IF = (
 """Words before an 'if' that asks: 'tell me if …'. Others state a condition."""
 _CONFIRMS = ("confirm", "verify", "check", "ensure", "true", "correct", "right", "sure")
 """Words before a 'that' that asks: 'confirm that …', 'is it true that …'."""
-_ASKING = ("ask", "where", "count", "imperative", "be", "do", "modal", "have", "distance")
+_ASKS = ("ask", "where", "count", "imperative")
+_ASKING = (*_ASKS, "be", "do", "modal", "have", "distance")
 """What a question without a verb that asks for yes or no has none of."""
 _SAYING = ("is", "are", "go", "goe", "pass", "run", "has", "have", "come", "reach", "open")
 """Verbs of what is said, and asked by a question mark alone; 'goe' is 'goes' as words are folded."""
@@ -252,4 +243,4 @@ def _tag(text: Text, start: int, end: int) -> int:
         begin -= 1
     if begin > start:  # within a sentence the tag stands behind a comma
         begin = next((i for i in range(begin, end) if text.words[i] == ","), end)
-    return begin if any(text.find(i, *_CLAIMED) for i in range(begin, end)) else end
+    return begin if any(text.find(i, "confirm", "negation") for i in range(begin, end)) else end

@@ -48,7 +48,7 @@ class Reader(Question):
         best: dict[Form, Reading] = {}
         for parse in parses:
             if isinstance(parse.form, Towards) and (self.text.has("+") or named):
-                parse = Parse(replace(parse.form, axes=True), parse.features, parse.used)
+                parse = replace(parse, form=replace(parse.form, axes=True))
             reading = finished(self, parse, words)
             known = best.get(reading.form)
             if known is None or _prior(reading) > _prior(known):
@@ -64,12 +64,10 @@ class Reader(Question):
 def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
     """The form of the parts that are seen from a side that stands apart from them."""
     target = next(queries(parse.form), None)
-    if target is None or target.sides or target.unseen or isinstance(parse.form, Distance | Several):
-        return
-    if parse.used & view.used:
-        return  # the part is named in the side: 'on the underside of the foot'
-    form = mapped(parse.form, lambda query: seen_from(query, view) if query == target else query)
-    yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
+    named = parse.used & view.used  # the part is named in the side: 'on the underside of the foot'
+    if target and not (target.sides or target.unseen or named or isinstance(parse.form, Distance | Several)):
+        form = mapped(parse.form, lambda query: seen_from(query, view) if query == target else query)
+        yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
 
 
 def _held(parse: Parse, holder: Holder) -> Iterator[Parse]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from querycad_contracts import AnswerType, Measure
 from querycad_language.forms import Reduce
@@ -18,42 +18,29 @@ from .question import Question
 
 UNITS = {-1: Measure.MASS, 0: Measure.ANGLE, 1: Measure.MAGNITUDE, 2: Measure.AREA, 3: Measure.VOLUME}
 """What a unit is of, by its power of lengths."""
+SIZES = (Measure.MAGNITUDE, Measure.SIZE)
+"""What 'how big' and 'size' ask for."""
 _BY_VERB = (Measure.MASS, Measure.NAME, Measure.DIAMETER, Measure.INCLINATION)
-_WIDE = (Measure.POSITION, Measure.DIRECTION, Measure.MAGNITUDE, Measure.SIZE)
+_WIDE = (Measure.POSITION, Measure.DIRECTION, *SIZES)
 """Measures that narrower ones are of: the position of the tip, the size of the diameter."""
-_EXTENDING = {
-    Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, Measure.SIZE, Measure.MAGNITUDE, Measure.VOLUME,
-}  # fmt: skip
+_EXTENDING = {Measure.LENGTH, Measure.WIDTH, Measure.HEIGHT, Measure.DEPTH, *SIZES, Measure.VOLUME}
 """Measures that a hollow part has twice: outside, and of the space within."""
 _NEAR = ("under", "behind", "around", "below", "beneath", "above")
-_JOINTS = ("and", ",", "x", "/", "&", "+", "plus", "its", "as", "well", "by", "followed", "then")
+_BY = ("and", ",", "x", "by", "/")
+_JOINTS = (*_BY, "&", "+", "plus", "its", "as", "well", "followed", "then")
 _INTO = ("into", "inside", "in")
 _GOING = (
-    "push",
-    "insert",
-    "slide",
-    "screw",
-    "plug",
-    "go",
-    "goe",
-    "goes",
-    "milled",
-    "cut",
-    "drilled",
-    "bored",
-    "machined",
-    "run",
-    "extend",
-    "reach",
-    "sink",
-    "let",
-)
+    "push", "insert", "slide", "screw", "plug", "go", "goe", "goes", "milled", "cut", "drilled", "bored", "machined",
+    "run", "extend", "reach", "sink", "let",
+)  # fmt: skip
 _MEASURED = ("its", "the", "a", "when", "it", "is", "measured", "taken", "so", "as", "i", "e", "meaning", "that", "be")
 _ACROSS = (Measure.ACROSS_FLATS, Measure.ACROSS_CORNERS, Measure.DIAGONAL)
+_RADIAL = (Measure.WIDTH, Measure.THICKNESS, Measure.HEIGHT, Measure.WALL_THICKNESS)
 _WHICH_WAY = (Measure.DIRECTION, Measure.APPROACH)
 EXTREMES = {"most": Reduce.LARGEST, "least": Reduce.SMALLEST}
 _ROUND = (Measure.OUTER_DIAMETER, Measure.INNER_DIAMETER)
 _REDUCES = {**EXTREMES, "mean": Reduce.MEAN, "different": Reduce.DIFFERENT, "total": Reduce.TOTAL}
+How: TypeAlias = Literal["noun", "how", "verb", "reach", "where"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,11 +50,16 @@ class Requested:
     start: int
     end: int
     measures: tuple[Measure, ...]
-    how: Literal["noun", "how", "verb", "reach", "where"]
+    how: How
     reduce: Reduce | None = None
     used: frozenset[int] = frozenset()
     inside: bool | None = None
     """'Inner length', 'internal height': of the space within; False: of what is around it."""
+
+
+def _asked(how: How, measure: Measure, start: int, end: int, more: Iterable[int] = ()) -> Requested:
+    """What the words from one to another ask for, with those of the tokens `more`."""
+    return Requested(start, end, (measure,), how, used=frozenset((*range(start, end), *more)))
 
 
 def asked_in(question: Question) -> list[Requested]:
@@ -80,10 +72,9 @@ def asked_in(question: Question) -> list[Requested]:
     while at < len(question.text):
         asked = _asked_at(question, at, taken)
         if asked is not None and not (asked.start > between and asked.measures[0] in _ROUND):  # 'between A and B OD'
-            found.append(_of_unit(question, asked))
+            found.append(_narrowed(question, asked))
         at = asked.end if asked is not None else at + 1
-    found = [_radial(question.text, one) for one in found]
-    return _specified(question.text, found) or _by_density(question.text) or _by_rest(question.text)
+    return _specified(question.text, found) or _implied(question.text)
 
 
 def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
@@ -93,19 +84,14 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
         begin = asked.start
         while text.is_word(begin - 1, *_MEASURED):
             begin -= 1
-        wider = (
-            Measure.MAGNITUDE,
-            Measure.SIZE,
-            *(_ACROSS if kept and begin == kept[-1].end else ()),
-        )  # 'hex size across …'
+        wider = (*SIZES, *_ACROSS) if kept and begin == kept[-1].end else SIZES  # 'hex size across …'
         size = kept[-1] if kept and kept[-1].measures[0] in wider else None
         joined = text.is_word(begin - 1, "in", "by", "(") or asked.measures[0] in _ACROSS
         joined = joined or (text.is_word(begin - 1, ",") and not text.find(begin, "ask"))
+        narrower = asked.how == "noun" and asked.measures[0] not in SIZES
         if size and asked.how == "verb" and asked.measures == size.measures:  # 'how many mm does it measure in height'
             kept[-1] = replace(size, used=size.used | asked.used)
-            continue
-        narrower = asked.how == "noun" and asked.measures[0] not in (Measure.MAGNITUDE, Measure.SIZE)
-        if size and len(size.measures) == 1 and narrower and joined:
+        elif size and len(size.measures) == 1 and narrower and joined:
             used = size.used | asked.used | {*range(begin - 1, asked.start)}
             kept[-1] = replace(size, measures=asked.measures, reduce=size.reduce or asked.reduce, used=used)
         else:
@@ -113,39 +99,31 @@ def _specified(text: Text, found: Sequence[Requested]) -> list[Requested]:
     return kept
 
 
-def _radial(text: Text, asked: Requested) -> Requested:
-    """'How wide is the ledge, measured radially?'"""
-    said = text.covered("radially")
-    across = (Measure.WIDTH, Measure.THICKNESS, Measure.HEIGHT, Measure.WALL_THICKNESS)
-    if not said or asked.measures[0] not in across or len(asked.measures) > 1:
-        return asked
-    return replace(asked, measures=(Measure.RADIAL_WIDTH,), used=asked.used | said)
+def _narrowed(question: Question, asked: Requested) -> Requested:
+    """'How large is the window in square millimetres?' asks for an area; 'How wide is the ledge, measured radially?'"""
+    unit, radially = question.unit_asked, question.text.covered("radially")
+    match asked.measures:
+        case (measure,) if unit is not None and measure in SIZES:
+            return replace(asked, measures=(UNITS[unit[1]],), used=asked.used | unit[0])
+        case (measure,) if radially and measure in _RADIAL:
+            return replace(asked, measures=(Measure.RADIAL_WIDTH,), used=asked.used | radially)
+    return asked
 
 
-def _of_unit(question: Question, asked: Requested) -> Requested:
-    """'How large is the window in square millimetres?' asks for an area."""
-    unit = question.unit_asked
-    if unit is None or asked.measures not in ((Measure.MAGNITUDE,), (Measure.SIZE,)):
-        return asked
-    return replace(asked, measures=(UNITS[unit[1]],), used=asked.used | unit[0])
-
-
-def _by_density(text: Text) -> list[Requested]:
-    """Who states a density, and asks for nothing else, asks for the mass."""
-    stated = (at for at, token in enumerate(text.tokens) if token.power == DENSITY)
-    return [Requested(at, at + 1, (Measure.MASS,), "verb", used=frozenset((at,))) for at in stated][:1]
-
-
-def _by_rest(text: Text) -> list[Requested]:
-    """'What is left below the slot?' asks how thick it is."""
+def _implied(text: Text) -> list[Requested]:
+    """Who states a density, and names no measure, asks for the mass; 'What is left below the slot?' asks how thick."""
+    stated = [at for at, token in enumerate(text.tokens) if token.power == DENSITY]
+    if stated:
+        return [_asked("verb", Measure.MASS, stated[0], stated[0] + 1)]
     said = text.at_phrases("remaining")
     under = text.at_words("under", "below", "beneath", "underneath", "behind", "between")
     if not said or not under or text.at_phrases("distance", "gap", "count"):
         return []
-    return [Requested(min(said), min(said) + 1, (Measure.THICKNESS,), "verb", used=frozenset(said | under))]
+    return [_asked("verb", Measure.THICKNESS, min(said), min(said) + 1, said | under)]
 
 
 def _asked_at(question: Question, at: int, taken: set[int]) -> Requested | None:
+    """The measure that is named from here on."""
     text = question.text
     if text.is_word(at, "how"):
         unit = question.unit(at + 2) if text.is_word(at + 1, "many") else None
@@ -153,12 +131,13 @@ def _asked_at(question: Question, at: int, taken: set[int]) -> Requested | None:
     return _said(text, at, taken) or _named(text, at, taken)
 
 
-def _how_many(text: Text, at: int, end: int, power: int) -> Requested | None:
+def _how_many(text: Text, at: int, end: int, power: int) -> Requested:
     """'How many millimetres deep is …?', 'How many degrees …?'; without a measure in the question: how large."""
     ahead = (text.find(i, "scale") for i in range(end, end + 6) if power == 1)
     scale = next((span for span in ahead if span and span.value.degree == "positive"), None)
-    measure = UNITS[power] if scale is None else scale.value.measure
-    return Requested(at, end, (measure,), "how", used=frozenset((*range(at, end), *(scale.tokens if scale else ()))))
+    if scale is not None:
+        return _asked("how", scale.value.measure, at, end, scale.tokens)
+    return _asked("how", UNITS[power], at, end)
 
 
 def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
@@ -168,24 +147,23 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
         near = text.at_phrases("remaining", "gap", "between") or text.has(*_NEAR)
         around = text.at_words("around")
         measure = Measure.WALL_THICKNESS if around else Measure.THICKNESS if near else Measure.VOLUME
-        return Requested(at, stuff.end, (measure,), "how", used=frozenset(range(at, stuff.end)) | around)
+        return _asked("how", measure, at, stuff.end, around)
     scale = text.find(at + 1, "scale") or text.find(at + 1 + text.is_word(at + 1, "much", "far", "exactly"), "scale")
     if scale and scale.value.degree == "positive":
         of = text.find(text.skip(scale.end, "be", "article"), "measure")
         if scale.value.measure is Measure.MAGNITUDE and of and not text.find(of.start, "noun"):  # 'how big is a radius'
-            return Requested(at, of.end, (of.value,), "noun", used=frozenset(range(at, of.end)))
+            return _asked("noun", of.value, at, of.end)
         lies = text.at_words("sit", "lie") | ({scale.end} if text.is_word(scale.end, "up") else set())
         if scale.value.measure is Measure.HEIGHT and lies and not text.has("above", "over", "from"):  # where it is
-            used = frozenset({*range(at, scale.end), *lies})
-            return Requested(at, scale.end, (Measure.CENTER_HEIGHT,), "how", used=used)
+            return _asked("how", Measure.CENTER_HEIGHT, at, scale.end, lies)
         return _joined_scales(text, at, scale)
     free = (i for i in range(at + 2, at + 14) if i not in taken or not text.find(i, "noun"))  # a recess is not recessed
     ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
-        return Requested(at, at + 2, (reach.value,), "reach", used=frozenset((at, at + 1, *reach.tokens)))
+        return _asked("reach", reach.value, at, at + 2, reach.tokens)
     into, going = ({i for i in text.at_words(*words) if at < i < at + 14} for words in (_INTO, _GOING))
     if text.is_word(at + 1, "far") and into and going:  # 'how far into the hub is the slot milled'
-        return Requested(at, at + 2, (Measure.DEPTH,), "reach", used=frozenset((at, at + 1, *into, *going)))
+        return _asked("reach", Measure.DEPTH, at, at + 2, into | going)
     return None
 
 
@@ -197,21 +175,20 @@ def _said(text: Text, at: int, taken: set[int]) -> Requested | None:
         ways = {i for i in text.at_words("way", "direction") if text.find(i - 1, "ask")}
         ways |= text.at_words("how") if text.is_word(at, "oriented", "orientated") else set()
         if verb.value in _BY_VERB or (verb.value in _WHICH_WAY and ways):  # 'which way does the port face'
-            return Requested(at, verb.end, (verb.value,), "verb", used=frozenset({*verb.tokens, *ways}))
+            return _asked("verb", verb.value, at, verb.end, ways)
     what = text.is_word(at, "measure") and any(text.is_word(i, "what", "does", "do") for i in range(at - 8, at))
     if what and at not in taken and not text.find(at + 1, "measure"):  # 'what does the arm measure end to end'
-        return Requested(at, at + 1, (Measure.MAGNITUDE,), "verb", used=frozenset((at,)))
+        return _asked("verb", Measure.MAGNITUDE, at, at + 1)
     if (reach := text.find(at, "reach")) and at not in taken and text.has("far", "much"):
-        return Requested(at, reach.end, (reach.value,), "reach", used=frozenset(reach.tokens))
+        return _asked("reach", reach.value, at, reach.end)
     if where := text.find(at, "where"):
         span = text.find(text.skip(where.end, "be", "article"), "measure")
         if span and span.start not in taken and answer_type(span.value) is AnswerType.POINT:  # 'where is the tip of …'
             return Requested(at, span.end, (span.value,), "where", used=frozenset((*where.tokens, *span.tokens)))
         mouth = text.at_phrases("emerging") | text.at_words("meet", "leave", "enter", "pierce")
         if mouth and text.find(where.end, "do"):  # 'where does the axis of the bore meet the end face'
-            used = {*where.tokens, *mouth, *text.at_words("axis", "through")}
-            return Requested(at, where.end, (Measure.OPENING,), "where", used=frozenset(used))
-        return Requested(at, where.end, (Measure.POSITION,), "where", used=frozenset(where.tokens))
+            return _asked("where", Measure.OPENING, at, where.end, mouth | text.at_words("axis", "through"))
+        return _asked("where", Measure.POSITION, at, where.end)
     return None
 
 
@@ -220,15 +197,13 @@ def _named(text: Text, at: int, taken: set[int]) -> Requested | None:
     span, noun = text.find(at, "measure") or _bare_scale(text, at, taken), text.find(at, "noun")
     if span is None or at in taken or (noun and noun.end > span.end) or text.find(at, "aside"):
         return None
-    before = range(max(0, at - 4), at)
-    led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in before)
+    led = any(text.find(i, "axis_preposition") and not text.is_word(i, "in", "by") for i in range(at - 4, at))
     if span.value is Measure.AXIS and led and not text.find(at - 1, "ask"):
         return None  # 'along the screw axis' says how a length is taken
     verbs = [verb for verb in text.all("verbs") if verb.value in _WHICH_WAY]
     if span.value is Measure.DIRECTION and verbs and all(verb.value is Measure.APPROACH for verb in verbs):
-        # 'from which direction is it drilled'
-        used = frozenset({*span.tokens, *(i for verb in verbs for i in verb.tokens)})
-        return Requested(span.start, span.end, (Measure.APPROACH,), "noun", used=used)
+        drilled = (i for verb in verbs for i in verb.tokens)  # 'from which direction is it drilled'
+        return _asked("noun", Measure.APPROACH, span.start, span.end, drilled)
     return _of_measure(text, span, taken) or _joined_measures(text, span, taken)
 
 
@@ -261,7 +236,7 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
         return None
     deeper = _of_measure(text, other, taken) if same and of else None  # 'the coordinates of the centre of the mouth'
     end, value = (deeper.end, deeper.measures[0]) if deeper else (other.end, narrow.value)
-    return Requested(span.start, end, (value,), "noun", used=frozenset(range(span.start, end)))
+    return _asked("noun", value, span.start, end)
 
 
 def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
@@ -278,9 +253,7 @@ def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
 def _joined_scales(text: Text, at: int, scale: Span) -> Requested:
     """'How long and wide is …?'"""
     measures, end = [scale.value.measure], scale.end
-    while text.is_word(end, "and", ",", "x", "by", "/") and (
-        more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")
-    ):
+    while text.is_word(end, *_BY) and (more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")):
         measures.append(more.value.measure)
         end = more.end
     return Requested(at, end, tuple(measures), "how", used=frozenset(range(at, end)))
@@ -314,23 +287,27 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
         after = text.skip(after, "article")
         again = after > end and text.find(after, "adjective") is not None and span.start > 0
         after += again and text.is_word(after, text.words[span.start - 1])  # 'inner length and inner width'
-        more = text.find(after, "measure") or _bare_scale(text, after)
-        if after > end and measures[-1] in EXTENTS and (axis := text.find(after, "axis")) and axis.value < len(EXTENTS):
-            measures, end = [*measures, EXTENTS[axis.value]], axis.end  # 'extents in x, y and z'
+        if after > end and (extent := _extent_along(text, after, measures[-1])):
+            measures, end = [*measures, extent.value], extent.end  # 'extents in x, y and z'
             continue
+        more = text.find(after, "measure") or _bare_scale(text, after)
         if after == end or more is None or more.value in measures or text.find(after, "aside"):
             break
-        if more.value is Measure.ANGLE and text.is_word(more.end, "between"):
-            break  # that of two others
-        if text.is_word(after, "overall", "total") and not text.is_word(span.start, "overall", "total"):
+        of_others = more.value is Measure.ANGLE and text.is_word(more.end, "between")
+        overall = text.is_word(after, "overall", "total") and not text.is_word(span.start, "overall", "total")
+        alike = answer_type(more.value) is answer_type(measures[-1])  # not: 'the holes in the cone tips, Ø?'
+        if of_others or overall or not (alike or text.is_word(end, "and", "&", "+")):
             break  # 'outer diameter and overall length'
-        if not text.is_word(end, "and", "&", "+") and answer_type(more.value) is not answer_type(measures[-1]):
-            break  # 'the holes in the cone tips, Ø?'
         ahead = text.skip(more.end, "axis_preposition", "article")
-        axis = text.find(ahead, "axis") if measures[-1] in EXTENTS and ahead > more.end else None
-        along = axis is not None and axis.value < len(EXTENTS)  # 'length along x, width along y'
-        measures.append(EXTENTS[axis.value] if axis is not None and along else more.value)
-        end = axis.end if axis is not None and along else more.end
-    lengths = [one for one in measures if one not in (Measure.SIZE, Measure.MAGNITUDE)]
+        along = _extent_along(text, ahead, measures[-1]) if ahead > more.end else None
+        last = along or more  # 'length along x, width along y'
+        measures, end = [*measures, last.value], last.end
+    lengths = [one for one in measures if one not in SIZES]
     named = len(lengths) > 1 or (lengths and text.is_word(span.end, ","))  # 'size, width by height' asks for two
     return lengths if named else measures, end
+
+
+def _extent_along(text: Text, at: int, before: Measure) -> Span | None:
+    """The extent that an axis stands for behind another extent."""
+    axis = text.find(at, "axis") if before in EXTENTS else None
+    return replace(axis, value=EXTENTS[axis.value]) if axis is not None and axis.value < len(EXTENTS) else None

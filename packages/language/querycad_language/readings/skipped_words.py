@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from querycad_language.forms import AtBothEnds, Check, Either, Every, Exists, Facing, Parallel, Uniform, Which
+from querycad_language.text import Text
 from querycad_language.tokens import Kind
 
 from .parses import Parse, Reading
@@ -39,13 +40,13 @@ def passable(question: Question) -> list[Passable]:
     text = question.text
     found: list[Passable] = []
     depth = 0
-    aside = question.phrases.included.union(*(stretch for stretch, _ in question.units_asked))
-    aside |= _axis_asides(question) | {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
+    aside = question.phrases.included | question.unit_words | _axis_asides(text)
+    aside |= {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
     for at, token in enumerate(text.tokens):
         depth += text.is_word(at, "(") - text.is_word(at, ")")
         if token.kind is Kind.SYMBOL or at in aside:
             continue
-        kind = _class(question, at)
+        kind = _class(text, at)
         if kind not in ("function", "courtesy"):
             where = "skip" if question.in_question(at) and depth <= 0 else "aside"
             found.append(Passable(at, kind, token.raw, f"{where}_{kind}"))
@@ -60,13 +61,11 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
         features[word.feature] = features.get(word.feature, 0.0) + 1.0
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
-    passed = [(word.kind, word.raw) for word in skipped]
-    return Reading(parse.form, features, tuple(passed), frozenset(parse.used))
+    return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
 
 
-def _axis_asides(question: Question) -> set[int]:
+def _axis_asides(text: Text) -> set[int]:
     """'along its axis': the words say how a length is taken, and hardly ever which."""
-    text = question.text
     found: set[int] = set()
     for at in text.at_phrases("axis_preposition") - text.at_words("in", "by"):
         end = next((i for i in range(at + 1, at + 5) if text.is_word(i, "axis", "centerline")), at - 1)
@@ -74,17 +73,13 @@ def _axis_asides(question: Question) -> set[int]:
     return found
 
 
-def _class(question: Question, at: int) -> str:
+def _class(text: Text, at: int) -> str:
     """Which class has a word that is passed over?"""
-    text, token = question.text, question.text.tokens[at]
-    if token.kind in (Kind.QUANTITY, Kind.THREAD, Kind.TIMES, Kind.NUMBER):
-        return "number"
-    if token.kind is Kind.POSSESSIVE:
-        return "function"
+    if (kind := text.tokens[at].kind) is not Kind.WORD:
+        return "function" if kind is Kind.POSSESSIVE else "number"
     own = {span.category for span in text.spans[at]}
-    for other in range(max(0, at - 3), at):  # inside a longer phrase that begins before
-        longer = {span.category for span in text.spans[other] if span.end > at}
-        own |= longer - {"noun", "measure", "adjective"}
+    longer = {span.category for spans in text.spans[max(0, at - 3) : at] for span in spans if span.end > at}
+    own |= longer - {"noun", "measure", "adjective"}  # inside a longer phrase that begins before
     unclassed = "chatter" if own else "unknown"
     if not text.is_word(at, "except", "excluding"):
         own.discard("except")
@@ -95,7 +90,7 @@ def _class(question: Question, at: int) -> str:
         return "comparison"
     if name == "side" and "chatter" in own and text.is_word(at, "back", "right"):
         return "function"
-    if name == "adjective":
-        adjectives = [span.value for span in text.spans[at] if span.category == "adjective"]
-        return "adjective" if any(one.tags or one.order for one in adjectives) else "chatter"
+    adjectives = [span.value for span in text.spans[at] if span.category == "adjective"]
+    if name == "adjective" and not any(one.tags or one.order for one in adjectives):
+        return "chatter"
     return name

@@ -27,12 +27,10 @@ End: TypeAlias = PartQuery | Boundary | Literal["each other"]
 def ends_between(query: Target) -> Iterator[tuple[PartQuery, End]]:
     """The two ends of 'the gap between the nut and the lever', 'the web between the slots'."""
     for _, first in places_of(query, "between"):
-        second = next(iter(first.also), None)
-        other = (
-            floored(second) or second if second is not None else None
-        )  # 'between the floor of the pocket and the slot'
-        end: End = Boundary(None) if second is not None and _is_edge(second) else other or "each other"
-        one = floored(first) or first
+        one, second = floored(first) or first, next(iter(first.also), None)
+        end: End = "each other"
+        if second is not None:  # 'between the floor of the pocket and the slot'
+            end = Boundary(None) if _is_edge(second) else floored(second) or second
         yield replace_fields(one, also=(), plural=one.plural or second is None), end
 
 
@@ -53,39 +51,41 @@ class Spot(NamedTuple):
     used: set[int]
     mate: bool = False  # is it the bore for what is named: 'the motor axis' of a mount?
 
+    @property
+    def placed(self) -> bool:
+        """Is it more than a border or the origin: a part, a plane of one, the centre of mass?"""
+        return isinstance(self.anchor, PartQuery | Plane | MassCentre)
+
 
 def anchors_of(question: Question) -> list[Spot]:
     """All that a distance can be measured from, from left to right."""
     text = question.text
     found: list[Spot] = []
-    taken: set[int] = set()
     for mention in question.parts:
         query, used = mention.part, set(mention.used)
-        taken |= used
         found.append(Spot(mention.head, query, used))
         noun = text.lexicon.nouns.get(query.noun)
-        for _, member in places_of(query, "", "of"):  # of 'the hole pattern' and 'the row of holes' the holes
-            if noun is not None and noun.senses[0].kind == ("pattern",):
-                found.append(Spot(mention.head, replace_fields(member, plural=True), used))
+        members = places_of(query, "", "of") if noun is not None and noun.senses[0].kind == ("pattern",) else ()
+        found += [Spot(mention.head, replace_fields(member, plural=True), used) for _, member in members]
         body = noun is not None and (noun.product or "body" in noun.senses[0].kind)
         if body and text.is_word(mention.end, "axis", "center", "centerline") and not (query.places or query.sizes):
             bore = PartQuery(noun="bore", words=("bore",), definite=True)
             found.append(Spot(mention.head, bore, {*used, mention.end}, mate=True))
-        ground = text.find(mention.head, "ground")
-        if ground is not None and not (query.places or query.adjectives):  # 'how high above the floor'
-            found.append(Spot(mention.head, Boundary(ground.value), used))
+        if (ground := text.find(mention.head, "ground")) and not (query.places or query.adjectives):
+            found.append(Spot(mention.head, Boundary(ground.value), used))  # 'how high above the floor'
         if query.noun in _ENDS and not (query.places or query.adjectives or query.unknown or query.ranks):
             found += [Spot(mention.head, Plane(None, owner), used) for owner in _owners(question, mention.head)]
         others = (floored(query) or rimmed(query), plane_of(query))
         found += [Spot(mention.head, other, used) for other in others if other is not None]
-    found += [spot for at in range(len(text)) if at not in taken and (spot := _of_model(text, at))]
+    free = set(range(len(text))).difference(*(mention.used for mention in question.parts))
+    found += [spot for at in sorted(free) if (spot := _of_model(text, at))]
     found += [*planes_of(question), *_nearer_ends(question), *_outsides(question)]
     return sorted(found, key=lambda one: one.at)
 
 
 def plane_of(query: PartQuery) -> Plane | Boundary | None:
     """Of 'the top face of the flange', 'the left face', 'the floor of the slot': the plane that is meant."""
-    sides = (*query.ends, *query.sides)
+    side = next(iter((*query.ends, *query.sides)), None)
     around = rimmed(query) if query.noun in _RIMS else None
     if _is_edge(query) or (around is not None and not is_cut(around)):  # 'the outer rim of the flange'
         return Boundary(None)
@@ -93,13 +93,11 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
         return Plane(Side.BOTTOM, cut)
     whose, _, piece = query.noun.rpartition(" ")
     if piece == "end" and whose in lexicon().nouns:  # 'the shaft end'
-        return Plane(next(iter(sides), None), PartQuery(noun=whose, words=(whose,), definite=True))
+        return Plane(side, PartQuery(noun=whose, words=(whose,), definite=True))
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
-    holder = next((other for _, other in places_of(query)), None)
-    if sides:
-        return Plane(sides[0], holder) if holder is not None else Boundary(sides[0])
-    return Plane(None, holder) if holder is not None else None
+    planes = (Plane(side, holder) for _, holder in places_of(query))
+    return next(planes, Boundary(side) if side is not None else None)
 
 
 def _owners(question: Question, at: int) -> list[PartQuery]:
@@ -125,10 +123,8 @@ def _of_model(text: Text, at: int) -> Spot | None:
         return Spot(at, MassCentre(), set(measure.tokens))
     if (middle := _box_middle(text, at)) is not None:
         return Spot(at, None, middle)
-    if origin := text.find(at, "origin"):
-        return Spot(at, Origin(), set(origin.tokens))
-    if ground := text.find(at, "ground"):
-        return Spot(at, Boundary(ground.value), set(ground.tokens))
+    if span := text.find(at, "origin", "ground"):
+        return Spot(at, Origin() if span.category == "origin" else Boundary(span.value), set(span.tokens))
     side, leading = text.find(at, "side"), ("article", "side_preposition", "place")
     paired = text.is_word(at - 1, "and") and text.find(at - 2, "side")
     if side and (at == 0 or text.find(at - 1, *leading) or text.is_possessive(at - 1) or paired):  # 'the left side'
@@ -140,21 +136,20 @@ def _box_middle(text: Text, at: int) -> set[int] | None:
     """'from the centre', 'the middle of the part', 'the bounding box centre': that of the whole model."""
     if not text.is_word(at, "center", "middle", "midpoint"):
         return None
-    around = next((span for span in text.all("boxes") if span.end == at), None)
     behind = text.skip(at + 2, "article") if text.is_word(at + 1, "of") else at
-    around = around or (text.find(behind, "boxes", "whole") if behind > at else None)
-    if around is None and behind == at and text.is_word(at - 1, "the") and text.is_word(at - 2, "from", "to", "off"):
-        return {at} if not text.find(at + 1, "noun", "adjective", "measure") else None  # 'to the centre hole'
-    return {at, *range(at, behind), *around.tokens} if around is not None else None
+    boxes = (span for span in text.all("boxes") if span.end == at)
+    if (around := next(boxes, text.find(behind, "boxes", "whole"))) is not None:
+        return {at, *range(at, behind), *around.tokens}
+    alone = behind == at and not text.find(at + 1, "noun", "adjective", "measure")  # not 'to the centre hole'
+    return {at} if alone and text.is_word(at - 1, "the") and text.is_word(at - 2, "from", "to", "off") else None
 
 
 def _outsides(question: Question) -> Iterator[Spot]:
     """'the flange's outside diameter', 'the outer diameter of the hub', 'the outside of the hub': its outer wall."""
     text = question.text
     spans = [(one.start, one.end, _ROUND_WALLS[one.value]) for one in text.all("measure") if one.value in _ROUND_WALLS]
-    spans += [
-        (at, at + 1, "outer cylinder") for at in text.at_words("outside", "exterior") if text.is_word(at + 1, "of")
-    ]
+    outsides = (at for at in text.at_words("outside", "exterior") if text.is_word(at + 1, "of"))
+    spans += [(at, at + 1, "outer cylinder") for at in outsides]
     for start, end, noun in spans:
         behind = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
         owner = behind or next((m for m in question.parts if m.head < start <= m.end + 1), None)
@@ -171,20 +166,19 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
     """'the nearest end of the base', 'the end of the panel nearest to it', 'the plate's long edge': the nearer one."""
     text = question.text
     for at in sorted(text.at_words("end", "edge", "side")):
-        sized = text.is_word(at - 1, "long", "longer", "longest", "short", "shorter", "shortest")
-        lead = at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)
+        across = text.is_word(at - 1, "long", "longer", "longest")
+        sized = across or text.is_word(at - 1, "short", "shorter", "shortest")
         end = text.skip(at + 1, "side_noun")
         other = question.phrases.at(end + 1, 1) if text.is_word(end, "of") else None
         last = other.end if other is not None else end
         whose = text.words[at - 1] if text.is_word(at - 2, *NEAREST) and text.find(at - 1, "noun") else ""
-        lead = at - 2 if whose else lead  # 'the nearest plate end'
+        lead = at - 2 if whose else at - sized - text.is_word(at - 1 - sized, "near", *NEAREST)  # 'nearest plate end'
         near = {i for i in text.at_words(*NEAREST, "next", "beside") if last - 3 <= i <= last}  # may be in the phrase
         after = {i for i in near if text.is_word(i + 1 + text.is_word(i + 1, "to"), "it", "them")}
         along = text.find(lead - 1 - (text.find(lead - 1, "article") is not None), "axis_preposition")
         if along is not None or not (sized or ((lead < at or after) and text.is_word(at, "end"))):
             continue  # 'along the long side' says how a distance is taken
         holder = other or next((m for m in question.mentions if m.end == lead - 1 and text.is_possessive(m.end)), None)
-        across = text.is_word(at - 1, "long", "longer", "longest")
         used = {*range(lead, last), *(holder.used if holder is not None else ()), *after}
         used |= {i for at in after for i in (at + 1, at + 2) if text.is_word(i, "to", "it", "them")}
         of = holder.query if holder is not None else None
@@ -193,29 +187,27 @@ def _nearer_ends(question: Question) -> Iterator[Spot]:
         yield Spot(at, Boundary(None, of, SHORTER if across else LONGEST), used)
 
 
-def planes_of(question: Question) -> list[Spot]:
+def planes_of(question: Question) -> Iterator[Spot]:
     """'the underside of the head', 'the flange's top face', 'the plate top': outer planes of parts."""
     text = question.text
-    found: list[Spot] = []
     for at in sorted(text.at_words("lowest", "highest")):  # 'the lowest point of the bore'
         pointed = question.phrases.at(at + 3, 1) if text.is_word(at + 1, "point", "spot") else None
         if pointed is not None and pointed.query is not None:
             outermost = Plane(Side.BOTTOM if text.is_word(at, "lowest") else Side.TOP, pointed.query)
-            found.append(Spot(at, outermost, set(range(at, pointed.end))))
+            yield Spot(at, outermost, set(range(at, pointed.end)))
     for at in range(len(text)):
-        side = text.find(at, "side")
-        end = text.find(at, "measure")
+        side, end = text.find(at, "side"), text.find(at, "measure")
         if end is not None and (end.value is Measure.TIP or end.value in ENDS):
             ended = question.phrases.at(end.end + 1, 1) if text.is_word(end.end, "of") else None
             alone = ended is None and not text.find(end.end, "noun", "edge")
             owners = _owners(question, at) if alone else [ended.query] if ended and ended.query else []
             used = set(range(at, ended.end if ended else end.end))  # 'the tip of the shank', 'its free end'
-            found += [Spot(at, Plane(ENDS.get(end.value), owner), used) for owner in owners]
+            yield from (Spot(at, Plane(ENDS.get(end.value), owner), used) for owner in owners)
         if side is None:
             continue
         after = text.skip(side.end, "side_noun")
         if text.is_word(after, "of") and (other := question.phrases.at(after + 1, 1)) and other.query is not None:
-            found.append(Spot(at, Plane(side.value, other.query), set(range(at, other.end))))
+            yield Spot(at, Plane(side.value, other.query), set(range(at, other.end)))
             continue
         before = next((m for m in question.parts if m.head < at <= m.head + 2), None)
         if any(m.start <= at < m.end and m is not before for m in question.mentions):
@@ -223,5 +215,4 @@ def planes_of(question: Question) -> list[Spot]:
         flat = places_of(before.part, "of") if before and before.part.noun == "flat" else ()  # 'the plate's flat front'
         if before is not None and (flat or after > side.end or text.is_word(at, "top", "bottom", "underside")):
             bare = replace_fields(flat[0][1] if flat else before.part, sides=(), ends=())
-            found.append(Spot(at, Plane(side.value, bare), {*before.used, *range(before.head, after)}))
-    return found
+            yield Spot(at, Plane(side.value, bare), {*before.used, *range(before.head, after)})

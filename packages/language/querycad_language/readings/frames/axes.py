@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from collections.abc import Set as AbstractSet
+from itertools import chain
 
-from querycad_contracts import Measure, PartQuery
+from querycad_contracts import Measure
 from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
@@ -14,20 +16,14 @@ ALONG = {Measure.HEIGHT: 2, Measure.LENGTH: LONGEST, Measure.WIDTH: SHORTER}
 """The axes that the measures of a whole run along."""
 _SIDES = {"long": LONGEST, "longer": LONGEST, "length": LONGEST, "short": SHORTER, "shorter": SHORTER}
 _LEVELS = {"vertical": 2, "height": 2, "level": 2, "horizontal": HORIZONTAL}
-_MEASURES = {"width": 0, "depth": 1, "height": 2}
+_LED = {"along": {"width": 0, "depth": 1, "height": 2}, "across": {"width": SHORTER}}
 
 
 def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
-    return _of_whole(question) or _said(question, taken)
-
-
-def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
-    """The axis that is named."""
     text = question.text
-    for at in sorted(text.at_phrases("axis_preposition") - taken):
-        if (found := _along(text, at)) is not None:
-            return found
+    if (found := next(chain(_along_whole(question), _led(text, taken)), None)) is not None:
+        return found
     for at in sorted(text.at_words(*_LEVELS) - taken):
         apart = text.find(at + 1, "distance", "gap")
         if text.find(at + 1, "noun") and not apart:
@@ -45,33 +41,26 @@ def _said(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[
     return None, set()
 
 
-def _along(text: Text, at: int) -> tuple[int, set[int]] | None:
-    """'along its length', 'across the width': the axis that a preposition here leads to."""
-    owned = next((i + 1 for i in range(at + 1, at + 8) if text.is_possessive(i)), at + 1)  # 'the plate's width'
-    side = text.find(text.skip(owned, "article", "pronoun"), "measure", "adjective")
-    word = text.words[side.start] if side is not None else ""
-    if side is None or not (word in _SIDES or word in _MEASURES):
-        return None
-    if word == "width" and text.is_word(at, "across"):
-        return SHORTER, set(range(at, side.end))
-    if word in _SIDES:
-        return _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
-    return (_MEASURES[word], set(range(at, side.end))) if text.is_word(at, "along") else None
+def _led(text: Text, taken: AbstractSet[int]) -> Iterator[tuple[int, set[int]]]:
+    """'along its length', 'across the width': the axes that prepositions lead to."""
+    for at in sorted(text.at_phrases("axis_preposition") - taken):
+        owned = next((i + 1 for i in range(at + 1, at + 8) if text.is_possessive(i)), at + 1)  # 'the plate's width'
+        side = text.find(text.skip(owned, "article", "pronoun"), "measure", "adjective")
+        word, lengths = text.words[side.start] if side is not None else "", _LED.get(text.words[at], {})
+        if side is not None and word in _SIDES:
+            yield _SIDES[word], set(range(at, text.skip(side.end, "side_noun")))
+        elif side is not None and word in lengths:
+            yield lengths[word], set(range(at, side.end))
 
 
-def _of_whole(question: Question) -> tuple[int, set[int]] | None:
+def _along_whole(question: Question) -> Iterator[tuple[int, set[int]]]:
     """'Along the slide' is along its longest side, 'across the slide' along the other one."""
-    for mention in question.mentions:
-        for word, axis in (("along", LONGEST), ("across", SHORTER)):
-            if _is_whole(mention.query) and question.text.is_word(mention.start - 1, word):
-                return axis, {mention.start - 1, *mention.used}
-    return None
-
-
-def _is_whole(query: PartQuery | None) -> bool:
-    """Is it the whole model, or the name of a product?"""
-    noun = lexicon().nouns.get(query.noun) if query is not None else None
-    return query is None or (noun is not None and noun.product and not query.places)
+    for mention in question.mentions:  # of the whole model, or of what is called by the name of a product
+        noun = lexicon().nouns.get(mention.query.noun) if mention.query is not None else None
+        whole = mention.query is None or (noun is not None and noun.product and not mention.query.places)
+        for word, axis in (("along", LONGEST), ("across", SHORTER)) if whole else ():
+            if question.text.is_word(mention.start - 1, word):
+                yield axis, {mention.start - 1, *mention.used}
 
 
 def own_axis_named(question: Question) -> set[int]:
@@ -79,10 +68,10 @@ def own_axis_named(question: Question) -> set[int]:
     text = question.text
     found = text.at_words("axially") | text.covered("facewise")
     for at in text.at_words("along", "in"):
-        ends = [i for i in range(at + 1, min(len(text), at + 5)) if text.is_word(i, "axis", "direction")]
-        told = ends and all(text.find(i, "axis") is None for i in range(at + 1, ends[0]))
-        if told and (text.is_word(ends[0], "axis") or text.is_word(ends[0] - 1, "axial")):
-            found |= set(range(at, ends[0] + 1))
+        end = next((i for i in range(at + 1, at + 5) if text.is_word(i, "axis", "direction")), at)
+        told = text.is_word(end, "axis") or text.is_word(end - 1, "axial")
+        if end > at and told and not any(text.find(i, "axis") for i in range(at + 1, end)):
+            found |= {*range(at, end + 1)}
         noun = text.find(text.skip(at + 1, "article"), "noun")
         found |= set(range(at, noun.end)) if noun is not None and text.is_word(at, "along") else set()
     return found
@@ -92,20 +81,18 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     """The axes where several are named, with their tokens: 'in x and in y', 'lengthwise and across'."""
     text = question.text
     for at in text.at_words("and", "by", "x", "/", "&"):
-        if {text.words[at - 1], *text.words[at + 1 : at + 2]} == {
-            "horizontal",
-            "vertical",
-        }:  # 'horizontal and vertical'
-            return (_LEVELS[text.words[at - 1]], _LEVELS[text.words[at + 1]]), {at - 1, at, at + 1}
-    spans: dict[int, int] = {at: span.value for span in text.all("axis") for at in span.tokens}
+        levels = (text.words[at - 1], *text.words[at + 1 : at + 2])
+        if {*levels} == {"horizontal", "vertical"}:
+            return tuple(_LEVELS[level] for level in levels), {at - 1, at, at + 1}
+    times = {at for at in text.at_words("x") if {at - 1, at, at + 1} <= text.covered("axis")}  # 'long way x short way'
+    spans: dict[int, int] = {at: one.value for one in text.all("axis") for at in one.tokens if at not in times}
     crossing = {at for at in text.at_words("cross", "transverse") if text.is_word(at + 1, "direction")}
-    times = {at for at in spans if text.is_word(at, "x") and {at - 1, at + 1} <= spans.keys()}
-    spans = {at: axis for at, axis in spans.items() if at not in times}  # 'long way x short way'
     led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective", "axis")}
-    if LONGEST in spans.values() or text.at_words("long", "along", "longer") - led:
-        spans |= dict.fromkeys(text.at_words("long", "along", "longer") - led, LONGEST)
+    lengthwise = text.at_words("long", "along", "longer") - led
+    if lengthwise or LONGEST in spans.values():
+        spans |= dict.fromkeys(lengthwise, LONGEST)
         spans |= dict.fromkeys((text.at_words("short", "across", "shorter") | crossing) - led, SHORTER)
-    led_to = [found for at in sorted(text.at_phrases("axis_preposition")) if (found := _along(text, at)) is not None]
+    led_to = [*_led(text, set())]
     if len(dict(led_to)) > 1 and not spans:  # 'along the length and across the width'
         return tuple(axis for axis, _ in led_to), set().union(*(tokens for _, tokens in led_to))
     for at in text.at_words("both", "each", "two", "either"):  # 'the spacing in both directions'

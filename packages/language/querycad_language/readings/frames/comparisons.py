@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import pairwise, takewhile
+from itertools import pairwise
 
 from querycad_contracts import Measure, Relation, Side
 from querycad_language.forms import Check, Combine, Distance, Get, Plane, Reduce, Target, Which
@@ -47,17 +47,13 @@ def _compared(question: Question) -> Iterator[Parse]:
     if not before or not (behind or own) or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
     left, right = before[0], (before if own and itself else behind)[0]
-    measure, used = comparative.value.measure, {than, *comparative.tokens, *left.used, *right.used}
-    measure, used = _of_noun(question, measure, used)
+    used = {than, *comparative.tokens, *left.used, *right.used}
+    measure, used = _of_noun(question, comparative.value.measure, used)
     times = comparative.start - 1 - text.is_word(comparative.start - 1, "as")  # '2 times as wide', 'many times wider'
     ratio = text.is_word(times, "time")
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide', 'as long as the block is deep'
-    if ratio and text.tokens[times - 1].kind is Kind.NUMBER:
-        used.update(range(times - 1, comparative.start))
-        factor = Check(Combine("ratio", a, b), Relation.EQUAL, text.tokens[times - 1].value)
-        yield Parse(factor, {"check": 1.0}, used | {start})
-    elif any(text.is_word(i, "much", "many") for i in range(*question.asking)):
+    if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Parse(Combine("ratio" if ratio else "apart", a, b), {"combined": 1.0}, used)
         if not ratio and measure is Measure.HEIGHT and left.query and right.query:  # how much higher it ends
@@ -106,9 +102,8 @@ def _which(question: Question) -> Iterator[Parse]:
 def _said(question: Question, mention: Mention) -> str:
     """The noun phrase without its article."""
     begin = question.text.skip(mention.start, "article")
-    own = question.text.tokens[begin : mention.end]
-    tokens = takewhile(lambda token: token.kind is not Kind.POSSESSIVE and token.word != "that", own)
-    return " ".join(token.raw for token in tokens)
+    owned = (i for i in range(begin, mention.end) if question.text.is_possessive(i) or question.text.is_word(i, "that"))
+    return " ".join(token.raw for token in question.text.tokens[begin : next(owned, mention.end)])
 
 
 def _combined(question: Question) -> Iterator[Parse]:
@@ -139,17 +134,14 @@ def _combined(question: Question) -> Iterator[Parse]:
         right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
         used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
         form = Combine("plus" if span.category == "total" else span.value, left, right)
-        if span.category == "times":
-            yield Parse(Check(form, Relation.EQUAL, text.tokens[span.start].value), {"check": 1.0}, used)
-        else:
-            yield Parse(form, {"combined": 1.0}, used)
+        factor = Check(form, Relation.EQUAL, text.tokens[span.start].value)
+        yield Parse(factor, {"check": 1.0}, used) if span.category == "times" else Parse(form, {"combined": 1.0}, used)
 
 
 def _clearances(question: Question) -> Iterator[Parse]:
     """'How much play has the pin in its bore, on diameter?': what a bore has more than what runs in it."""
     text = question.text
-    said, radial = text.covered("gap", "on_diameter"), text.has("radial", "radius")
-    asked = all(map(text.at_phrases, ("gap", "on_diameter")))
+    asked = text.at_phrases("gap") and text.at_phrases("on_diameter")
     for first, second, used in pairs_named(question.parts, "in", "on", "between") if asked else ():
-        form = Distance(first, second, "on radius" if radial else "on diameter")
-        yield Parse(form, {"combined": 1.0}, {*used, *said})
+        form = Distance(first, second, "on radius" if text.has("radial", "radius") else "on diameter")
+        yield Parse(form, {"combined": 1.0}, used | text.covered("gap", "on_diameter"))

@@ -30,16 +30,18 @@ def counts(question: Question) -> Iterator[Parse]:
         measure = text.find(inner, "measure")
         noun_here = text.find(inner, "noun")
         named = question.mentions
+        valued: list[tuple[Mention, Measure, set[int]]] = []
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
-            yield from _different_counts(question, used | set(range(at, measure.end)), measure)
             named = question.parts
+            valued += [(m, measure.value, {*range(at, measure.end)}) for m in named if m.start >= measure.end]
         owner = next((m for m in question.parts if different and m.start == inner), None)
         size = text.find(owner.end, "measure") if owner is not None else None
         if owner is not None and size is not None:  # 'how many different hole sizes'
             measured = Measure.DIAMETER if size.value in (Measure.SIZE, Measure.MAGNITUDE) else size.value
-            values = Count(replace_fields(owner.part, plural=True), measured)
-            said = used | owner.used | {*range(at, inner), *size.tokens}
-            yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, said)
+            valued.append((owner, measured, {*range(at, inner), *size.tokens}))
+        for mention, value, said in valued:
+            values = Count(replace_fields(mention.part, plural=True), value)
+            yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, used | mention.used | said)
         if different and (measure or size):
             continue  # nobody counts the holes themselves by 'how many different diameters'
         yield from _treated(question, at, used)
@@ -59,10 +61,9 @@ def counts(question: Question) -> Iterator[Parse]:
 def _counts(question: Question, span: Span) -> bool:
     """Does the phrase ask for a number of parts: not 'how many millimetres'?"""
     text = question.text
-    if question.unit(span.end) is not None and not text.find(span.end, "noun"):  # feet are both
-        return False
-    if text.find(span.end, "stuff") or text.tokens[span.start].raw == "counts":  # 'amount of metal left', 'it counts'
-        return False
+    unit = question.unit(span.end) is not None and not text.find(span.end, "noun")  # feet are both
+    if unit or text.find(span.end, "stuff") or text.tokens[span.start].raw == "counts":
+        return False  # 'amount of metal left', 'it counts'
     return not text.find(span.start, "measure") or text.is_word(span.start, "number")
 
 
@@ -71,10 +72,9 @@ def _treated(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
     text = question.text
     if not text.is_word(at, "edge", "corner"):
         return
-    for other in range(at + 1, len(text)):
-        adjective = text.find(other, "adjective")
-        phrase = f"{' '.join(text.words[adjective.start : adjective.end])} {text.words[at]}" if adjective else ""
-        if adjective is not None and phrase in text.lexicon.nouns:
+    for adjective in filter(None, (text.find(i, "adjective") for i in range(at + 1, len(text)))):
+        phrase = " ".join((*text.words[adjective.start : adjective.end], text.words[at]))
+        if phrase in text.lexicon.nouns:
             query = PartQuery(noun=phrase, words=tuple(phrase.split()), plural=True)
             yield Parse(Count(query), {"count_next": 1.0, "treated": 1.0}, used | {at, *adjective.tokens})
 
@@ -89,38 +89,30 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
         yield Parse(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
 
-def _different_counts(question: Question, used: set[int], measure: Span) -> Iterator[Parse]:
-    for mention in question.mentions:
-        if mention.query is not None and mention.start >= measure.end:
-            values = Count(replace_fields(mention.query, plural=True), measure.value)
-            yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, used | mention.used)
-
-
 def _count_of(
     text: Text, mention: Mention, used: set[int], features: Features, others: Sequence[Mention]
 ) -> Iterator[Parse]:
     """How many of them; on each side, or of another part, or of each: 'how many ribs does the lever have?'"""
-    each = text.at_words("each", "every", "per")
+    each, used = text.at_words("each", "every", "per"), used | mention.used
     query = replace_fields(mention.query or PartQuery(noun="body", words=("body",)), plural=True)
-    held = places_of(query, "in", "on", "of", "through") if each & set(range(mention.head + 1, mention.end)) else []
-    for _, holder in held[:1]:  # 'how many holes are in each flange'
+    among = not each.isdisjoint(range(mention.head + 1, mention.end))
+    held = places_of(query, "in", "on", "of", "through")[:1] if among else []
+    for _, holder in held:  # 'how many holes are in each flange'
         shares = Combine("per", Count(query), Count(replace_fields(holder, plural=True)))
-        yield Parse(shares, {**features, "owner_placed": 1.0}, used | mention.used | each)
-    sided = any(text.is_word(i + 1, "side", "face") for i in each)
-    if not held and not sided:
-        yield Parse(Count(query), features, used | mention.used)
-    if sided:
-        yield Parse(Towards(query, tuple(Side), "each"), features, used | mention.used | {i + 1 for i in each} | each)
-    for owner in others[:2]:
-        if owner.query is not None:
-            stands = text.find(owner.start - 1, "place")
-            link = "owner_after" if owner.start > mention.start else "owner_before"
-            link = "owner_placed" if stands is not None else link
-            owned = Count(placed_in(query, stands.value if stands is not None else "of", owner.query))
-            shared = each & {owner.start, owner.start - 1}
-            form = Combine("per", owned, Count(replace_fields(owner.query, plural=True))) if shared else owned
-            tokens = used | mention.used | owner.used | each | {*(stands.tokens if stands is not None else ())}
-            yield Parse(form, {**features, link: 1.0}, tokens)
+        yield Parse(shares, {**features, "owner_placed": 1.0}, used | each)
+    if any(text.is_word(i + 1, "side", "face") for i in each):
+        yield Parse(Towards(query, tuple(Side), "each"), features, used | {i + 1 for i in each} | each)
+    elif not held:
+        yield Parse(Count(query), features, used)
+    for owner in (m for m in others[:2] if m.query is not None):
+        stands = text.find(owner.start - 1, "place")
+        link = "owner_after" if owner.start > mention.start else "owner_before"
+        link = "owner_placed" if stands is not None else link
+        owned = Count(placed_in(query, stands.value if stands is not None else "of", owner.part))
+        shared = each & {owner.start, owner.start - 1}
+        form = Combine("per", owned, Count(replace_fields(owner.part, plural=True))) if shared else owned
+        tokens = used | owner.used | each | {*(stands.tokens if stands is not None else ())}
+        yield Parse(form, {**features, link: 1.0}, tokens)
 
 
 def exists(question: Question) -> Iterator[Parse]:
@@ -134,22 +126,20 @@ def exists(question: Question) -> Iterator[Parse]:
         if question.in_question(span.start) and not counted:
             named = [m for m in question.mentions if m.start >= span.start]
             yield from _existing(text, named[:2], set(span.tokens))
-    verbs = sorted(text.at_phrases("have") - text.at_words("with"))
-    has = next((i for i in verbs if question.in_question(i)), len(text))
+    has = min(filter(question.in_question, text.at_phrases("have") - text.at_words("with")), default=len(text))
     owner = next((m for m in reversed(question.parts) if m.end <= has), None)
     owns = next((m for m in question.parts if m.start > has), None)
-    start = _having(question)
-    owned = [m for m in question.parts if start is not None and m.start >= start][:2]
     both = {i for m in (owner, owns) if m is not None for i in m.used}
     several = both & text.at_words("both", "each", "every") and not text.has("end", "side")  # one is not enough
-    owned = [] if several else owned
+    start = _having(question)
+    owned = [m for m in question.parts if start is not None and m.start >= start and not several][:2]
     if question.closed and owner is not None and owns is not None and not (owns.part.count or several):
         in_it = Exists(placed_in(owns.part, "of", owner.part))  # 'does the bore have a keyway'
         yield Parse(in_it, {"exists": 1.0, "count_far": 1.0}, owner.used | owns.used | {*range(owner.end, owns.start)})
         owned = [m for m in owned if m not in (owner, owns)]
     yield from _existing(text, owned, {start or 0})
     said = text.at_words(*_PRESENT)
-    present = [m for m in question.mentions if text.is_word(m.end, *_PRESENT) or text.is_word(m.end - 1, *_PRESENT)]
+    present = [m for m in question.mentions if not said.isdisjoint((m.end - 1, m.end))]
     if question.closed and said:  # 'Is a lug present?', 'Can any slots be found?'
         yield from _existing(text, present[:1] or question.mentions[:1], said)
     elif question.offers_yes_no and len(question.mentions) == 1:  # 'lugs, yes or no?', 'has_lug: true or false?'
@@ -161,12 +151,10 @@ def _existing(text: Text, mentions: Sequence[Mention], used: set[int]) -> Iterat
     compared = {span.end: span for span in text.all("relation")}
     for index, mention in enumerate(mentions):
         query, span = mention.query, compared.get(mention.start)
-        if not mention.used.isdisjoint(text.at_words("both", "each", "every")):
+        if query is None or not mention.used.isdisjoint(text.at_words("both", "each", "every")):
             continue  # 'in both flanges', 'at both ends': one is not enough
         features = {"exists": 1.0, "count_far": float(index)}
-        many = query.count or (1 if text.is_word(mention.start, "one") else None) if query is not None else None
-        if query is None:
-            continue
+        many = query.count or text.is_word(mention.start, "one")
         several, said = Count(replace_fields(query, count=None, plural=True, sample=False)), used | mention.used
         if many and span is not None:
             yield Parse(Check(several, span.value, float(many)), features, said | {*span.tokens})
@@ -184,5 +172,5 @@ def _having(question: Question) -> int | None:
     said = (at for at in range(start, end) if text.find(at, "ask", "do", "have") or not text.find(at, *_LEADING))
     first = next(said, start)
     has = any(text.find(i, "have") and not text.is_word(i, "with") for i in range(first, end))
-    has = has and (text.find(first, "do") or text.find(first, "have")) is not None  # 'do they touch' asks for nothing
-    return first if has or text.is_word(first, "any") else None
+    asks = has and text.find(first, "do", "have")  # 'do they touch' asks for nothing
+    return first if asks or text.is_word(first, "any") else None

@@ -4,29 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import chain, pairwise, permutations, product
+from itertools import chain, pairwise, permutations, product, zip_longest
 from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
-from querycad_language.forms import (
-    LONGEST,
-    SHORTER,
-    Anchor,
-    Angle,
-    Boundary,
-    Distance,
-    MassCentre,
-    Plane,
-    Reduce,
-    Several,
-)
+from querycad_language.forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
 from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
 from querycad_language.text import Text
-from querycad_language.tokens import Kind
 
 from .anchors import NEAREST, WHOLE, Spot, anchors_of, ends_between, pairs_named, plane_of, planes_of
 from .axes import axes_listed, axis_named
@@ -40,10 +28,10 @@ BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "
 """What has a nearer one of: 'to the near edge of the slot'."""
 _CENTRE_OF = frozenset(("center", "middle", "axis", "position", "centroid", "centerline"))
 _HIGH = (Measure.HEIGHT, Measure.CENTER_HEIGHT, Measure.Z)
-_APART = (*_HIGH, Measure.THICKNESS, Measure.WIDTH, Measure.LENGTH, Measure.DEPTH)
+_ACROSS = (Measure.WIDTH, Measure.THICKNESS, Measure.LENGTH)
+_APART = (*_HIGH, *_ACROSS, Measure.DEPTH)
 """Measures that between two parts are distances: 'the height of A above B'."""
 _AGAINST = ("from", "against", "relative", "compared", "off", "to", "with")  # before what something leans against
-_ACROSS = (Measure.WIDTH, Measure.THICKNESS, Measure.LENGTH)
 _WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "rib")  # what is left between two cuts
 _REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
 _UNDER = ("under", "underneath", "beneath")
@@ -73,35 +61,37 @@ class _Pair(NamedTuple):
 
 def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
+    text = question.text
     for start, end, said, used, named, level in _distance_words(question):
         axis, along = axis_named(question, set())
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
-        if question.text.at_phrases("gap") and (total := question.text.covered("total")):  # 'play, both sides together'
+        if text.at_phrases("gap") and (total := text.covered("total")):  # 'play, both sides together'
             reduce, extreme = Reduce.TOTAL, extreme | total
-        opposed = question.text.at_words("opposite", "opposing")  # 'two holes opposite each other'
+        opposed = text.at_words("opposite", "opposing")  # 'two holes opposite each other'
         for first, second, more, features in _pairs(question, start):
-            if level and second == "each other":
+            all_pairs = second == "each other"
+            if level and all_pairs:
                 continue
             if reduce in EXTREMES.values() and isinstance(first, PartQuery):
-                if second == "each other" or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
+                if all_pairs or not (first.definite or first.ranks):  # of all: 'the two furthest apart'
                     first = replace_fields(first, count=None, ranks=(), plural=True)
             if question.in_degrees:  # 'how far apart in degrees'
                 if isinstance(first, PartQuery) and isinstance(second, PartQuery | str):
                     other = second if isinstance(second, PartQuery) else None
                     yield Parse(Angle(first, other), {"angle_of_parts": 1.0}, used | more)
                 continue
-            nearest = reduce is Reduce.SMALLEST and not extreme & question.text.at_words("first")
+            nearest = reduce is Reduce.SMALLEST and not extreme & text.at_words("first")
             if nearest and isinstance(second, PartQuery) and mode == "usual":
                 mode = "surfaces"  # the shortest way from one to the other
-            every = second == "each other" and reduce is Reduce.ONE
-            across, near = every and opposed, question.text.covered("least") - more  # 'the two closest holes'
+            every = all_pairs and reduce is Reduce.ONE
+            across, near = every and opposed, text.covered("least") - more  # 'the two closest holes'
             of_all = Reduce.LARGEST if across else Reduce.SMALLEST if every and near else reduce
             form = _of_holders(Distance(first, second, mode, axis, of_all))
             features = {"distance" if named else "distance_unnamed": 1.0, **features}
-            yield Parse(form, features, used | more | along | extreme | centred | (opposed if across else set()))
-            if axes and second == "each other" and len({one in (LONGEST, SHORTER) for one in axes}) == 1:
+            yield Parse(form, features, used | more | along | extreme | centred | (across or set()))
+            if all_pairs and len({one in (LONGEST, SHORTER) for one in axes}) == 1:
                 several = Several(tuple(replace(form, axis=one) for one in axes))
                 yield Parse(several, {**features, "axes_listed": 1.0}, used | more | listed | centred)
 
@@ -134,15 +124,14 @@ def _distance_words(question: Question) -> Iterator[_Words]:
     yield from _left_between(question)
     for at in range(*question.asking):
         if text.is_word(at, "how"):
-            yield from _how(question, at)
-        elif (measure := text.find(at, "measure")) and measure.value in (Measure.DIAGONAL, Measure.ACROSS_CORNERS):
-            if text.is_word(measure.end, "between"):  # 'the diagonal between two opposite holes'
-                yield _Words(measure.start, measure.end, "centers", {*measure.tokens, measure.end})
-        elif measure is not None and measure.value in _APART:
-            ahead = set(range(measure.end, len(text))) - text.covered("over_all")
-            if any(text.is_word(i, "above", "over", "below", "between", "from", "off", "to") for i in ahead):
-                mode: Mode = "centers" if measure.value in _HIGH else "surfaces"
-                yield _Words(measure.start, measure.end, mode, set(measure.tokens))
+            yield from _how(text, at)
+        elif measure := text.find(at, "measure"):
+            diagonal = measure.value in (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
+            if diagonal and text.is_word(measure.end, "between"):  # 'the diagonal between two opposite holes'
+                yield _Words(at, measure.end, "centers", {*measure.tokens, measure.end})
+            ahead = text.at_words("above", "over", "below", "between", "from", "off", "to") - text.covered("over_all")
+            if measure.value in _APART and any(i >= measure.end for i in ahead):
+                yield _Words(at, measure.end, "centers" if measure.value in _HIGH else "surfaces", set(measure.tokens))
 
 
 def _left_between(question: Question) -> Iterator[_Words]:
@@ -156,9 +145,7 @@ def _left_between(question: Question) -> Iterator[_Words]:
             yield _Words(at, at + 1, "surfaces", {at, at + 1})
     for between in text.at_words("between"):  # 'what web is left between', 'how much land remains between'
         begin = between
-        while begin > 0 and (
-            text.find(begin - 1, "remaining", "be", "do", "modal") or text.is_word(begin - 1, "there")
-        ):
+        while text.find(begin - 1, "remaining", "be", "do", "modal") or text.is_word(begin - 1, "there"):
             begin -= 1
         stuff = next((m for m in question.parts if m.end == begin and not m.part.plural), None)
         if stuff is not None and text.is_word(stuff.start - 1, "what", "which", "much") and begin < between:
@@ -173,42 +160,40 @@ def _unnamed(question: Question) -> Iterator[_Words]:
     if any(map(question.in_question, (*text.at_phrases("distance", "gap"), *counts))):
         return
     joining = text.at_words("to", "above", "from")
-    sized = [one for one in measures if one.value is Measure.SIZE and text.is_word(one.end, "from", "between")]
+    sized = (one for one in measures if one.value is Measure.SIZE and text.is_word(one.end, "from", "between"))
     sizes = {i for one in sized for i in one.tokens}  # 'the dimension from the axis to the flat'
-    points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 or sized else ()))
-    centred = bool(_centred(text))
+    points = (Measure.POSITION, Measure.AXIS, Measure.TIP, *([Measure.SIZE] if len(joining) > 1 or sizes else ()))
+    centred = _centred(text)
     if not centred and any(span.value not in points and not span.value.endswith("_end") for span in measures):
         return
     if any(token.power == 1 for token in text.tokens) or text.at_phrases("remaining"):
         joining |= text.at_words("between")
-    several = len(anchors_of(question)) > 1 or any(m.part.places for m in question.parts)
     inside = joining - {0, len(text) - 1} or joining & text.at_words("between")
-    if centred or (inside and several):
-        yield _Words(-1, 0, "centers" if centred else "usual", joining | sizes, named=bool(sizes))
+    if centred or (inside and (len(anchors_of(question)) > 1 or any(m.part.places for m in question.parts))):
+        yield _Words(-1, 0, "usual", joining | sizes, named=bool(sizes))
 
 
-def _how(question: Question, at: int) -> Iterator[_Words]:
+def _how(text: Text, at: int) -> Iterator[_Words]:
     """'How far …?', 'How much gap …?', 'How high above …?'"""
-    text = question.text
-    gap = any(text.find(i, "gap") for i in range(at + 2, min(at + 5, len(text))))
+    gap = any(text.find(i, "gap") for i in range(at + 2, at + 5))
     apart = text.at_words("between", "separate", *({"from"} if text.has("to") else ()))
     if text.is_word(at + 1, "much") and (stuff := text.stuff(at)) and apart:
         yield _Words(at, stuff.end, "surfaces", {*range(at, stuff.end), *text.at_phrases("remaining"), *apart})
     if text.is_word(at + 1, "far", "close") or (text.is_word(at + 1, "much") and gap):
-        if not any(text.find(i, "reach") for i in range(at + 2, min(at + 14, len(text)))):
-            apart = {i for i in range(at, len(text)) if text.is_word(i, "apart", "away", "from", "each", "other")}
+        if not any(text.find(i, "reach") for i in range(at + 2, at + 14)):
+            apart = {i for i in text.at_words("apart", "away", "from", "each", "other") if i > at}
             apart |= {at + 2} if text.is_word(at + 2, "in", "inwards", "up", "down", "along") else set()
             yield _Words(at, at + 2, "usual", {at, at + 1} | apart)
-    elif (scale := text.find(at + 1, "scale")) and scale.value.measure in _ACROSS:
-        if apart:  # 'how wide is it from the pin to the slot'
-            yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *apart})
-    elif scale is not None and scale.value.measure is Measure.HEIGHT:
-        if any(text.is_word(i, "above", "over", "below", "from", "off") for i in range(at + 2, len(text))):
-            yield _Words(at, scale.end, "centers", set(range(at, scale.end)), level=True)
-    elif scale is not None and scale.value.measure is Measure.DEPTH:
+    elif scale := text.find(at + 1, "scale"):
+        measure, said = scale.value.measure, set(range(at, scale.end))
+        if measure in _ACROSS and apart:  # 'how wide is it from the pin to the slot'
+            yield _Words(at, scale.end, "surfaces", said | apart)
+        high = measure is Measure.HEIGHT and text.at_words("above", "over", "below", "from", "off")
+        if high and max(high) > at + 1:
+            yield _Words(at, scale.end, "centers", said, level=True)
         below = {i for i in text.at_words("below", "beneath", "under") if i > at + 1}
-        if below:  # 'how deep below the rim'
-            yield _Words(at, scale.end, "surfaces", {*range(at, scale.end), *below}, level=True)
+        if measure is Measure.DEPTH and below:  # 'how deep below the rim'
+            yield _Words(at, scale.end, "surfaces", said | below, level=True)
 
 
 def _centred(text: Text) -> set[int]:
@@ -220,23 +205,21 @@ def _centred(text: Text) -> set[int]:
 def _mode(question: Question, mode: Mode) -> tuple[Mode, set[int]]:
     """From where to where: between centres, between surfaces, or as usual for such parts; and the words for it."""
     text = question.text
-    if centred := _centred(text):
+    ends = {mention.end + text.is_possessive(mention.end) for mention in question.mentions}
+    named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
+    if centred := _centred(text) or named:
         return "centers", centred
     inside = {i for i in text.at_words("inside", "internally") if i + 1 == len(text) or text.is_break(i + 1)}
     near = {at for at in text.at_words(*NEAREST, "near") if text.is_word(at + 1, *BORDERS)}
     asks, begins = any(text.find(question.asking[0] + i, "ask") for i in (0, 1)), ("begin", "begins", "start", "starts")
     near |= {at for at in text.at_words("beginning", *begins) if asks or text.is_word(at + 1, "of")}
-    left = text.at_phrases("remaining") if text.has("between") or {*text.words} >= {"from", "to"} else frozenset[int]()
     cuts = [m for m in question.parts if is_cut(m.part) or is_cut(rimmed(m.part))]  # 'the edge of the hole'
     near |= {i for m in cuts for i in {*m.used, m.start - 2} if text.is_word(i, "edge", "rim", "border", "outline")}
-    facing = near | inside | text.covered("surface_to_surface") | left
-    possessive = {i for i, token in enumerate(text.tokens) if token.kind is Kind.POSSESSIVE}
-    ends = {mention.end + (mention.end in possessive) for mention in question.mentions}
-    named = {i for i in text.at_words(*_CENTRE_OF) if text.is_word(i + 1, "of", "to", "from") or i in ends}
-    if named:
-        return "centers", named
-    facing = set() if mode == "outsides" and facing & text.covered("outside_to_outside") else facing
-    return ("surfaces", facing) if facing else (mode, set())
+    facing = near | inside | text.covered("surface_to_surface")
+    if text.has("between") or {*text.words} >= {"from", "to"}:
+        facing |= text.at_phrases("remaining")
+    outside = mode == "outsides" and facing & text.covered("outside_to_outside")
+    return ("surfaces", facing) if facing and not outside else (mode, set())
 
 
 def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]]:
@@ -245,17 +228,17 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
     for at in sorted(text.at_words("diagonal", "diagonally")):
         if not any(text.find(i, "negation") for i in range(at - 3, at)):
             return Reduce.LARGEST, {at}
-    for at in range(max(0, start - 2), min(end + 1, len(text))):
+    for at in range(start - 2, end + 1):
         if span := text.find(at, "most", "least"):
             return EXTREMES[span.category], {at}
-    for at in sorted(text.at_phrases("most", "least")):  # 'at its thinnest'
-        if text.is_word(at - 1, "its", "the", "their") and text.is_word(at - 2, "at"):
-            return EXTREMES["most" if text.find(at, "most") else "least"], {at - 2, at - 1, at}
-    ends = text.at_words("first"), text.at_words("last")
-    if all(ends) and min(ends[0]) < max(ends[1]):  # 'from the first hole to the last one'
-        return Reduce.LARGEST, ends[0] | ends[1]
-    if ends[0] and text.has("from") and not ends[1]:  # 'how far from the left end to the first hole'
-        return Reduce.SMALLEST, ends[0]
+    for span in text.all("most", "least"):  # 'at its thinnest'
+        if text.is_word(span.start - 1, "its", "the", "their") and text.is_word(span.start - 2, "at"):
+            return EXTREMES[span.category], {span.start - 2, span.start - 1, span.start}
+    first, last = text.at_words("first"), text.at_words("last")
+    if first and last and min(first) < max(last):  # 'from the first hole to the last one'
+        return Reduce.LARGEST, first | last
+    if first and text.has("from") and not last:  # 'how far from the left end to the first hole'
+        return Reduce.SMALLEST, first
     each = {i for i in text.at_phrases("different") if question.in_question(i)}
     return (Reduce.DIFFERENT, each) if each else (Reduce.ONE, set())
 
@@ -267,27 +250,26 @@ def _pairs(question: Question, start: int) -> Iterator[_Pair]:
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
             if second == "each other":
-                yield from _with_next(question, named, spot, first)
+                yield from _with_next(question.text, named, spot, first)
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
     neighbors = question.text.at_phrases("neighbor")
-    for spots in [*after[:3], *before[-3:]]:
-        for _, anchor, used, mate in spots:
-            if isinstance(anchor, PartQuery) and not (mate or anchor.also):
-                anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
-                features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
-                yield _Pair(anchor, "each other", used | neighbors, features)
-    yield from _two(question, before, after)
-    yield from _levels(question, ends)
+    for _, anchor, used, mate in chain.from_iterable([*after[:3], *before[-3:]]):
+        if isinstance(anchor, PartQuery) and not (mate or anchor.also):
+            anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
+            features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
+            yield _Pair(anchor, "each other", used | neighbors, features)
+    yield from _two(question.text, before, after)
+    yield from _levels(question.text, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
 
 
-def _with_next(question: Question, named: Sequence[list[Spot]], spot: Spot, first: PartQuery) -> Iterator[_Pair]:
+def _with_next(text: Text, named: Sequence[list[Spot]], spot: Spot, first: PartQuery) -> Iterator[_Pair]:
     """'The wall between the bore and the edge': what is no part stands behind the phrase."""
-    behind, near = max(spot.used) + 1, question.text.at_words("closest", "nearest")
-    for other in chain.from_iterable(named) if question.text.is_word(behind, "and") else ():
+    behind, near = max(spot.used) + 1, text.at_words("closest", "nearest")
+    for other in chain.from_iterable(named) if text.is_word(behind, "and") else ():
         if behind < min(other.used) <= behind + 3:
             one = replace_fields(first, plural=False)
             yield _Pair(one, other.anchor, spot.used | other.used | near, {"place_between": 1.0})
@@ -297,33 +279,31 @@ def _ends(question: Question) -> list[list[Spot]]:
     """What a distance can be measured from, from left to right; what the same words can mean stands together."""
     found: list[list[Spot]] = []
     for spot in anchors_of(question):
-        if found and any(spot.used & other.used for other in found[-1]):
-            found[-1].append(spot)
-        else:
-            found.append([spot])
+        if not found or all(spot.used.isdisjoint(other.used) for other in found[-1]):
+            found.append([])
+        found[-1].append(spot)
     return found
 
 
-def _two(question: Question, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
+def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """Two anchors behind the words that ask, one before and one behind them, or both before: 'rib to hub distance'."""
     pairs = [*pairwise(after), *([(before[-1], after[0])] if before and after else pairwise(before[-2:]))]
     pairs += [(after[0], after[2])] if len(after) > 2 else []
-    for ones, others in pairs:
-        for one, two in product(ones, others):
-            placed = (PartQuery, Plane, MassCentre)
-            named = (each for each in (one, two) if question.text.find(each.at, "side"))
-            sides = [each.anchor.side for each in named if isinstance(each.anchor, Boundary)]
-            if len(sides) == 2 and sides[0] and sides[0].opposite is sides[1]:  # 'from the left side to the right'
-                one = one._replace(anchor=Plane(sides[0], WHOLE))
-            owner = one.anchor.of if isinstance(one.anchor, Plane) else one.anchor
-            itself = isinstance(owner, PartQuery) and two.anchor in (owner, Plane(None, owner))  # 'the slot to its end'
-            if isinstance(one.anchor, PartQuery) and one.anchor == two.anchor:  # 'eye to eye'
-                each: Features = {"each_other": 1.0, "two_anchors": 1.0}
-                yield _Pair(replace_fields(one.anchor, plural=True), "each other", one.used | two.used, each)
-            if not itself and (isinstance(one.anchor, placed) or isinstance(two.anchor, placed)):
-                mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
-                led = {"led": _led(question.text, one, two)}
-                yield _Pair(one.anchor, two.anchor, one.used | two.used, {"two_anchors": 1.0, **mate, **led})
+    for one, two in chain.from_iterable(product(ones, others) for ones, others in pairs):
+        used = one.used | two.used
+        sides = [
+            end.anchor.side for end in (one, two) if isinstance(end.anchor, Boundary) and text.find(end.at, "side")
+        ]
+        if len(sides) == 2 and sides[0] and sides[0].opposite is sides[1]:  # 'from the left side to the right'
+            one = one._replace(anchor=Plane(sides[0], WHOLE))
+        owner = one.anchor.of if isinstance(one.anchor, Plane) else one.anchor
+        itself = isinstance(owner, PartQuery) and two.anchor in (owner, Plane(None, owner))  # 'the slot to its end'
+        if isinstance(one.anchor, PartQuery) and one.anchor == two.anchor:  # 'eye to eye'
+            both = replace_fields(one.anchor, plural=True)
+            yield _Pair(both, "each other", used, {"each_other": 1.0, "two_anchors": 1.0})
+        if not itself and (one.placed or two.placed):
+            mate = {"axis_of_mate": 1.0} if one.mate or two.mate else {}
+            yield _Pair(one.anchor, two.anchor, used, {"two_anchors": 1.0, **mate, "led": _led(text, one, two)})
 
 
 def _led(text: Text, one: Spot, two: Spot) -> float:
@@ -331,29 +311,27 @@ def _led(text: Text, one: Spot, two: Spot) -> float:
     begins, ends = text.at_words("from", "between"), text.at_words("to", "and", "until", "till")
     leads = []
     for first in (min(one.used), min(two.used)):
-        nouns = [i for i in range(max(first - 3, 0), first) if text.find(i, "noun")]
-        leads.append(set(range(max(max(nouns, default=0), first - 3), first)))
+        start = max((i for i in range(first - 3, first) if text.find(i, "noun")), default=first - 3)
+        leads.append(set(range(start, first)))
     both = any(a & begins and b & ends for a, b in (leads, leads[::-1]))
     return 1.0 if both else 0.5 * any(lead & (begins | ends) for lead in leads)
 
 
-def _levels(question: Question, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
+def _levels(text: Text, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
     """'How high above the base is the bore?': from the top or the underside of what is named, or from the ground."""
-    text = question.text
     for span in (one for one in text.all("place") if one.value in ("above", "below")):
         behind = next((spots for spots in ends if spots[0].at >= span.end), None)
-        for other in [spots for spots in ends if spots is not behind][:3]:
-            for spot, base in product(other, behind or ()):
-                used = spot.used | base.used | set(span.tokens)
-                if isinstance(spot.anchor, PartQuery | Plane) and isinstance(base.anchor, PartQuery):
-                    yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
-                    yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
+        others = [spots for spots in ends if spots is not behind][:3]
+        for spot, base in product(chain.from_iterable(others), behind or ()):
+            used = spot.used | base.used | set(span.tokens)
+            if isinstance(spot.anchor, PartQuery | Plane) and isinstance(base.anchor, PartQuery):
+                yield _Pair(Plane(Side.BOTTOM, base.anchor), spot.anchor, used, {"level": 1.0})
+                yield _Pair(Plane(Side.TOP, base.anchor), spot.anchor, used, {"level": 1.0, "level_top": 1.0})
     for spot in chain.from_iterable(ends):
-        if isinstance(spot.anchor, PartQuery):
-            under_it = {i for i in text.at_words(*_UNDER) if max(spot.used) - 4 < i < spot.at}
-            if under_it and text.at_phrases("gap"):  # 'the clearance under the handle'
-                underside = Plane(Side.BOTTOM, spot.anchor)
-                yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
+        under_it = {i for i in text.at_words(*_UNDER) if max(spot.used) - 4 < i < spot.at}
+        if isinstance(spot.anchor, PartQuery) and under_it and text.at_phrases("gap"):
+            underside = Plane(Side.BOTTOM, spot.anchor)  # 'the clearance under the handle'
+            yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:
@@ -369,9 +347,8 @@ def _from_model(spot: Spot) -> Iterator[_Pair]:
 
 def overhangs(question: Question) -> Iterator[Parse]:
     """'By how much does the spindle project above the nut?', 'How far below the hub does the lug end?'"""
-    text = question.text
+    text, nouns = question.text, question.parts
     reach = next(iter(text.all("reach")), None)
-    nouns = question.parts
     named = bool(nouns) and nouns[0].part.noun in _REACHES
     word = min(text.at_words(*_BEYOND, *(("from",) if reach or named else ())), default=None)
     high = any(span.value is Measure.HEIGHT for span in text.all("measure"))
@@ -389,16 +366,15 @@ def overhangs(question: Question) -> Iterator[Parse]:
     if plane is not None and isinstance(plane.anchor, Plane):
         yield Parse(Distance(Plane(plane.anchor.side, first.part), plane.anchor), {"overhang": 1.0}, used | plane.used)
     elif other is not None:
-        base, used = rimmed(other.part) or other.part, used | other.used
-        yield Parse(Distance(Plane(None, first.part), Plane(None, base)), {"overhang": 1.0}, used)
+        used |= other.used
+        form = Distance(Plane(None, first.part), Plane(None, rimmed(other.part) or other.part))
+        yield Parse(form, {"overhang": 1.0}, used)
         around = {i for at in text.at_words("side", "end") if text.find(at - 1, "each") for i in (at - 1, at)}
         if around := around | text.at_words("sideways", "radially"):
-            form = Distance(Plane(None, first.part), Plane(None, base), "outsides")
-            yield Parse(form, {"overhang": 1.0}, used | around)
+            yield Parse(replace(form, mode="outsides"), {"overhang": 1.0}, used | around)
     if text.is_word(word, "below") and other is not None and other.part.noun in _RIMS:  # 'how far below the rim'
         down = Side.BOTTOM if reach and reach.value is Measure.DEPTH else Side.TOP
-        rim = next((what for _, what in places_of(other.part, "of")), None)
-        level = Plane(Side.TOP, rim) if rim is not None else Boundary(Side.TOP)
+        level = next((Plane(Side.TOP, what) for _, what in places_of(other.part, "of")), Boundary(Side.TOP))
         yield Parse(Distance(Plane(down, first.part), level), {"overhang": 1.0, "level_top": 1.0}, used)
     own = next((one for one in planes_of(question) if one.used & first.used), None)
     for place, holder in places_of(first.part, "above", "below", "of", "on"):
@@ -415,8 +391,7 @@ def insertions(question: Question) -> Iterator[Parse]:
     asks = text.at_words("deep", "far", "much") & {at + 1 for at in text.at_words("how")}
     named, into = text.covered("engagement"), text.at_words("in", "into", "inside", "within")
     words = named | asks | {at - 1 for at in asks} | into | text.covered("entering", "reach")
-    verbs = {at for at in text.at_phrases("entering") if at > min(asks, default=len(text))}
-    wanted = named or (into and verbs)
+    wanted = named or (into and any(at > min(asks, default=len(text)) for at in text.at_phrases("entering")))
     for first, second, used in pairs_named(question.parts, "in") if wanted else ():
         yield Parse(Distance(first, second, "within"), {"insertion": 1.0}, used | words)
 
@@ -451,11 +426,10 @@ def angles(question: Question) -> Iterator[Parse]:
         joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart", *_AGAINST)
         joining |= {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
-        for first, second in zip(question.parts, [*question.parts[1:], None], strict=False):
+        next_to = text.at_phrases("neighbor")
+        for first, second in zip_longest(question.parts, question.parts[1:]):
             used = {*asked.used, *first.used, *joining}
-            next_to = text.at_phrases("neighbor")
-            several = first.plural or next_to
-            if several or any(place.relation == "between" for place in first.part.places):
+            if first.plural or next_to or any(place.relation == "between" for place in first.part.places):
                 yield Parse(Angle(first.part, None), features, used)
                 if next_to:  # 'between two neighbouring holes': of all of them
                     yield Parse(Angle(replace_fields(first.part, count=None, plural=True), None), features, used)

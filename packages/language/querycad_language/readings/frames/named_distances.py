@@ -25,11 +25,10 @@ def named_distances(question: Question) -> Iterator[Parse]:
     text = question.text
     drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}
     drawn |= {at for at in text.at_words("pattern", "array") if text.is_word(at - 1, "square", "rectangular")}
-    sides = text.at_words("side")
-    for mention in question.parts if drawn and sides else ():
+    for mention in question.parts if drawn and text.has("side") else ():
         if mention.part.plural and drawn.isdisjoint(mention.used):
-            said = text.at_words(*_DRAWN) | text.at_phrases("center_to_center", "measure")
-            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *sides, *said}
+            said = text.at_words("side", *_DRAWN) | text.at_phrases("center_to_center", "measure")
+            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *said}
             form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
             yield Parse(form, {"distance": 1.0, "each_other": 1.0}, used)
 

@@ -49,18 +49,17 @@ def parts(question: Question) -> Iterator[Parse]:
                 inside = Towards(PartQuery(noun="inside", words=("inside",), definite=True), towards.sides)
                 yield Parse(inside, {**features, "opens": 1.0}, named | used | opens)
         lead = range(start, mention.start + 1)
+        said = {i for i in lead if not text.is_content(i)} | mention.used
         way = any(text.is_word(i, "which") and text.is_word(i + 1, "way", "direction") for i in lead)
         listed = any(text.is_word(i, "list", "listed") for i in range(*question.asking))  # 'slots < 8 mm, list'
         value = any(text.find(i, "distance", "gap", "measure") for i in lead)  # 'find the distance from the lug'
         led = any(text.is_word(i, "which", "name") or (text.find(i, "showing") and not value) for i in lead)
         what = any(text.is_word(i, "what") and not text.find(i + 1, "operation") for i in lead)
         if (listed or led) and not way and index == 0:
-            used = {i for i in lead if not text.is_content(i)} | mention.used
-            yield Parse(Parts(query), {"which": 1.0}, used)
-            yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, used)
+            yield Parse(Parts(query), {"which": 1.0}, said)
+            yield Parse(Get((Measure.NAME,), query), {"which": 1.0}, said)
         elif what and index == 0 and not value:
-            used = {i for i in lead if not text.is_content(i)} | mention.used
-            yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, used)
+            yield Parse(Get((_named_by(query),), query), {"named_only": 1.0}, said)
 
 
 def _side_by_numbers(question: Question, offered: tuple[Side, ...], named: set[int]) -> Iterator[Parse]:
@@ -68,13 +67,15 @@ def _side_by_numbers(question: Question, offered: tuple[Side, ...], named: set[i
     text, asking = question.text, range(*question.asking)
     faces = {i for i in asking if text.is_word(i, "side", "face")}
     most = {i for i in asking if text.is_word(i, "most") or (text.is_word(i, "more") and offered)}
-    part = next((m for m in question.parts if not m.used & faces), None)
-    if most and (faces or offered) and part is not None:
+    part = next((m for m in question.parts if m.used.isdisjoint(faces)), None)
+    if part is None:
+        return
+    if most and (faces or offered):
         target = replace_fields(part.part, plural=True, ranks=(), sides=())
         towards = Towards(target, offered or tuple(Side), "most")
         yield Parse(towards, {"which_side": 1.0}, named | faces | most | part.used)
     none = {i for i in asking if text.is_word(i, "no", "not", "without", "none", "free", "zero")}
-    if faces and none and part is not None and not text.at_phrases("count"):  # 'Name the sides without lugs.'
+    if faces and none and not text.at_phrases("count"):  # 'Name the sides without lugs.'
         target = replace_fields(part.part, plural=True, places=(), count=None)
         yield Parse(Towards(target, tuple(Side), "none"), {"which_side": 1.0}, faces | none | part.used)
 
@@ -122,11 +123,11 @@ def mating(question: Question) -> Iterator[Parse]:
             continue
         own = (f"{male.part.noun} {hole}" for hole in ("hole", "bore"))
         noun = next((one for one in own if one in text.lexicon.nouns), "main bore")
-        unnamed = (PartQuery(noun=noun, words=tuple(noun.split())), frozenset[int]())
+        bore = PartQuery(noun=noun, words=tuple(noun.split()))
         others = nouns[index + 1 : index + 3] or nouns[max(0, index - 1) : index]  # 'The slots: which bolt will pass?'
-        fitted = [(one.part, one.used) for one in others] or [unnamed]
-        solid = [] if is_cut(male.part) else [one for one in fitted if not is_cut(one[0])]  # 'what bore does it need?'
-        fitted += [(placed_in(unnamed[0], "in", part), more) for part, more in solid]
+        fitted = [(one.part, one.used) for one in others] or [(bore, frozenset())]
+        solid = [one for one in fitted if not is_cut(male.part) and not is_cut(one[0])]  # 'what bore does it need?'
+        fitted += [(placed_in(bore, "in", part), more) for part, more in solid]
         used = {*range(asked, male.end), *verb.tokens, *text.at_phrases("most", "relation")}
         for query, more in fitted:
             yield Parse(Get((Measure.DIAMETER,), query), {"mating": 1.0}, used | more)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from querycad_contracts import Measure, PartKind, PartQuery, Place, Rank, Side
 from querycad_language.forms import Get, Reduce, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import ENDS
-from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
+from querycad_language.phrases import bare_of, placed_in, places_of, replace_fields
+from querycad_language.readings.owners import CIRCLES
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested
@@ -18,7 +20,7 @@ from querycad_language.text import Text
 _ARRANGED = ("arranged", "distributed", "positioned", "located", "placed", "laid", "lie", "sit", "set", "spaced")
 _INSIDE = (Measure.INNER_RADIUS, Measure.INNER_DIAMETER)
 _OUTSIDE = (Measure.OUTER_RADIUS, Measure.OUTER_DIAMETER)
-_CIRCLES = ("circle", "bolt circle", "hole circle", "pitch circle")
+_BOLT_CIRCLE = PartQuery(noun="bolt circle", definite=True)
 _CLOSING = ("roof", "floor", "top", "bottom", "end wall")
 _OUTER_ENDS = ("rim", "edge", "end", "end face", "face", "top", "top face", "outer edge")
 _FLANKS = ("flank", "side", "wall", "side wall")
@@ -44,72 +46,73 @@ _OWNERS = {Measure.ROOT_DIAMETER: "gear", Measure.CENTRELINE_RADIUS: "bend", Mea
 def of_related(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
     """Of a related part: 'What is the top diameter of the spigot?', 'What inner diameter has the lever?'"""
     yield from _circle(question, asked, get, parse)
-    yield from _surface(get, parse)
     yield from _root_fillet(question, get, parse)
     yield from _of_its_round(get, parse)
     yield from _of_its_side(get, parse)
     yield from _of_its_end(question, asked, get, parse)
     if get.target is not None:
-        yield from _between_centres(question.text, get.target, get, parse)
         yield from _across(get.target, get, parse)
         yield from _there(question, get.target, get, parse)
+        yield from _of_piece(question.text, get.target, get, parse)
     match get.measures:
-        case (Measure.THICKNESS,) if get.target is not None and get.target.noun == "wall" and not get.target.adjectives:
-            of = next((place for _, place in places_of(get.target, "of", "around", "")), None)
-            if of is not None:  # 'the thickness of the wall of the standoff'
-                its = replace(get, measures=(Measure.WALL_THICKNESS,), target=of)
-                yield Parse(its, {**parse.features, "its_walls": 1.0}, parse.used)
-        case (Measure.THICKNESS,) if get.target is not None and get.target.noun in _CLOSING:  # 'the top of the cap'
-            behind = replace(get, measures=(Measure.BOTTOM_THICKNESS,), target=within(None))
-            yield Parse(behind, {**parse.features, "closes_inside": 1.0}, parse.used)
-        case (Measure.POSITION,) if get.target is not None and (cut := floored(get.target)) is not None:
-            yield Parse(replace(get, measures=(Measure.FLOOR_CENTER,), target=cut), parse.features, parse.used)
-        case (Measure.POSITION,) if get.target is not None and get.target.noun in _OUTER_ENDS:
-            yield from _centre_of_end(get, get.target, parse)
         case (Measure.BOTTOM_THICKNESS,):  # 'the floor thickness of the tray'
-            floor = replace(get, measures=(Measure.THICKNESS,), target=PartQuery(noun="floor", definite=True))
-            yield Parse(floor, parse.features, parse.used)
-        case (Measure.INCLUDED_ANGLE,) if is_cut(get.target):  # 'the point angle at the bottom of the hole'
-            point = PartQuery(noun="conical bottom", words=("conical", "bottom"), definite=True)
-            its = replace(get, target=placed_in(point, "of", get.target or point))
-            yield Parse(its, {**parse.features, "its_end": 1.0}, parse.used | question.text.at_words("bottom"))
+            yield _of(replace(get, measures=(Measure.THICKNESS,)), parse, PartQuery(noun="floor", definite=True))
         case (measure,) if measure in _OWNERS and (get.target is None or measure is Measure.ROOT_DIAMETER):
-            owner = PartQuery(noun=_OWNERS[measure], definite=True)
-            yield Parse(replace(get, target=owner), parse.features, parse.used)
+            yield _of(get, parse, PartQuery(noun=_OWNERS[measure], definite=True))
 
 
-def _centre_of_end(get: Get, end: PartQuery, parse: Parse) -> Iterator[Parse]:
-    """'The centre of the tube's upper rim', 'the middle of the right-hand end face of the rod'."""
-    sides = (*end.ends, *end.sides, *(rank.side for rank in end.ranks if rank.side is not None))
-    said = next((measure for measure, side in ENDS.items() if side in sides[:1]), None)
-    for _, holder in places_of(end, "of")[:1]:
-        form = replace(get, measures=(said or Measure.TIP,), target=holder)
-        yield Parse(form, {**parse.features, "its_end": 1.0}, parse.used)
+def _of(get: Get, parse: Parse, target: PartQuery, *features: str, used: AbstractSet[int] = frozenset()) -> Parse:
+    """What is asked of another part instead, with features for it and the further words that it reflects."""
+    return Parse(replace(get, target=target), parse.features | dict.fromkeys(features, 1.0), parse.used | used)
+
+
+def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
+    """'The wall of the standoff', 'the centre of the tube's upper rim', 'the surface of the lever'."""
+    match get.measures:
+        case (Measure.AREA | Measure.MAGNITUDE | Measure.SIZE,) if bare_of(target, "surface", "face"):
+            # 'the total area of all faces': of the whole model
+            yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
+        case (Measure.THICKNESS,) if target.noun == "wall" and not target.adjectives:
+            for _, of in places_of(target, "of", "around", "")[:1]:  # 'the thickness of the wall of the standoff'
+                yield _of(replace(get, measures=(Measure.WALL_THICKNESS,)), parse, of, "its_walls")
+        case (Measure.THICKNESS,) if target.noun in _CLOSING:  # 'the top of the cap'
+            yield _of(replace(get, measures=(Measure.BOTTOM_THICKNESS,)), parse, within(None), "closes_inside")
+        case (Measure.POSITION,) if (cut := floored(target)) is not None:
+            yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, cut)
+        case (Measure.POSITION,) if target.noun in _OUTER_ENDS:  # 'the middle of the right-hand end face of the rod'
+            sides = (*target.ends, *target.sides, *(rank.side for rank in target.ranks if rank.side is not None))
+            end = next((measure for measure, side in ENDS.items() if side in sides[:1]), Measure.TIP)
+            for _, holder in places_of(target, "of")[:1]:
+                yield _of(replace(get, measures=(end,)), parse, holder, "its_end")
+        case (Measure.INCLUDED_ANGLE,) if is_cut(target):  # 'the point angle at the bottom of the hole'
+            point = PartQuery(noun="conical bottom", words=("conical", "bottom"), definite=True)
+            yield _of(get, parse, placed_in(point, "of", target), "its_end", used=text.at_words("bottom"))
+        case (Measure.LENGTH,) if said := text.covered("center_to_center") | text.at_words("straight"):
+            # 'how long is the keyway between its arc centres?', 'the length of the straight part'
+            names = tuple(name for name in target.adjectives if name != "straight")
+            part = replace_fields(target, adjectives=names)
+            yield _of(replace(get, measures=(Measure.CENTRE_LENGTH,)), parse, part, "there", used=said)
 
 
 def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Iterator[Parse]:
     """'On what diameter are the studs arranged?' asks for that of the circle that they stand on."""
-    text = question.text
-    leads = {i for i in range(max(0, asked.start - 3), asked.start) if text.is_word(i, "on", "at", "around")}
+    text, target = question.text, get.target
+    if target is None:
+        return
+    leads = {i for i in range(asked.start - 3, asked.start) if text.is_word(i, "on", "at", "around")}
     is_round = get.measures[0] in (Measure.DIAMETER, Measure.RADIUS)
     asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
-    if is_round and get.target is not None and get.target.noun in _CIRCLES and not get.target.places:
-        for mention in [one for one in question.parts if _leads_to(text, asked.end, one)][:1]:
-            on = placed_in(replace_fields(get.target, noun="bolt circle"), "", mention.part)
-            used = parse.used | mention.used | text.at_words("on", "through", "which")  # 'on which the studs stand'
-            yield Parse(replace(get, target=on), parse.features, used)
-    if get.measures == (Measure.PITCH_DIAMETER,) and get.target is not None and get.target.noun != "gear":
-        circle = placed_in(PartQuery(noun="bolt circle", definite=True), "", get.target)
-        yield Parse(replace(get, measures=(Measure.DIAMETER,), target=circle), parse.features, parse.used)
-    if leads and is_round and get.target is not None and (said := text.at_words(*_ARRANGED) | asked_on):
-        circle = PartQuery(noun="bolt circle", definite=True, places=(Place(relation="", what=get.target),))
-        form = replace(get, target=circle, reduce=Reduce.ONE)
-        yield Parse(form, {**parse.features, "arranged": 1.0}, parse.used | leads | said)
-
-
-def _leads_to(text: Text, start: int, mention: Mention) -> bool:
-    """Does '… on which the studs stand', 'through the holes' follow, with these parts?"""
-    return any(text.is_word(i, "on", "through", "which", "do", "are") for i in range(start, mention.start))
+    if is_round and target.noun in CIRCLES and not target.places:
+        links = text.at_words("on", "through", "which", "do", "are")  # 'on which the studs stand', 'through the holes'
+        on_it = [one for one in question.parts if any(asked.end <= i < one.start for i in links)]
+        for mention in on_it[:1]:
+            on = placed_in(replace_fields(target, noun="bolt circle"), "", mention.part)
+            yield _of(get, parse, on, used=mention.used | text.at_words("on", "through", "which"))
+    if get.measures == (Measure.PITCH_DIAMETER,) and target.noun != "gear":
+        yield _of(replace(get, measures=(Measure.DIAMETER,)), parse, placed_in(_BOLT_CIRCLE, "", target))
+    if leads and is_round and (said := text.at_words(*_ARRANGED) | asked_on):
+        circle = replace_fields(_BOLT_CIRCLE, places=(Place(relation="", what=target),))
+        yield _of(replace(get, reduce=Reduce.ONE), parse, circle, "arranged", used=leads | said)
 
 
 def _root_fillet(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -119,21 +122,13 @@ def _root_fillet(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     if get.measures != (Measure.RADIUS,) or not between or text.has("blend"):
         return
     ends = [m for m in question.parts if m.start > min(between)][:2]
-    if len(ends) == 2 or (ends and places_of(ends[0].part)):
-        first = ends[0].part
-        second = ends[1].part if len(ends) == 2 else places_of(first)[0][1]
+    first_in = (what for m in ends[:1] for _, what in places_of(m.part))
+    meeting = [*(m.part for m in ends), *first_in][:2]
+    if len(meeting) == 2:
         fillet = PartQuery(noun="fillet", words=("fillet",), definite=True)
-        for one in (replace_fields(first, places=()), second):
-            fillet = placed_in(fillet, "on", one)
-        used = {*parse.used, *between, *text.at_words("meet", "join", "and", "to")}.union(*(m.used for m in ends))
-        yield Parse(replace(get, target=fillet), {**parse.features, "its_end": 1.0}, used)
-
-
-def _surface(get: Get, parse: Parse) -> Iterator[Parse]:
-    """'How large is the surface of the lever?', 'the total area of all faces': of the whole model."""
-    area = get.measures in ((Measure.AREA,), (Measure.MAGNITUDE,), (Measure.SIZE,))
-    if area and get.target is not None and bare_of(get.target, "surface", "face"):
-        yield Parse(Get((Measure.AREA,), None), {**parse.features, "topology": 1.0}, parse.used)
+        fillet = placed_in(placed_in(fillet, "on", replace_fields(meeting[0], places=())), "on", meeting[1])
+        used = (between | text.at_words("meet", "join", "and", "to")).union(*(m.used for m in ends))
+        yield _of(get, parse, fillet, "its_end", used=used)
 
 
 def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
@@ -147,10 +142,9 @@ def _of_its_round(get: Get, parse: Parse) -> Iterator[Parse]:
     for measures, name in sides if whole else ():
         if get.measures[0] in measures and len(get.measures) == 1:
             largest = PartQuery(noun=name, words=(name,), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
-            largest = largest if noun is None else placed_in(largest, "of", get.target or largest)
+            largest = largest if get.target is None else placed_in(largest, "of", get.target)
             measure = Measure.DIAMETER if measures.index(get.measures[0]) else Measure.RADIUS
-            form = replace(get, measures=(measure,), target=largest)
-            yield Parse(form, {**parse.features, "its_round": 1.0}, parse.used)
+            yield _of(replace(get, measures=(measure,)), parse, largest, "its_round")
 
 
 def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
@@ -158,14 +152,10 @@ def _of_its_side(get: Get, parse: Parse) -> Iterator[Parse]:
     pairs = {Measure.RADIUS: (_INSIDE[0], _OUTSIDE[0]), Measure.DIAMETER: (_INSIDE[1], _OUTSIDE[1])}
     if get.target is None or len(get.measures) > 1 or "link_compound" not in parse.features:
         return
-    if get.measures[0] not in pairs:
-        return
-    for tag, measure in zip(("inner", "outer"), pairs[get.measures[0]], strict=True):
-        said = {name for name in get.target.adjectives if tag in lexicon().adjectives[name].tags}
-        if said:
-            kept = tuple(name for name in get.target.adjectives if name not in said)
-            bare = replace_fields(get.target, adjectives=kept)
-            yield Parse(replace(get, measures=(measure,), target=bare), parse.features, parse.used)
+    for tag, measure in zip(("inner", "outer"), pairs.get(get.measures[0], ()), strict=False):
+        kept = tuple(name for name in get.target.adjectives if tag not in lexicon().adjectives[name].tags)
+        if kept != get.target.adjectives:
+            yield _of(replace(get, measures=(measure,)), parse, replace_fields(get.target, adjectives=kept))
 
 
 def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -173,30 +163,19 @@ def _across(target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
     match get.measures:
         case measures if Measure.WIDTH in measures and target.noun in lexicon().turning:
             along = (Measure.AXIAL_EXTENT if one is Measure.WIDTH else one for one in measures)
-            form = replace(get, measures=tuple(along))
-            yield Parse(form, {**parse.features, "turning": 1.0}, parse.used)
+            yield _of(replace(get, measures=tuple(along)), parse, target, "turning")
         case (Measure.WIDTH,) if (cut := floored(target)) is not None:  # 'how wide is the floor of the groove'
-            yield Parse(replace(get, measures=(Measure.BOTTOM_WIDTH,), target=cut), parse.features, parse.used)
+            yield _of(replace(get, measures=(Measure.BOTTOM_WIDTH,)), parse, cut)
         case (Measure.INNER_RADIUS | Measure.OUTER_RADIUS | Measure.RADIUS,) if target.noun in ("inside", "outside"):
             said = _INSIDE[0] if target.noun == "inside" else _OUTSIDE[0]  # 'the radius on the inside of the bend'
             for _, bend in places_of(target, "of")[:1]:
-                yield Parse(replace(get, measures=(said,), target=bend), {**parse.features, "there": 1.0}, parse.used)
+                yield _of(replace(get, measures=(said,)), parse, bend, "there")
         case (measure,) if target.noun in _BOUNDS.get(measure, ()):
             for _, holder in places_of(target, "of", ""):
                 if is_cut(holder):
-                    yield Parse(replace(get, target=holder), {**parse.features, "its_end": 1.0}, parse.used)
+                    yield _of(get, parse, holder, "its_end")
                 elif measure in (Measure.ANGLE, Measure.DRAFT):  # of the flanks of a tongue
-                    form = replace(get, measures=(Measure.DRAFT,), target=holder)
-                    yield Parse(form, {**parse.features, "its_end": 1.0}, parse.used)
-
-
-def _between_centres(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'How long is the keyway between its arc centres?', 'the length of the straight part'."""
-    said = text.covered("center_to_center") | text.at_words("straight")
-    if get.measures == (Measure.LENGTH,) and said:
-        names = tuple(name for name in target.adjectives if name != "straight")
-        form = replace(get, measures=(Measure.CENTRE_LENGTH,), target=replace_fields(target, adjectives=names))
-        yield Parse(form, {**parse.features, "there": 1.0}, parse.used | said)
+                    yield _of(replace(get, measures=(Measure.DRAFT,)), parse, holder, "its_end")
 
 
 def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
@@ -223,17 +202,17 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
         sides = target.sides
     owned = target is None and behind is not None and text.is_word(behind.end, "of")
     round_ones = (Measure.DIAMETER, Measure.RADIUS, *_INSIDE, *_OUTSIDE)
-    hollow = is_cut(target) or (target is not None and target.noun in _CIRCLES)
+    hollow = is_cut(target) or (target is not None and target.noun in CIRCLES)
     if get.measures[0] not in round_ones or len(sides) != 1 or owned or hollow:
         return
     said = set(before.tokens) if before is not None else set()
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         ends = PartQuery(noun="rounded end", adjectives=("outer",), definite=True)
         rounded = placed_in(ends, "on", replace_fields(target, sides=()))
-        yield Parse(replace(get, target=rounded), {**parse.features, "its_end": 1.0}, parse.used | said)
+        yield _of(get, parse, rounded, "its_end", used=said)
     face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
     face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
-    yield Parse(replace(get, target=face), {**parse.features, "its_end": 1.0}, parse.used | said)
+    yield _of(get, parse, face, "its_end", used=said)
 
 
 def within(target: Target) -> PartQuery:

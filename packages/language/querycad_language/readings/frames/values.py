@@ -13,7 +13,7 @@ from querycad_language.phrases import replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
-from querycad_language.readings.requested_measures import EXTREMES, Requested, asked_in
+from querycad_language.readings.requested_measures import EXTREMES, SIZES, Requested, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
@@ -25,13 +25,13 @@ VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.PO
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
 _STACKED = frozenset((Measure.THICKNESS, Measure.WIDTH, Measure.DEPTH))
 """Measures that add up where 'total' stands right before them."""
-_ALONG = (*_STACKED, Measure.LENGTH, Measure.HEIGHT, Measure.MAGNITUDE, Measure.SIZE)
+_ALONG = (*_STACKED, Measure.LENGTH, Measure.HEIGHT, *SIZES)
 MOST_TOGETHER = 3  # measures of one part that people ask for in one sentence
-_OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, Reduce.MEAN, Reduce.DIFFERENT, Reduce.TOTAL, Reduce.RANGE)
+_SHARED = (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL)
+_OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, *_SHARED)
 """What becomes of the values of several parts."""
-_LONG = (Measure.LENGTH, Measure.MAGNITUDE, Measure.SIZE)
+_LONG = (Measure.LENGTH, *SIZES)
 _CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
-_LENGTHWISE = ("lengthwise", "lengthways")
 _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _RUNNING = frozenset(("along", "parallel", "run", "lie", "coordinate", "follow", "go", "point", "stretch", "direction"))
@@ -62,8 +62,8 @@ def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Re
     """'How deep is the slot, and how long is it?': measures of one owner that are asked one after the other."""
     text = question.text
     lengths = [one for one in asked_for if question.in_question(one.start) and all(map(is_length, one.measures))]
-    lengths = [one for one in lengths if not _is_place(text, one.start) and not _in_brackets(text, one.start)]
-    sides = [one for one in lengths if one.measures[0] not in (Measure.SIZE, Measure.MAGNITUDE)]
+    lengths = [one for one in lengths if not _is_aside(text, one.start)]
+    sides = [one for one in lengths if one.measures[0] not in SIZES]
     if sum(len(one.measures) for one in sides) > 1:  # 'the size of the window, width first and then height'
         lengths = sides
     ones = list({one.measures: one for one in reversed(lengths)}.values())[::-1]
@@ -73,17 +73,16 @@ def _together(question: Question, asked_for: Sequence[Requested]) -> Iterator[Re
         yield replace(ones[0], measures=measures, used=frozenset().union(*(one.used for one in ones)))
 
 
-def _in_brackets(text: Text, at: int) -> bool:
-    """Is it an aside: 'the plate thickness (not counting the radii)'?"""
-    before = text.words[:at]
-    return before.count("(") > before.count(")")
+def _is_aside(text: Text, start: int) -> bool:
+    """Does a measure only say where: 'the groove under the full diameter', 'between the body and the rear diameter'?
 
-
-def _is_place(text: Text, start: int) -> bool:
-    """Does a measure only say where: 'the groove under the full diameter', 'between the body and the rear diameter'?"""
+    Or what is left out: 'the plate thickness (not counting the radii)'.
+    """
+    if text.words[:start].count("(") > text.words[:start].count(")"):
+        return True
     for at in range(start - 1, max(-1, start - 5), -1):
         if text.is_word(at, "and", "then"):
-            return any(text.find(i, "between") for i in range(max(0, at - 5), at))
+            return any(text.find(i, "between") for i in range(at - 5, at))
         if (lead := text.find(at, "place")) and lead.value not in ("of", "in", "with"):
             return True
         if text.tokens[at].kind is Kind.SYMBOL or text.find(at, "place", "ask"):
@@ -96,7 +95,7 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     text, target = question.text, within(owner.target) if asked.inside else owner.target
     compound = target is not None and "link_compound" in owner.features
     several = any(text.tokens[i].plural for i in range(asked.start, asked.end))
-    if compound and target is not None and several and len(asked.measures) == 1:
+    if target is not None and compound and several and len(asked.measures) == 1:
         target = replace_fields(target, plural=True)  # 'both bore diameters'
     reduce, used = _reduce(question, asked, target)
     extreme = text.find(min(owner.used, default=0) - 1, "most", "least") if compound else None
@@ -114,15 +113,15 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     if asked.how == "noun" and asked.measures[0] in VECTORS:
         features["asked_vector"] = 1.0
     words = _OVERALL if is_length(asked.measures[0]) else _OVERALL - {"total"}  # 'total volume': a sum
-    overall = {i for i in range(max(0, asked.start - 2), asked.start) if text.is_word(i, *words)}
+    overall = {i for i in range(asked.start - 2, asked.start) if text.is_word(i, *words)}
     counted = text.at_words("incl", "included", "including") and not text.has("not")
     reduce = Reduce.EACH if counted and reduce is Reduce.TOTAL else reduce  # 'total length, head included'
     behind = asked.measures[0] in _ALONG and (counted or text.at_words("overall"))  # 'how long is it overall'
     if overall or behind or text.is_word(asked.start, *{"overall", "total"} & words):
         features["overall_whole" if target is None else "overall_part"] = 1.0
-    over_all = asked.measures in ((Measure.LENGTH,), (Measure.THICKNESS,)) and bool(
-        overall or counted or text.at_phrases("over_all") or (target and text.lexicon.wholes & set(target.adjectives))
-    )
+    whole = target is not None and not text.lexicon.wholes.isdisjoint(target.adjectives)
+    over_all = bool(overall or counted or whole or text.at_phrases("over_all"))
+    over_all = over_all and asked.measures in ((Measure.LENGTH,), (Measure.THICKNESS,))
     used |= text.covered("over_all") if over_all else set()
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Parse(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
@@ -153,11 +152,10 @@ def _with_axis(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     axis, used = axis_named(question, parse.used)
     axes, listed = axes_listed(question)
     found: list[tuple[tuple[Measure, ...], set[int]]] = []
-    if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in (Measure.SIZE, Measure.MAGNITUDE):
+    if len(axes) > 1 and max(axes) < LONGEST and get.measures[0] in SIZES:
         found.append((tuple(EXTENTS[one] for one in axes), listed))
-    if axis is not None and axis < LONGEST and len(get.measures) == 1:
-        if get.measures[0] in _ALONG:
-            found.append(((EXTENTS[axis],), used))
+    if axis is not None and axis < LONGEST and len(get.measures) == 1 and get.measures[0] in _ALONG:
+        found.append(((EXTENTS[axis],), used))
     found += _taken_across(question, get)
     against = {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
     against |= {i for at in text.at_words("per") if text.is_word(at + 1, "side") for i in (at, at + 1)}
@@ -183,7 +181,7 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
         yield (Measure.DIAMETER,), last
     for words, measure in (("over_all", Measure.LENGTH), ("facewise", Measure.WIDTH)):
         said = ((span, text.words[span.start : span.end]) for span in text.all(words))
-        ends = [span for span, phrase in said if phrase[0] in _LENGTHWISE or "to" in phrase]
+        ends = [span for span, phrase in said if phrase[0] in ("lengthwise", "lengthways") or "to" in phrase]
         if get.measures in ((Measure.MAGNITUDE,), (Measure.SIZE,)) and ends:  # 'what does it measure end to end?'
             yield (measure,), {i for span in ends for i in span.tokens}
     if get.measures == (Measure.LENGTH,) and (centred := text.covered("center_to_center")):
@@ -195,8 +193,7 @@ def _taken_across(question: Question, get: Get) -> Iterator[tuple[tuple[Measure,
 def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduce, set[int]]:
     """What becomes of the values: one each, the shared one, the different ones, their sum, …?"""
     text = question.text
-    start, end = question.asking
-    each = {i for i in text.at_phrases("each") if start <= i < end}
+    each = set(filter(question.in_question, text.at_phrases("each")))
     single = text.at_words("each") & each  # 'the total length of each slot'
     plural = target is not None and not single and (target.plural or bool(text.at_phrases("sum")))
     if asked.reduce is not None:
@@ -204,13 +201,12 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
         if asked.reduce is not Reduce.TOTAL or (plural and adds):
             return asked.reduce, set()
     used: set[int] = set()
-    for meaning in (Reduce.DIFFERENT, Reduce.MEAN, Reduce.RANGE, Reduce.TOTAL):
-        for at in sorted(i for i in text.at_phrases(meaning.value) if start <= i < end):
+    for meaning in _SHARED:
+        for at in sorted(filter(question.in_question, text.at_phrases(meaning.value))):
             span = text.find(at, meaning.value)
-            if span is None or (meaning is Reduce.MEAN and text.is_word(at - 1, "i", "we", "you")):
-                continue
             within = any(text.is_word(i, "in", "within") for i in (at - 2, at - 1))
-            if meaning is Reduce.RANGE and (within or not plural):
+            no_range = meaning is Reduce.RANGE and (within or not plural)
+            if span is None or no_range or (meaning is Reduce.MEAN and text.is_word(at - 1, "i", "we", "you")):
                 continue
             adds = asked.measures[0] in ADDITIVE or text.find(at, "sum") is not None
             if meaning is not Reduce.TOTAL or (plural and adds):
@@ -227,9 +223,9 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
 
 def wholes(question: Question) -> Iterator[Parse]:
     """'Which share of the box around it does it take up?', 'Which direction is the model largest in, x, y or z?'"""
-    yield from _against_box(question)
     text = question.text
     named = {i for m in question.mentions if m.query is None for i in m.used}
+    yield from _against_box(question, named)
     scales = [span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG]
     longest = text.at_words("furthest").union(*(span.tokens for span in scales))
     axes = text.at_phrases("axis") | text.at_words("axis", "direction")
@@ -249,7 +245,7 @@ def wholes(question: Question) -> Iterator[Parse]:
         yield Parse(form, {"along_axis": 1.0, "asked_noun": 1.0}, said)
 
 
-def _against_box(question: Question) -> Iterator[Parse]:
+def _against_box(question: Question, named: set[int]) -> Iterator[Parse]:
     """'What volume goes into chips, from a block of that size?', 'corner to corner of its box'."""
     text = question.text
     boxes = text.covered("boxes")
@@ -260,7 +256,6 @@ def _against_box(question: Question) -> Iterator[Parse]:
         (Measure.DIAGONAL, {i for span in text.all("measure") if span.value in _CORNERS for i in span.tokens}),
     ):
         if boxes and said and not question.closed:
-            named = {i for m in question.mentions if m.query is None for i in m.used}
             around = boxes | named | text.covered("stuff") | text.at_words(*_SAYS_BOX)
             around |= text.at_words("opposite", "long") if measure is Measure.DIAGONAL else set()
             yield Parse(Get((measure,), None), {"asked_noun": 1.0}, said | around)

@@ -8,25 +8,26 @@ from itertools import pairwise
 
 from querycad_contracts import Measure, PartQuery, Rank, Relation, SizeFilter
 from querycad_language import forms
-from querycad_language.forms import Check, Distance, Every, Exists, Get, Plane, Reduce, mapped
+from querycad_language.forms import Check, Count, Distance, Every, Exists, Get, Plane, Reduce, mapped
 from querycad_language.phrases import Mention, placed_in, places_of, replace_fields, stated_size
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import Requested, asked_in
 from querycad_language.text import Text
 
-from .anchors import pairs_named
+from .anchors import WHOLE, pairs_named
 from .distances import angles, distances, overhangs
-from .predicates import all_such, verb_start
+from .predicates import all_such, first_of, verb_start
 from .values import density_of
 
 _WIDE = ("wide", "big", "large", "long", "deep", "high", "tall", "thick")
+_LARGEST_BORE = PartQuery(noun="bore", words=("bore",), definite=True, ranks=(Rank(measure=Measure.DIAMETER),))
 
 
 def yes_no(question: Question) -> Iterator[Parse]:
     """'Is the keyway 8 mm wide?', 'Are all ribs equally high?', 'Are the slots of the lever parallel?'"""
     start = verb_start(question)
-    yield from _overlapping(question, start)
+    yield from _overlapping(question, start) if start is not None else ()
     for first, second, used in pairs_named(question.parts) if (flush := question.text.at_phrases("flush")) else ():
         faced = next(iter(question.text.all("side")), None)  # 'is the hub flush with the rim on the left?'
         side, said = (faced.value, {*faced.tokens}) if faced is not None else (None, set())
@@ -53,44 +54,38 @@ def _claims(question: Question, start: int) -> Iterator[Parse]:
         yield _checked(text, None, found[0], asked).with_more({}, found[1])
     for index, mention in enumerate(parts[: 3 if question.claims else 2]):
         behind = next((m for m in parts if m.start > mention.end), None)
-        sized = _sized(question, mention, asked)
         said = _restricted(text, start, mention, behind) if mention.query is not None else ()
-        if question.claims and mention.query is not None and mention.query.count:  # 'It has ten holes. Is that right?'
-            many, said_many = forms.Count(replace_fields(mention.query, count=None)), float(mention.query.count)
-            yield Parse(Check(many, Relation.EQUAL, said_many), {"count_far": float(index)}, set(mention.used))
-        for parse in (*sized, *_predicates(text, mention, parts[index + 1 :]), *said):
+        for parse in (*_sized(question, mention, asked), *_predicates(text, mention, parts[index + 1 :]), *said):
             yield parse.with_more({"count_far": float(index)}, mention.used)
 
 
 def _sized(question: Question, mention: Mention, asked: Sequence[Requested]) -> Iterator[Parse]:
     """'Is the 8 mm keyway …?', 'Is the keyway 8 mm wide?', 'Do the holes lie on a circle of 50 mm?'"""
     text, target = question.text, mention.query
+    if question.claims and target is not None and target.count:  # 'It has ten holes. Is that right?'
+        yield Parse(Check(Count(replace_fields(target, count=None)), Relation.EQUAL, float(target.count)))
     if target is not None and target.sizes:
         yield _checked(text, replace_fields(target, sizes=target.sizes[:-1]), target.sizes[-1], asked)
     if (found := _size_after(question, mention.end)) is not None:
         yield _checked(text, target, found[0], asked).with_more({}, found[1])
-    for inner in _around(target):
-        if inner.sizes:
-            yield _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], ())
+    for inner in (one for one in _around(target) if one.sizes):
+        yield _checked(text, replace_fields(inner, sizes=()), inner.sizes[-1], ())
 
 
-def _overlapping(question: Question, start: int | None) -> Iterator[Parse]:
+def _overlapping(question: Question, start: int) -> Iterator[Parse]:
     """'Do the rollers overlap?', 'Is the key in contact with the hub?', 'What volume do they share in overlap?'"""
+    text, last = question.text, question.asking[1] - 1
     bodies = PartQuery(noun="body", words=("body",), plural=True)
-    for category in ("overlap", "contact"):
-        said = question.text.at_phrases(category)
-        last = question.asking[1] - 1
-        if category == "contact" and question.text.is_word(last, "meet", "intersect", "cross"):  # 'do the bores meet?'
-            said |= {last}
-        named = [m for m in question.mentions if m.start >= (start or 0) and m.used.isdisjoint(said)][:2]
+    meeting = {last} if text.is_word(last, "meet", "intersect", "cross") else set()  # 'do the bores meet?'
+    for contact, said in ((False, text.at_phrases("overlap")), (True, text.at_phrases("contact") | meeting)):
+        named = [m for m in question.mentions if m.start >= start and m.used.isdisjoint(said)][:2]
         named = named[:1] if len(named) > 1 and named[1].pronoun else named  # 'do they touch one another'
         meant = [one.query or bodies for one in named] or [bodies]
         shared = Distance(meant[0], meant[1] if len(meant) > 1 else "each other", "overlap", reduce=Reduce.SMALLEST)
-        used = said.union(*(one.used for one in named))
-        if said and start is not None:
-            touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
-            form = touching if category == "contact" else Check(shared, Relation.MORE, 0.0)
-            yield Parse(form, {"check": 1.0}, {start, *used})
+        touching = Check(replace(shared, mode="surfaces"), Relation.AT_MOST, 0.0)
+        if said:
+            form = touching if contact else Check(shared, Relation.MORE, 0.0)
+            yield Parse(form, {"check": 1.0}, {start, *said}.union(*(one.used for one in named)))
 
 
 def _either(question: Question) -> Iterator[Parse]:
@@ -102,55 +97,42 @@ def _either(question: Question) -> Iterator[Parse]:
         mention = next((m for m in question.mentions if m.start < at), None)
         if first is not None and second is not None and mention is not None:
             names = (first.value.name, second.value.name)
-            query = mention.query or PartQuery(noun="object", words=("object",))
+            query = mention.query or WHOLE
             kept = {k: tuple(v for v in getattr(query, k) if v not in names) for k in ("adjectives", "lacking")}
             bare = replace_fields(query, **kept)
-            one, other = (all_such(replace_fields(bare, adjectives=(*bare.adjectives, name))) for name in names)
             said, or_said = (" ".join(text.words[each.start : each.end]) for each in (first, second))
-            used = {at, *mention.used, *range(first.start, second.end)}
-            yield Parse(forms.Either(bare, (said, or_said), (one, other)), {"predicate": 1.0}, used)
+            form = forms.Either(bare, (said, or_said), (all_such(bare, names[0]), all_such(bare, names[1])))
+            yield Parse(form, {"predicate": 1.0}, {*mention.used, *range(first.start, second.end)})
 
 
 def _fits(question: Question, start: int) -> Iterator[Parse]:
     """'Does a 12.5 mm gauge enter the small bore?', 'Is the slot wide enough to let a 6 mm pin pass?'"""
     text = question.text
-    verb = next((span for span in text.all("fits") if span.start >= start), None)
-    threads = text.lexicon.threads
+    verb, threads = first_of(text, start, "fits"), text.lexicon.threads
     sizes = [(i, token.value) for i, token in enumerate(text.tokens) if token.power == 1]
     sizes += [(i, threads[word]["nominal"]) for i, word in enumerate(text.words) if "nominal" in threads.get(word, ())]
     if verb is not None and sizes:
         hole = next((m for m in reversed(question.parts) if m.start >= verb.end), None)
-        within = next((what for _, what in places_of(hole.query, "through", "in")), None) if hole is not None else None
-        part = within or (hole.part if hole is not None else None)  # 'put a 10 mm shaft through this bore'
+        query = hole.query if hole is not None else _LARGEST_BORE if text.has("through") else None  # 'pass through?'
+        part = next((what for _, what in places_of(query, "through", "in")), query)  # 'put a shaft through this bore'
         used = {sizes[0][0], *verb.tokens, *(hole.used if hole is not None else text.at_words("through", "center"))}
         used |= {i for m in question.parts if m.end <= verb.start for i in m.used}
         used |= {i for i in text.at_phrases("measure") if i < verb.start}
-        wide: Get | Distance | None = None
-        if part is None and text.has("through"):  # 'would a 58 mm pipe pass through?'
-            largest = (Rank(measure=Measure.DIAMETER),)
-            wide = Get((Measure.DIAMETER,), PartQuery(noun="bore", words=("bore",), definite=True, ranks=largest))
-        elif part is not None and hole is not None and text.is_word(hole.start - 1, "between"):  # 'between the lugs'
-            wide = Distance(replace_fields(part, plural=True, count=None), "each other", "surfaces")
-            used.add(hole.start - 1)
-        elif part is not None:
+        if part is not None:
             said = tuple(name for name in part.adjectives if name != "through")  # 'would it go through the lug?'
-            wide = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
-        if wide is not None:
+            wide: Get | Distance = Get((Measure.DIAMETER,), replace_fields(part, sizes=(), adjectives=said))
+            if hole is not None and text.is_word(hole.start - 1, "between"):  # 'between the lugs'
+                wide = Distance(replace_fields(part, plural=True, count=None), "each other", "surfaces")
+                used.add(hole.start - 1)
             yield Parse(Check(wide, Relation.AT_LEAST, sizes[0][1]), {"mating": 1.0}, used)
     for at in text.at_words("enough"):
         scale = next((one for one in text.all("scale") if one.end == at and text.words[one.start] in _WIDE), None)
         owner = next((m for m in question.parts if m.end <= at), None)
-        found = next(((i, size) for i, size in sizes if i > at), None)
+        found = next((one for one in sizes if one[0] > at), None)
         if scale is not None and owner is not None and found is not None:
             large = scale.value.measure is Measure.MAGNITUDE
             get = Get((Measure.DIAMETER if large else scale.value.measure,), owner.query)
-            used = {
-                *owner.used,
-                *scale.tokens,
-                at,
-                found[0],
-                *(i for m in question.parts if m.start > at for i in m.used),
-            }
+            used = {at, found[0], *owner.used, *scale.tokens}.union(*(m.used for m in question.parts if m.start > at))
             used |= text.at_phrases("fits") | text.at_words("let", "through")
             yield Parse(Check(get, Relation.AT_LEAST, found[1]), {"mating": 1.0}, used)
 
@@ -192,26 +174,26 @@ def _of_kind(text: Text, parts: Sequence[Mention]) -> Iterator[Parse]:
 
 
 def _alike(text: Text, start: int, parts: Sequence[Mention], asked: Sequence[Requested]) -> Iterator[Parse]:
-    """'Are the holes all the same size?', 'Is there only one size of hole?'"""
+    """'Are the holes all the same size?', 'Is there only one size of hole?', 'Are the lug and the rib equally high?'"""
     same = {i for i in text.at_phrases("same") if i >= start}
-    scale = text.find(max(same) + 1, "scale") if same else None
+    first, second = next(iter(parts), None), next(iter(parts[1:]), None)
+    if not same or first is None or first.query is None:
+        return
+    scale = text.find(max(same) + 1, "scale")
     if scale is not None:  # 'equally thick'
         asked = [Requested(scale.start, scale.end, (scale.value.measure,), "how", used=frozenset(scale.tokens))]
-    for mention in parts[:1] if same else ():
-        for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:
-            if mention.query is not None:
-                get = Get(one.measures, replace_fields(mention.query, plural=True))
-                yield Parse(forms.Uniform(get), used=mention.used | same | one.used)
-                second = parts[1] if len(parts) > 1 and text.is_word(mention.end, "and") else None
-                if second is not None and second.query is not None:  # 'are the lug and the rib equally thick'
-                    form = Check(Get(one.measures, mention.query), Relation.EQUAL, Get(one.measures, second.query))
-                    yield Parse(form, {"check": 1.0}, mention.used | second.used | same | one.used)
-                for right, used in _others(text, max(same), mention.part, parts):  # 'the same size as those in the hub'
-                    wide = text.find(max(used) + 2, "scale") if text.find(max(used) + 1, "be") else None
-                    measures = (wide.value.measure,) if wide is not None else one.measures  # 'as the rim is wide'
-                    form = Check(get, Relation.EQUAL, Get(measures, right))
-                    said = {max(used) + 1, *wide.tokens} if wide is not None else set()
-                    yield Parse(form, {"check": 1.0}, mention.used | same | one.used | used | said)
+    for one in asked or [Requested(0, 0, (Measure.MAGNITUDE,), "noun")]:
+        get, used = Get(one.measures, replace_fields(first.query, plural=True)), first.used | same | one.used
+        yield Parse(forms.Uniform(get), used=used)
+        if second is not None and second.query is not None and text.is_word(first.end, "and"):
+            form = Check(replace(get, target=first.query), Relation.EQUAL, replace(get, target=second.query))
+            yield Parse(form, {"check": 1.0}, used | second.used)
+        for right, said in _others(text, max(same), first.query, parts):  # 'the same size as those in the hub'
+            other = replace(get, target=right)
+            wide = text.find(max(said) + 2, "scale") if text.find(max(said) + 1, "be") else None
+            if wide is not None:  # 'as the rim is wide'
+                other, said = Get((wide.value.measure,), right), {*said, max(said) + 1, *wide.tokens}
+            yield Parse(Check(get, Relation.EQUAL, other), {"check": 1.0}, used | said)
 
 
 def _others(text: Text, at: int, own: PartQuery, parts: Sequence[Mention]) -> Iterator[tuple[PartQuery, set[int]]]:
@@ -222,10 +204,8 @@ def _others(text: Text, at: int, own: PartQuery, parts: Sequence[Mention]) -> It
         return
     those = any(text.is_word(i, "those", "that", "one", "ones") for i in range(than, other.start))
     place = text.find(other.start - 1, "place")
-    right = other.part
-    if those:
-        right = placed_in(replace_fields(own, places=()), place.value if place is not None else "of", right)
-    yield right, {*other.used, *range(than, other.start)}
+    held = placed_in(replace_fields(own, places=()), place.value if place is not None else "of", other.part)
+    yield held if those else other.part, {*other.used, *range(than, other.start)}
 
 
 def _restricted(text: Text, start: int, mention: Mention, other: Mention | None) -> Iterator[Parse]:
@@ -234,15 +214,14 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
     second, more = (other.query, other.used) if other is not None else (None, frozenset[int]())
     for word in ("parallel", "perpendicular"):
         if at := {i for i in text.at_phrases(word) if i >= start}:
-            used = at | more | text.at_words("axis")
-            yield Parse(forms.Parallel(target, second, square=word == "perpendicular"), used=used)
+            form = forms.Parallel(target, second, square=word == "perpendicular")
+            yield Parse(form, used=at | more | text.at_words("axis"))
     said = [text.lexicon.adjectives.get(name) for name in (*target.adjectives, *target.lacking)[-1:]]
     restricted, last = any(one and (one.tags or one.order or one.lacks) for one in said), mention.end - 1
+    behind = mention.head < last or (text.find(last, "adjective", "trait") and not text.find(last, "noun"))
     if restricted and _any_of(text, mention):
         yield Parse(Exists(target), {"predicate": 1.0})
-    elif restricted and (
-        mention.head < last or (text.find(last, "adjective", "trait") and not text.find(last, "noun"))
-    ):
+    elif restricted and behind:
         adjectives = target.adjectives if target.lacking else target.adjectives[:-1]
         bare = replace_fields(target, adjectives=adjectives, lacking=target.lacking[:-1])
         yield Parse(Every(bare, all_such(target)))
@@ -253,9 +232,8 @@ def _restricted(text: Text, start: int, mention: Mention, other: Mention | None)
         yield Parse(Every(replace_fields(target, places=target.places[:-1]), all_such(target)), {"check_place": 1.0})
     end = text.skip(mention.end, "passing")
     if end > mention.end and text.is_word(end, "through") and not target.threads:  # 'Do they go right through?'
-        across = set(more) if other is not None and other.start <= end + 2 else set()
-        said_through = replace_fields(target, adjectives=(*target.adjectives, "through"))
-        yield Parse(Every(target, all_such(said_through)), {"predicate": 1.0}, {*range(mention.end, end + 1)} | across)
+        used = {*range(mention.end, end + 1), *(more if other is not None and other.start <= end + 2 else ())}
+        yield Parse(Every(target, all_such(target, "through")), {"predicate": 1.0}, used)
 
 
 def _any_of(text: Text, mention: Mention) -> bool:
@@ -268,18 +246,15 @@ def _predicates(text: Text, mention: Mention, others: Sequence[Mention]) -> Iter
     """'Are the ports really round?', 'Is the lever red?': what is said of them behind the noun."""
     named = mention.query
     target = named or PartQuery(noun="object")
-    for at in range(mention.end, len(text)):
-        span = text.find(at, "adjective")
-        if at in mention.used or span is None or not span.value.tags or text.is_word(at, "side"):
-            continue
-        if any(at in one.used for one in others):
-            return  # said of another part
-        if named is None and not span.value.decided:  # the whole has no other tags
-            return
-        said = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
-        form = Every(target, all_such(said)) if named is not None and not _any_of(text, mention) else Exists(said)
-        yield Parse(form, {"predicate": 1.0}, set(span.tokens))
-        return
+    spans = (text.find(at, "adjective") for at in range(mention.end, len(text)) if at not in mention.used)
+    said = (one for one in spans if one is not None and one.value.tags and not text.is_word(one.start, "side"))
+    span = next(said, None)
+    if span is None or any(span.start in one.used for one in others):
+        return  # said of another part
+    if named is not None or span.value.decided:  # the whole has no other tags
+        such = replace_fields(target, adjectives=(*target.adjectives, span.value.name))
+        every = named is not None and not _any_of(text, mention)
+        yield Parse(Every(target, all_such(such)) if every else Exists(such), {"predicate": 1.0}, set(span.tokens))
 
 
 def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilter, set[int]] | None:
@@ -291,10 +266,8 @@ def _size_after(question: Question, at: int, within: int = 6) -> tuple[SizeFilte
 
 
 def _checked(text: Text, target: forms.Target, size: SizeFilter, asked: Sequence[Requested]) -> Parse:
-    named = asked[0].measures[0] if asked else None
-    measure = (named if size.measure in (None, Measure.AREA, Measure.VOLUME) else None) or size.measure
+    measure = asked[0].measures[0] if asked and size.measure in (None, Measure.AREA, Measure.VOLUME) else size.measure
     density, said = density_of(text) if measure is Measure.MASS else (None, set())
-    least = size.relation is Relation.EQUAL and text.has("least")
-    relation = Relation.AT_LEAST if least else size.relation
+    relation = Relation.AT_LEAST if size.relation is Relation.EQUAL and text.has("least") else size.relation
     check = Check(Get((measure or Measure.MAGNITUDE,), target, density=density), relation, size.low, size.high)
     return Parse(check, used=said.union(*(one.used for one in asked)))
