@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from querycad_contracts import Measure, PartQuery, Relation, Side
-from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, Check, Distance, Form, Get, Plane, Several
+from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, VERTICAL, Check, Distance, Form, Get, Plane, Several
 from querycad_language.phrases import places_of
 from querycad_language.readings.reader import read
 
@@ -55,7 +55,7 @@ def test_flush_parts_end_on_one_level(question: str, side: Side | None) -> None:
 @pytest.mark.parametrize(
     ("question", "axes"),
     [
-        ("Horizontal and vertical spacing of the studs?", [HORIZONTAL, 2]),
+        ("Horizontal and vertical spacing of the studs?", [HORIZONTAL, VERTICAL]),
         ("Spacing of the studs in the long direction and in the transverse direction?", [LONGEST, SHORTER]),
     ],
 )

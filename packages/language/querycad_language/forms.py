@@ -109,8 +109,9 @@ class Distance:
     reduce: Reduce = Reduce.ONE
 
 
-LONGEST, SHORTER, HORIZONTAL = 3, 4, 5
-"""Along the longest side of the model, the other one of its two longer sides, that of x and y where they lie apart."""
+LONGEST, SHORTER, HORIZONTAL, VERTICAL = 3, 4, 5, 6
+"""Along the longest side of the model, the other one of its two longer sides; as on a drawing, which is a plan of what
+lies on one level: along x or y, and z or y."""
 
 
 @dataclass(frozen=True, slots=True)

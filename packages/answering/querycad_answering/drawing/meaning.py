@@ -23,7 +23,14 @@ _MODES = {
     "centers": "between centres ", "surfaces": "between surfaces ", "outsides": "over the outsides ",
     "beyond": "beyond, ", "on diameter": "on diameter ", "on radius": "on radius ",
 }  # fmt: skip
-_AXES = {None: "", 0: " along x", 1: " along y", 2: " along z", forms.HORIZONTAL: " horizontally"}
+_AXES = {
+    None: "",
+    0: " along x",
+    1: " along y",
+    2: " along z",
+    forms.HORIZONTAL: " horizontally",
+    forms.VERTICAL: " vertically",
+}
 _TOWARDS = {
     "none": "sides that none of {0} are seen from", "most": "side that most of {0} are seen from",
     "each": "number of {0} seen from each side", "": "side of {0}: {2}",

@@ -12,6 +12,7 @@ from querycad_language.forms import (
     HORIZONTAL,
     LONGEST,
     SHORTER,
+    VERTICAL,
     Anchor,
     Boundary,
     Distance,
@@ -83,9 +84,12 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
 
 def _axis(build: Builder, form: Distance) -> int | None:
     """Which of x, y, z: where the words say so one of the longer sides along which the parts lie apart."""
-    if form.axis == HORIZONTAL:
+    if form.axis in (HORIZONTAL, VERTICAL):
         spread = _spread(build.all_of(*(one for one in (form.first, form.second) if isinstance(one, PartQuery))))
-        return int(spread[1] > spread[0])
+        level = spread[2] <= SLACK
+        if form.axis == VERTICAL:
+            return 1 if level else 2
+        return 0 if level and spread[0] > SLACK else int(spread[1] > spread[0])
     if form.axis not in (LONGEST, SHORTER):
         return form.axis
     order = sorted(range(3), key=lambda i: build.whole.extents[i], reverse=True)

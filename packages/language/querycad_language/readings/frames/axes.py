@@ -7,7 +7,7 @@ from collections.abc import Set as AbstractSet
 from itertools import chain
 
 from querycad_contracts import Measure
-from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER
+from querycad_language.forms import HORIZONTAL, LONGEST, SHORTER, VERTICAL
 from querycad_language.lexicon import lexicon
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
@@ -83,7 +83,7 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
     for at in text.at_words("and", "by", "x", "/", "&"):
         levels = (text.words[at - 1], *text.words[at + 1 : at + 2])
         if {*levels} == {"horizontal", "vertical"}:
-            return tuple(_LEVELS[level] for level in levels), {at - 1, at, at + 1}
+            return tuple(VERTICAL if level == "vertical" else HORIZONTAL for level in levels), {at - 1, at, at + 1}
     times = {at for at in text.at_words("x") if {at - 1, at, at + 1} <= text.covered("axis")}  # 'long way x short way'
     spans: dict[int, int] = {at: one.value for one in text.all("axis") for at in one.tokens if at not in times}
     crossing = {at for at in text.at_words("cross", "transverse") if text.is_word(at + 1, "direction")}
