@@ -88,8 +88,9 @@ def _winners(group: Sequence[Question]) -> list[Asked]:
             reader = Reader(one.question, names)
             affinity = Affinity(reader.text.words, whole)
             for candidate in candidates(reader.readings, segcad.ground, whole, affinity):
+                expects = candidate.written.expects
                 try:
-                    outcome = sandbox.run(candidate.written.code, segcad, expects=candidate.written.expects, check=False)
+                    outcome = sandbox.run(candidate.written.code, segcad, expects=expects, check=False)
                 except FileProblem:  # a measurement that the kernel could not make
                     continue
                 if outcome.status is RunStatus.OK:
