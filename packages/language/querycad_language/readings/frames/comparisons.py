@@ -53,7 +53,11 @@ def _compared(question: Question) -> Iterator[Parse]:
     ratio = text.is_word(times, "time")
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
     used.update(range(than, own.end) if own else ())  # 'taller than it is wide', 'as long as the block is deep'
-    if any(text.is_word(i, "much", "many") for i in range(*question.asking)):
+    if ratio and text.tokens[times - 1].kind is Kind.NUMBER:
+        used.update(range(times - 1, comparative.start))
+        factor = Check(Combine("ratio", a, b), Relation.EQUAL, text.tokens[times - 1].value)
+        yield Parse(factor, {"check": 1.0}, used | {start})
+    elif any(text.is_word(i, "much", "many") for i in range(*question.asking)):
         used.update(range(start, comparative.start))
         yield Parse(Combine("ratio" if ratio else "apart", a, b), {"combined": 1.0}, used)
         if not ratio and measure is Measure.HEIGHT and left.query and right.query:  # how much higher it ends
