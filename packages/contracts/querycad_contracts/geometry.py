@@ -410,7 +410,7 @@ class Part(Weighed):
     )
     across_corners: float | None = Field(None, description="Between opposite corners of a regular outline.")
     center_length: float | None = Field(
-        None, description="Between the centres of the two round ends of an obround or curved slot, link or plate."
+        None, description="Between the centres of the two round ends of an obround slot, link or plate, or of an arm."
     )
     chamfer_size: float | None = Field(
         None, description="Of a chamfer: how much it takes off the edge, along the axis of a turned one."
@@ -440,7 +440,7 @@ class Part(Weighed):
         description="Of a body and of the whole: the least material between two faces that look away from each other.",
     )
     wall_distance: float | None = Field(
-        None, description="Of a hole: from its wall sideways to the nearest outer face, across the material."
+        None, description="Of a hole or counterbore: from its wall sideways to the nearest outer face, across material."
     )
     inclination: float | None = Field(
         None, description="Radians, 0 to pi/2. Of what is plane: to the horizontal plane; 0 lies, pi/2 stands upright."

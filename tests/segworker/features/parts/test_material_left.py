@@ -53,3 +53,11 @@ def test_beside_a_hole_is_the_nearest_outer_face_and_no_other_hole() -> None:
     assert in_disc.wall_distance == pytest.approx(11 * MM)
     (coaxial,) = find(cut(cylinder(30, 10), cylinder(4, 10))).of("hole")
     assert coaxial.wall_distance == pytest.approx(26 * MM)
+
+
+def test_beside_a_counterbore_is_the_outer_wall_and_not_the_broken_edge_at_its_mouth() -> None:
+    hub = fuse(cylinder(33, 18), cone(33, 32, 1, (0, 0, 18)))
+    (step,) = find(cut(hub, cylinder(8, 19), cylinder(14, 10, (0, 0, 9)))).of("counterbore")
+    assert step.wall_distance == pytest.approx(19 * MM)
+    (blind,) = find(cut(plate(60, 40, 20), cylinder(4, 12, along=DOWN))).of("hole")
+    assert blind.wall_distance == pytest.approx(16 * MM)

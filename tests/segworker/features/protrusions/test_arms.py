@@ -45,6 +45,14 @@ def test_an_arm_to_an_eye_ends_there() -> None:
     (arm,) = [part for part in find(lever).of("prism") if "arm" in part.tags]
     assert arm.width == pytest.approx(18 * MM)
     assert arm.length == pytest.approx(77 * MM, rel=0.02)
+    assert arm.center_length == pytest.approx(110 * MM)
+
+
+def test_an_arm_with_nothing_round_at_its_end_has_no_length_between_centres() -> None:
+    bar = fuse(cylinder(22, 32), box((110, 18, 10), (0, -9, 0)))
+    for lever, length in ((bar, None), (cut(bar, cylinder(4, 10, (96, 0, 0))), 96 * MM)):
+        (arm,) = [part for part in find(lever).of("prism") if "arm" in part.tags]
+        assert arm.center_length == (None if length is None else pytest.approx(length))
 
 
 def test_an_arm_between_two_hubs_points_away_from_the_one_with_more_arms() -> None:
@@ -62,6 +70,7 @@ def test_spokes_end_at_the_inside_of_the_rim() -> None:
     found = [part for part in find(wheel).of("prism") if "spoke" in part.tags]
     assert len(found) == 5
     assert {round(1e3 * (spoke.length or 0), 3) for spoke in found} == {49.0}
+    assert {spoke.center_length for spoke in found} == {None}
 
 
 def test_ribs_around_a_post_and_pads_are_no_arms() -> None:

@@ -22,8 +22,8 @@ MOST_STARTS = 24
 AROUND = 16
 """Rays around a hole, every 22 degrees, at each of `LEVELS`: what is plane or round about a parallel axis is then met
 straight on, so that they need only find the face."""
-LEVELS = (0.1, 0.9)
-"""Shares of a hole's depth."""
+LEVELS = {(PartKind.HOLE,): (0.1, 0.9), (PartKind.COUNTERBORE, PartKind.SPOTFACE): (0.5, 0.9)}
+"""Shares of the depth of holes, and of what widens them: a broken outer edge may lie beside its mouth."""
 SQUARE = 1e-3
 """Sine of the angle by which a face may lean and still run alongside a hole."""
 LEVEL_M = 1e-6
@@ -40,7 +40,10 @@ def with_material_left(parts: Sequence[Part], brep: Brep, mesh: Mesh | None, ahe
     if mesh is None or ahead is None:
         return list(parts)
     faces = _Faces(brep, ahead)
-    below, beside = _below(parts, brep, faces, mesh), _beside(parts, faces)
+    below = _below(parts, brep, faces, mesh)
+    beside: dict[int, float] = {}
+    for kinds, levels in LEVELS.items():
+        beside |= _beside(parts, faces, kinds, levels)
     result = []
     for i, part in enumerate(parts):
         found = {"bottom_thickness": below.get(i), "wall_distance": beside.get(i)}
@@ -152,9 +155,14 @@ def _bottom_points(part: Part, face: FaceRecord, mesh: Mesh, triangles: NDArray[
     return np.zeros((0, 3))
 
 
-def _beside(parts: Sequence[Part], faces: _Faces) -> dict[int, float]:
-    """By index of a hole: from its wall to the nearest face outside, of those that belong to nothing that is cut in."""
-    holes = [i for i, part in enumerate(parts) if part.kind == "hole" and part.depth and part.opening and part.normal]
+def _beside(
+    parts: Sequence[Part], faces: _Faces, kinds: Sequence[PartKind], levels: Sequence[float]
+) -> dict[int, float]:
+    """By index of a hole: from its wall to the nearest face outside, of those that belong to nothing that is cut in.
+
+    `kinds`: holes, or what widens them, looked at from these shares of their depth.
+    """
+    holes = [i for i, part in enumerate(parts) if part.kind in kinds and part.depth and part.opening and part.normal]
     if not holes:
         return {}
     outside = np.ones(len(faces.records) + 1, dtype=np.bool_)
@@ -171,11 +179,11 @@ def _beside(parts: Sequence[Part], faces: _Faces) -> dict[int, float]:
     x = _unit(np.cross(normals, helper))
     y = np.cross(normals, x)
     ways = x[:, None] * np.cos(turns)[:, None] + y[:, None] * np.sin(turns)[:, None]  # (H, A, 3)
-    middles = mouths[:, None] - (np.array(LEVELS) * depths[:, None])[..., None] * normals[:, None]  # (H, L, 3)
-    shape = (len(holes), len(LEVELS), AROUND, 3)
+    middles = mouths[:, None] - (np.array(levels) * depths[:, None])[..., None] * normals[:, None]  # (H, L, 3)
+    shape = (len(holes), len(levels), AROUND, 3)
     axis_points = np.broadcast_to(middles[:, :, None], shape).reshape(-1, 3)
     rays = np.broadcast_to(ways[:, None], shape).reshape(-1, 3)
-    which = np.repeat(np.array(holes, dtype=np.int64), len(LEVELS) * AROUND)
+    which = np.repeat(np.array(holes, dtype=np.int64), len(levels) * AROUND)
     distances, ids, kept = _through(faces, owner, axis_points, rays, which)
     found = _least(which[kept], distances, outside[ids])
     straight = _straight(parts, faces, outside, which[kept], axis_points[kept], ids)

@@ -236,6 +236,7 @@ def arm_part(brep: Brep, found: Arm, number: int) -> Part:
         width=found.width,
         thickness=found.thickness,
         length=found.length,
+        center_length=found.center_length,
         tip=found.tip,
         local_size=(found.length, found.width, found.thickness),
         area=faces_area(brep, found.faces),

@@ -29,7 +29,8 @@ class Arm:
     """One arm. Metres, frame of the file.
 
     `width` is between its sides, at their middles; `thickness` along the hub's axis; `length` from the hub to its end,
-    or to the eye or rim that it runs into. `direction` points away from the hub.
+    or to the eye or rim that it runs into. `direction` points away from the hub. `center_length`: from the axis of the
+    hub to that of what is round at its end, an eye or a bore; None where nothing is.
     """
 
     width: float
@@ -43,6 +44,7 @@ class Arm:
     sides: tuple[int, int]
     is_spoke: bool
     """It ends at the inside of a rim."""
+    center_length: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +166,21 @@ def _arm(brep: Brep, hub: _Hub, a: FaceRecord, b: FaceRecord) -> Arm | None:
         faces=tuple(sorted({a.id, b.id, *ends})),
         sides=(a.id, b.id),
         is_spoke=bool(rims),
+        center_length=None if rims else _to_the_eye(brep, hub, way, reach, width),
     )
+
+
+def _to_the_eye(brep: Brep, hub: _Hub, way: Vector, reach: float, width: float) -> float | None:
+    """From the hub's axis to the parallel one at the end of an arm: of the eye that it runs into, or of its bore."""
+    found = []
+    for face in brep.faces:
+        if face.kind is SurfaceKind.CYLINDER and parallel(face.axis, hub.axis.direction, ALONG):
+            aside = sub(face.origin, foot(face.origin, hub.axis.origin, hub.axis.direction))
+            along = dot(aside, way)
+            straight = norm(sub(aside, scale(way, along))) < ALONG * reach
+            if straight and along > hub.radius and abs(along - reach) < face.radius + width:
+                found.append((abs(along - reach), along))
+    return min(found)[1] if found else None
 
 
 def _around(brep: Brep, side: FaceRecord) -> set[int]:
