@@ -84,7 +84,8 @@ def axes_listed(question: Question) -> tuple[tuple[int, ...], set[int]]:
         levels = (text.words[at - 1], *text.words[at + 1 : at + 2])
         if {*levels} == {"horizontal", "vertical"}:
             return tuple(VERTICAL if level == "vertical" else HORIZONTAL for level in levels), {at - 1, at, at + 1}
-    times = {at for at in text.at_words("x") if {at - 1, at, at + 1} <= text.covered("axis")}  # 'long way x short way'
+    named = text.covered("axis")
+    times = {at for at in text.at_words("x") if {at - 1, at, at + 1} <= named}  # 'long way x short way'
     spans: dict[int, int] = {at: one.value for one in text.all("axis") for at in one.tokens if at not in times}
     crossing = {at for at in text.at_words("cross", "transverse") if text.is_word(at + 1, "direction")}
     led = {at for at in text.at_words("along", "across") if text.find(at + 1, "article", "noun", "adjective", "axis")}
