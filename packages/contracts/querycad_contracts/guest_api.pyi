@@ -172,7 +172,7 @@ class Part:
     """Of a hexagon, octagon, square, two flats."""
     across_corners: float
     center_length: float
-    """Between a slot's centres. Of its round ends."""
+    """Between the centres. Of the round ends of a slot or an arm."""
     chamfer_size: float
     """The '2 mm' of '2 mm x 45 degrees'."""
     draft: float
@@ -192,7 +192,7 @@ class Part:
     bottom_thickness: float
     """Left behind a blind bottom."""
     wall_distance: float
-    """To the nearest outer face. Of a hole, across the material."""
+    """To the nearest outer face. Of a hole or counterbore, across the material."""
     inclination: float
     """To the horizontal."""
     volume: float
