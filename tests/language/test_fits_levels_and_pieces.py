@@ -23,9 +23,9 @@ def targets(question: str, measure: Measure) -> list[PartQuery]:
 @pytest.mark.parametrize(
     ("question", "measure", "noun"),
     [
-        ("Are the grooves wide enough to let a 7 mm cable pass?", Measure.WIDTH, "groove"),
+        ("Is the notch long enough for a 25 mm key?", Measure.LENGTH, "notch"),
         ("Is the eye big enough for an M10 bolt?", Measure.DIAMETER, "eye"),
-        ("Would a 58 mm tube go through?", Measure.DIAMETER, "bore"),
+        ("Would a 40 mm bar go through?", Measure.DIAMETER, "bore"),
     ],
 )
 def test_what_shall_fit_is_compared_with_what_it_goes_into(question: str, measure: Measure, noun: str) -> None:
@@ -44,7 +44,7 @@ def test_what_shall_fit_between_is_compared_with_the_gap(question: str) -> None:
 
 @pytest.mark.parametrize(
     ("question", "side"),
-    [("Is the hub flush with the rim on the left?", Side.LEFT), ("Does the pin lie flush with the plate?", None)],
+    [("Is the cap flush with the sleeve at the top?", Side.TOP), ("Does the pin lie flush with the plate?", None)],
 )
 def test_flush_parts_end_on_one_level(question: str, side: Side | None) -> None:
     levels = [form.left for form in forms(question) if isinstance(form, Check)]
@@ -78,8 +78,8 @@ def test_a_distance_is_horizontal_or_one_of_heights(question: str, axis: int) ->
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("Where is the middle of the pipe's upper rim?", Measure.TOP_END),
-        ("Where's the centre of the right-hand end face of the bar?", Measure.RIGHT_END),
+        ("Where is the middle of the sleeve's lower rim?", Measure.BOTTOM_END),
+        ("Where's the middle of the left end face of the spindle?", Measure.LEFT_END),
         ("Give the centre of the outer edge of the spigot.", Measure.TIP),
     ],
 )
@@ -88,13 +88,13 @@ def test_the_middle_of_a_rim_is_where_the_part_ends(question: str, measure: Meas
 
 
 def test_the_coordinates_of_the_middle_of_a_mouth_are_those_of_the_mouth() -> None:
-    assert targets("State the coordinates of the centre of the mouth of the bore.", Measure.OPENING)
+    assert targets("What is the position of the middle of the mouth of the notch?", Measure.OPENING)
 
 
 @pytest.mark.parametrize(
     ("question", "measure"),
     [
-        ("What is the width of the largest-diameter collar?", Measure.DIAMETER),
+        ("How thick is the smallest-diameter disc?", Measure.DIAMETER),
         ("Depth of the smallest diameter bore?", Measure.DIAMETER),
     ],
 )
@@ -127,29 +127,29 @@ def test_what_a_statement_says_was_cut_is_asked_for(question: str, measure: Meas
     assert any(target.noun == cut and places_of(target) for target in targets(question, measure))
 
 
-def test_a_flat_front_is_the_front_of_its_part() -> None:
-    ends = [
-        form.first for form in forms("How far behind the plate's flat front is the stud?") if isinstance(form, Distance)
-    ]
-    assert any(isinstance(end, Plane) and end.side is Side.FRONT for end in ends)
+def test_a_flat_back_is_the_back_of_its_part() -> None:
+    found = [form for form in forms("How far is the stud from the lid's flat back?") if isinstance(form, Distance)]
+    assert any(isinstance(form.second, Plane) and form.second.side is Side.BACK for form in found)
 
 
 def test_extents_along_axes_may_each_be_named() -> None:
-    measures = [
-        form.measures for form in forms("Length along x, width along y and height along z?") if isinstance(form, Get)
-    ]
-    assert (Measure.X_EXTENT, Measure.Y_EXTENT, Measure.Z_EXTENT) in measures
+    found = [form.measures for form in forms("Length along y, height along z?") if isinstance(form, Get)]
+    assert (Measure.Y_EXTENT, Measure.Z_EXTENT) in found
+
+
+def test_show_me_asks_for_no_height() -> None:
+    assert not targets("Show me how far apart the two studs are.", Measure.HEIGHT)
 
 
 def test_a_size_across_corners_is_no_size_across_flats() -> None:
-    measures = [form.measures for form in forms("What hexagon size across corners?") if isinstance(form, Get)]
+    measures = [form.measures for form in forms("Hex size across corners?") if isinstance(form, Get)]
     assert measures[0] == (Measure.ACROSS_CORNERS,)
 
 
 @pytest.mark.parametrize(
     "question",
     [
-        "How much land is there between the bore and the groove?",
+        "How much land is left between the keyway and the slot?",
         "What web is left between the floor of the counterbore and the slot?",
     ],
 )

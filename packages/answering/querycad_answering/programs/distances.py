@@ -76,8 +76,8 @@ def distance(build: Builder, form: Distance) -> tuple[str, AnswerType]:
         return _to_place(build, first, second, form), kind
     if form.mode == "outsides":
         return _over(build, form, first), kind
-    one = build.of(first)
-    if second == "each other" and len(one) == 1 and one[0].center_length and form.axis is None:  # of a lever's arm
+    one = build.of(first) if second == "each other" and form.mode == "centers" and form.axis is None else []
+    if len(one) == 1 and one[0].center_length:  # of a lever's arm
         return of_each(build, first, {"between": "p.center_length"}, form.reduce), kind
     if isinstance(second, PartQuery) and (fit := _FITS.get(form.mode)) is not None:
         return fit(build, form, first, second), kind

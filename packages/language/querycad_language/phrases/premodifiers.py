@@ -137,7 +137,7 @@ def _is_measure(
     if adjective and text.is_word(measure.start, "middle") and text.find(measure.end, "noun"):
         return False  # 'the middle step'
     others = [one for one in text.all("measure", "scale") if one.start not in measure.tokens]
-    if others and superlative(text, measure.start):  # 'how long is the thinnest section', 'the largest-diameter collar'
+    if others and superlative(text, measure.start):  # 'how long is the thinnest section', 'the smallest-diameter disc'
         if text.find(measure.end - 1, "noun") or (noun_follows(text, measure.end) and not build.nouns):
             return False
     if noun is not None and text.tokens[noun.end - 1].plural:
@@ -151,7 +151,7 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     ordinal = text.find(at, "ordinal")
     scale = superlative(text, ordinal.end if ordinal else at)
     of = text.find(scale.end, "measure") if scale and not ordinal else None
-    of = of if of and noun_follows(text, of.end) else None  # 'the largest-diameter collar'
+    of = of if of and noun_follows(text, of.end) else None  # 'the smallest-diameter disc'
     alone = ordinal or text.is_word(at - 1, "the")  # 'does the largest have'
     if scale and (of or alone or noun_follows(text, scale.end)):
         measure, nth = of.value if of else scale.value.measure, ordinal.value if ordinal else 1

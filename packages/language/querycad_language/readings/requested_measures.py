@@ -234,7 +234,7 @@ def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
     same = wide.value is narrow.value is Measure.POSITION  # 'the coordinates of the centre of the bore'
     if not same and (wide.value not in _WIDE or answer_type(wide.value) is not answer_type(narrow.value)):
         return None
-    deeper = _of_measure(text, other, taken) if same and of else None  # 'the coordinates of the centre of the mouth'
+    deeper = _of_measure(text, other, taken) if same and of else None  # 'the position of the middle of the opening'
     end, value = (deeper.end, deeper.measures[0]) if deeper else (other.end, narrow.value)
     return _asked("noun", value, span.start, end)
 
@@ -300,7 +300,7 @@ def _listed(text: Text, span: Span) -> tuple[list[Measure], int]:
             break  # 'outer diameter and overall length'
         ahead = text.skip(more.end, "axis_preposition", "article")
         along = _extent_along(text, ahead, measures[-1]) if ahead > more.end else None
-        last = along or more  # 'length along x, width along y'
+        last = along or more  # 'length along y, height along z'
         measures, end = [*measures, last.value], last.end
     lengths = [one for one in measures if one not in SIZES]
     named = len(lengths) > 1 or (lengths and text.is_word(span.end, ","))  # 'size, width by height' asks for two

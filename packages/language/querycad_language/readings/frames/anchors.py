@@ -212,7 +212,7 @@ def planes_of(question: Question) -> Iterator[Spot]:
         before = next((m for m in question.parts if m.head < at <= m.head + 2), None)
         if any(m.start <= at < m.end and m is not before for m in question.mentions):
             continue  # 'the base plate and the top plate'
-        flat = places_of(before.part, "of") if before and before.part.noun == "flat" else ()  # 'the plate's flat front'
+        flat = places_of(before.part, "of") if before and before.part.noun == "flat" else ()  # 'the lid's flat back'
         if before is not None and (flat or after > side.end or text.is_word(at, "top", "bottom", "underside")):
             bare = replace_fields(flat[0][1] if flat else before.part, sides=(), ends=())
             yield Spot(at, Plane(side.value, bare), {*before.used, *range(before.head, after)})

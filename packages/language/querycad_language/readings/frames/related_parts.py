@@ -67,7 +67,7 @@ def _of(get: Get, parse: Parse, target: PartQuery, *features: str, used: Abstrac
 
 
 def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator[Parse]:
-    """'The wall of the standoff', 'the centre of the tube's upper rim', 'the surface of the lever'."""
+    """'The wall of the standoff', 'the centre of the sleeve's lower rim', 'the surface of the lever'."""
     match get.measures:
         case (Measure.AREA | Measure.MAGNITUDE | Measure.SIZE,) if bare_of(target, "surface", "face"):
             # 'the total area of all faces': of the whole model
@@ -79,7 +79,7 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
             yield _of(replace(get, measures=(Measure.BOTTOM_THICKNESS,)), parse, within(None), "closes_inside")
         case (Measure.POSITION,) if (cut := floored(target)) is not None:
             yield _of(replace(get, measures=(Measure.FLOOR_CENTER,)), parse, cut)
-        case (Measure.POSITION,) if target.noun in _OUTER_ENDS:  # 'the middle of the right-hand end face of the rod'
+        case (Measure.POSITION,) if target.noun in _OUTER_ENDS:  # 'the middle of the left end of the spindle'
             sides = (*target.ends, *target.sides, *(rank.side for rank in target.ranks if rank.side is not None))
             end = next((measure for measure, side in ENDS.items() if side in sides[:1]), Measure.TIP)
             for _, holder in places_of(target, "of")[:1]:

@@ -29,7 +29,7 @@ def yes_no(question: Question) -> Iterator[Parse]:
     start = verb_start(question)
     yield from _overlapping(question, start) if start is not None else ()
     for first, second, used in pairs_named(question.parts) if (flush := question.text.at_phrases("flush")) else ():
-        faced = next(iter(question.text.all("side")), None)  # 'is the hub flush with the rim on the left?'
+        faced = next(iter(question.text.all("side")), None)  # 'is the cap flush with the sleeve at the top?'
         side, said = (faced.value, {*faced.tokens}) if faced is not None else (None, set())
         one, other = (Plane(side, replace_fields(part, sides=())) for part in (first, second))
         yield Parse(Check(Distance(one, other), Relation.AT_MOST, 0.0), {"check": 1.0}, used | flush | said)
