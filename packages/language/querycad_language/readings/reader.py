@@ -14,8 +14,7 @@ from querycad_language.weights import weights
 
 from .frames.comparisons import comparisons
 from .frames.counts import counts, exists
-from .frames.distances import angles, distances, insertions, opposites, overhangs
-from .frames.named_distances import named_distances
+from .frames.distances import angles, distances, insertions, named_distances, opposites, overhangs
 from .frames.parts import bare, mating, parts
 from .frames.predicates import predicates
 from .frames.values import values, wholes

@@ -36,6 +36,8 @@ _WEBS = ("web", "bridge", "land", "ligament", "partition", "strip", "margin", "r
 _REACHES = ("projection", "overhang", "protrusion", "setback", "offset")
 _UNDER = ("under", "underneath", "beneath")
 _BEYOND = ("above", "over", "beyond", "past", "below", "behind", "proud", "higher", "out", "overhang", "off", *_UNDER)
+_DRAWN = ("form", "make", "sit", "lie", "on", "in", "at", "corner", "arranged", "long", "which", "that", "its", "what")
+"""Words that say of parts that they are the corners of a figure."""
 
 
 class _Words(NamedTuple):
@@ -435,3 +437,16 @@ def angles(question: Question) -> Iterator[Parse]:
                     yield Parse(Angle(replace_fields(first.part, count=None, plural=True), None), features, used)
             if second is not None:
                 yield Parse(Angle(first.part, second.part), features, used | second.used)
+
+
+def named_distances(question: Question) -> Iterator[Parse]:
+    """'The lugs form a square. What is its side?', 'Side lengths of the rectangle that the pins lie on?'"""
+    text = question.text
+    drawn = {at for at in text.at_words("square", "rectangle", "rectangular") if not text.find(at + 1, "noun")}
+    drawn |= {at for at in text.at_words("pattern", "array") if text.is_word(at - 1, "square", "rectangular")}
+    for mention in question.parts if drawn and text.has("side") else ():
+        if mention.part.plural and drawn.isdisjoint(mention.used):
+            said = text.at_words("side", *_DRAWN) | text.at_phrases("center_to_center", "measure")
+            used = {*mention.used, *drawn, *(at - 1 for at in drawn), *said}
+            form = Distance(replace_fields(mention.part, count=None), "each other", "centers", reduce=Reduce.SIDES)
+            yield Parse(form, {"distance": 1.0, "each_other": 1.0}, used)

@@ -13,8 +13,8 @@ from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question
 from querycad_language.text import Text
 
-from .named_distances import material
 from .related_parts import is_cut
+from .values import material
 
 MATES_WITHIN = 6  # words between a part and the verb that says where it goes
 _TURNED = ("open", "opens", "face", "facing", "point", "lean", "look", "looks")

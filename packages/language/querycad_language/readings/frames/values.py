@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from itertools import pairwise
 
-from querycad_contracts import Measure
-from querycad_language.forms import LONGEST, Get, Reduce, Target
+from querycad_contracts import Measure, PartKind
+from querycad_language.forms import LONGEST, Behind, Combine, Distance, Get, Reduce, Target
 from querycad_language.measures import EXTENTS, is_length
-from querycad_language.phrases import replace_fields
+from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
-from querycad_language.readings.parses import Parse
+from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, SIZES, Requested, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
 
+from .anchors import ends_between
 from .axes import axes_listed, axis_named, own_axis_named
-from .named_distances import less, material, under_cut
-from .related_parts import of_related, within
+from .related_parts import floored, of_related, within
 
 VECTORS = frozenset((Measure.AXIS, Measure.NORMAL, Measure.DIRECTION, Measure.POSITION, Measure.TIP, Measure.OPENING))
 ADDITIVE = frozenset((Measure.AREA, Measure.VOLUME, Measure.LENGTH, Measure.MASS))
@@ -33,6 +34,7 @@ _OF_SEVERAL = (Reduce.LARGEST, Reduce.SMALLEST, *_SHARED)
 _LONG = (Measure.LENGTH, *SIZES)
 _CORNERS = (Measure.DIAGONAL, Measure.ACROSS_CORNERS)
 _SAYS_BOX = ("box", "block", "volume", "much", "size", "part")
+_THICKNESSES = (Measure.THICKNESS, Measure.WIDTH, Measure.WALL_THICKNESS, Measure.LENGTH, Measure.HEIGHT)
 _ANGLES = (Measure.ANGLE, Measure.DRAFT, Measure.INCLINATION)
 _RUNNING = frozenset(("along", "parallel", "run", "lie", "coordinate", "follow", "go", "point", "stretch", "direction"))
 _TURNING = frozenset(("about", "around", "turn", "spin", "rotate", "revolve"))
@@ -125,6 +127,45 @@ def _value(question: Question, asked: Requested, owner: Owner) -> Parse:
     used |= text.covered("over_all") if over_all else set()
     density, said = density_of(text) if {Measure.MASS, Measure.INERTIA} & set(asked.measures) else (None, set())
     return Parse(Get(asked.measures, target, reduce, density, over_all), features, used | overall | said)
+
+
+def material(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
+    """'How thick is the land between the keyways?', 'What thickness remains under the keyway?'"""
+    text = question.text
+    if get.measures[0] not in _THICKNESSES:
+        return
+    for first, second in ends_between(get.target):
+        yield Parse(Distance(first, second, "surfaces"), {**features, "material_between": 1.0}, used)
+    walls = ("on",) if get.measures[0] is Measure.WALL_THICKNESS else ()  # 'the wall thickness at the counterbore'
+    for _, other in places_of(get.target, "around", "near", *walls):  # 'the wall around the bore'
+        yield Parse(Get((Measure.WALL_THICKNESS,), other), {**features, "material_around": 1.0}, used)
+    under: Features = {**features, "material_under": 1.0, "under_between": float(text.has("between"))}
+    said = text.at_phrases("remaining") | text.at_words("under", "below", "beneath", "underneath", "behind")
+    cuts = [(other, used) for _, other in places_of(get.target, "below", "behind")]  # 'the web underneath the pocket'
+    cuts += [(mention.part, used | said | mention.used) for mention in question.parts if said]
+    for cut, owned in cuts:
+        yield Parse(Distance(floored(cut) or cut, Behind(), "surfaces"), under, owned)
+        yield Parse(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
+
+
+def under_cut(question: Question, get: Get) -> bool:
+    """Is it asked how thick the lever is below the pocket? Then what is left there is meant, and not all of it."""
+    known = question.text.lexicon.nouns
+    below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
+    cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
+    return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
+
+
+def less(question: Question, get: Get, features: Features, used: AbstractSet[int]) -> Iterator[Parse]:
+    """Less what a part has of it: 'How high is the lever without the rib?', 'How wide is the cam without its lugs?'"""
+    one = not get.measures[1:] and get.measures[0] in (*_THICKNESSES, Measure.DEPTH, Measure.VOLUME)
+    for span in question.text.all("minus") if one else ():
+        other = question.phrases.at(question.text.skip(span.end, "article", "measure", "function"), joined=False)
+        if span.start > 1 and other is not None and other.query is not None:
+            kept = tuple(place for place, _ in places_of(get.target) if not place.negated)
+            target = get.target and replace_fields(get.target, places=kept, excluded=())
+            combine = Combine("minus", replace(get, target=target, overall=True), Get(get.measures, other.query))
+            yield Parse(combine, {**features, "less_part": 1.0}, used | set(range(span.start, other.end)))
 
 
 def density_of(text: Text) -> tuple[float | None, set[int]]:
