@@ -12,7 +12,7 @@ from querycad_language.phrases import Mention, noun_follows, placed_in, places_o
 from querycad_language.text import Text
 
 from .parses import Features
-from .question import Question
+from .question import Question, used_by
 from .requested_measures import Requested
 
 STRONG = ("of", "subject", "compound", "possessive", "having", "preposition")
@@ -59,9 +59,8 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
             features["introduced"] = 1.0
         one = "link_pronoun" in features and mention.plural and text.has("its", "it") and not text.has("they", "their")
         features |= {"pronoun_number": 1.0} if one else {}
-        used = set(mention.used)
-        if link in ("of", "subject", "preposition", "after"):
-            used |= {i for i in range(asked.end, mention.start) if not text.is_content(i)}
+        linking = range(asked.end, mention.start) if link in ("of", "subject", "preposition", "after") else ()
+        used = {*mention.used, *(i for i in linking if not text.is_content(i))}
         yield Owner(mention.query, used, features)
         for holder in _part_of(mention.query, one) if mention.query is not None else ():
             yield Owner(holder, used, {**features, "pronoun_number": 0.0})
@@ -75,8 +74,7 @@ def owners_of(question: Question, asked: Requested) -> Iterator[Owner]:
             yield Owner(query, set(range(span.start - 1, text.skip(span.end, "side_noun"))), {"link_of": 1.0})
     features = {} if pronoun else {"link_whole": 1.0, "owner_passed": float(owned)}
     features["parts_passed"] = float(bool(question.parts))
-    sides = {i for m in question.mentions if m.pronoun or m.query is None for i in m.used}
-    yield Owner(None, sides, features)
+    yield Owner(None, used_by(*(m for m in question.mentions if m.pronoun or m.query is None)), features)
 
 
 def _part_of(query: PartQuery, one: bool) -> Iterator[PartQuery]:
@@ -125,15 +123,11 @@ def _cut_at(question: Question, asked: Requested, linked: Sequence[tuple[Mention
 
 def _link(question: Question, asked: Requested, mention: Mention) -> str:
     """How do the words link a measure to a part before or behind it?"""
-    before = mention.end <= asked.start
+    text, between = question.text, range(mention.end, asked.start)
     if question.sentence_of(mention.start) != question.sentence_of(asked.start):
-        return "earlier" if before else "later"
-    return _link_before(question.text, asked, mention) if before else _link_behind(question, asked, mention)
-
-
-def _link_before(text: Text, asked: Requested, mention: Mention) -> str:
-    """The part is named before the measure."""
-    between = range(mention.end, asked.start)
+        return "earlier" if mention.end <= asked.start else "later"
+    if mention.end > asked.start:
+        return _link_behind(question, asked, mention)
     if not between:
         return "compound"
     if any(map(text.is_possessive, between)):

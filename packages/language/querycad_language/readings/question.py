@@ -8,8 +8,8 @@ from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
 
-from querycad_contracts import PartQuery, Place
-from querycad_language.phrases import Mention, Phrases, replace_fields
+from querycad_contracts import Place
+from querycad_language.phrases import Mention, Phrases
 from querycad_language.text import Text
 
 
@@ -50,10 +50,9 @@ class Question:
     @cached_property
     def holders(self) -> list[Holder]:
         """What was named before as what has the parts: 'Small boss: bore?', 'The hub has a bore. How broad is it?'"""
-        text, found = self.text, list[Holder]()
-        for first in self.parts[:1]:
-            if text.skip(0, "article") >= first.start and text.is_word(first.end, ":", ","):
-                found.append(Holder(Place(relation="of", what=first.part), first.used))
+        text = self.text
+        topics = [m for m in self.parts[:1] if text.skip(0, "article") >= m.start and text.is_word(m.end, ":", ",")]
+        found = [Holder(Place(relation="of", what=topic.part), topic.used) for topic in topics]
         for start, _ in text.sentences:  # 'On the flange, how deep is …?', 'In it there are holes. …'
             place, end = self.phrases.place(start)
             leads = text.is_word(end, ",", ":", "-", "there") or text.find(end, "ask", "count", "be", "do")
@@ -180,10 +179,9 @@ class Question:
         return next((unit for unit in self.units_asked if unit[1] != 1), None)
 
 
-def seen_from(query: PartQuery, view: Mention) -> PartQuery:
-    """The part, from the sides that are said apart from it."""
-    names = ("sides", "unseen", "places", "adjectives")
-    return replace_fields(query, **{name: (*getattr(query, name), *getattr(view.part, name)) for name in names})
+def used_by(*mentions: Mention | None) -> set[int]:
+    """The tokens that name them, of those that there are."""
+    return {at for mention in mentions if mention is not None for at in mention.used}
 
 
 def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
@@ -192,10 +190,12 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
     for start, end in text.sentences:
         words = range(start, end)
         answers = all(text.is_word(i, *_YES_OR_NO) for i in words)  # 'slots: yes or no?'
-        if start > 0 and (answers or _adds_nothing(text, words)):
+        named = any(text.is_content(i) or text.is_word(i, "how") for i in words) or text.any_in(words, *_NAMING)
+        echoes = len(words) <= LONGEST_ECHO and text.any_in(words, "ask") and not named
+        if start > 0 and (answers or echoes):  # 'Do any cross? Which ones?', 'If so, what are they?'
             continue
-        asks = any(text.find(i, *_ASKS, "exists") for i in words)
-        names = any(text.find(i, "measure", "distance", "gap") for i in words)
+        asks = text.any_in(words, *_ASKS, "exists")
+        names = text.any_in(words, "measure", "distance", "gap")
         best = max(best, (4 * text.is_word(end, "?") + 3 * asks + 2 * names, start, end))
     _, start, end = best
     begin = _tag(text, start, end)
@@ -203,13 +203,6 @@ def _asking_sentence(text: Text) -> tuple[tuple[int, int], bool]:
         return (start, begin), True
     before = [sentence for sentence in text.sentences if sentence[1] <= start and begin == start]
     return (before[-1], True) if before else ((start, end), False)
-
-
-def _adds_nothing(text: Text, words: range) -> bool:
-    """Does a sentence only ask which: 'Do any cross? Which ones?', 'If so, what are they?'"""
-    if len(words) > LONGEST_ECHO or not any(text.find(i, "ask") for i in words):
-        return False
-    return not any(text.is_content(i) or text.is_word(i, "how") or text.find(i, *_NAMING) for i in words)
 
 
 LONGEST_ECHO = 6  # words of a question that only asks which of those before are meant

@@ -20,7 +20,7 @@ from .frames.predicates import predicates
 from .frames.values import values, wholes
 from .frames.yes_no import yes_no
 from .parses import Parse, Reading
-from .question import Holder, Question, seen_from
+from .question import Holder, Question
 from .skipped_words import CLOSED, finished, passable
 
 MAX_VIEWS = 2  # sides that are said apart from a part; nobody says more
@@ -65,7 +65,9 @@ def _viewed(parse: Parse, view: Mention) -> Iterator[Parse]:
     target = next(queries(parse.form), None)
     named = parse.used & view.used  # the part is named in the side: 'on the underside of the foot'
     if target and not (target.sides or target.unseen or named or isinstance(parse.form, Distance | Several)):
-        form = mapped(parse.form, lambda query: seen_from(query, view) if query == target else query)
+        names = ("sides", "unseen", "places", "adjectives")
+        seen = replace_fields(target, **{name: (*getattr(target, name), *getattr(view.part, name)) for name in names})
+        form = mapped(parse.form, lambda query: seen if query == target else query)
         yield Parse(form, {**parse.features, "view_apart": 1.0}, parse.used | view.used)
 
 

@@ -40,8 +40,11 @@ def passable(question: Question) -> list[Passable]:
     text = question.text
     found: list[Passable] = []
     depth = 0
-    aside = question.phrases.included | question.unit_words | _axis_asides(text)
+    aside = question.phrases.included | question.unit_words
     aside |= {i for span in text.all("aside") for i in range(span.start - 3, span.end + 3)}
+    for at in text.at_phrases("axis_preposition") - text.at_words("in", "by"):  # 'along its axis' says how it is taken
+        end = next((i for i in range(at + 1, at + 5) if text.is_word(i, "axis", "centerline")), at - 1)
+        aside |= {*range(at, end + 1)}
     for at, token in enumerate(text.tokens):
         depth += text.is_word(at, "(") - text.is_word(at, ")")
         if token.kind is Kind.SYMBOL or at in aside:
@@ -62,15 +65,6 @@ def finished(question: Question, parse: Parse, words: Sequence[Passable]) -> Rea
     if (question.closed or question.chooses) and not isinstance(parse.form, CLOSED):
         features["value_for_yes_no"] = 1.0
     return Reading(parse.form, features, tuple((word.kind, word.raw) for word in skipped), frozenset(parse.used))
-
-
-def _axis_asides(text: Text) -> set[int]:
-    """'along its axis': the words say how a length is taken, and hardly ever which."""
-    found: set[int] = set()
-    for at in text.at_phrases("axis_preposition") - text.at_words("in", "by"):
-        end = next((i for i in range(at + 1, at + 5) if text.is_word(i, "axis", "centerline")), at - 1)
-        found.update(range(at, end + 1))
-    return found
 
 
 def _class(text: Text, at: int) -> str:

@@ -19,7 +19,7 @@ _LEVELS = {"vertical": 2, "height": 2, "level": 2, "horizontal": HORIZONTAL}
 _LED = {"along": {"width": 0, "depth": 1, "height": 2}, "across": {"width": SHORTER}}
 
 
-def axis_named(question: Question, taken: AbstractSet[int]) -> tuple[int | None, set[int]]:
+def axis_named(question: Question, taken: AbstractSet[int] = frozenset()) -> tuple[int | None, set[int]]:
     """Along which axis is measured: 0, 1, 2 for x, y, z, LONGEST or SHORTER; and the tokens that say so."""
     text = question.text
     if (found := next(chain(_along_whole(question), _led(text, taken)), None)) is not None:
@@ -58,9 +58,9 @@ def _along_whole(question: Question) -> Iterator[tuple[int, set[int]]]:
     for mention in question.mentions:  # of the whole model, or of what is called by the name of a product
         noun = lexicon().nouns.get(mention.query.noun) if mention.query is not None else None
         whole = mention.query is None or (noun is not None and noun.product and not mention.query.places)
-        for word, axis in (("along", LONGEST), ("across", SHORTER)) if whole else ():
-            if question.text.is_word(mention.start - 1, word):
-                yield axis, {mention.start - 1, *mention.used}
+        before = mention.start - 1
+        if whole and question.text.is_word(before, "along", "across"):
+            yield LONGEST if question.text.is_word(before, "along") else SHORTER, {before, *mention.used}
 
 
 def own_axis_named(question: Question) -> set[int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from collections.abc import Set as AbstractSet
 from itertools import pairwise
 
 from querycad_contracts import Measure, Relation, Side
@@ -12,7 +13,7 @@ from querycad_language.measures import is_length
 from querycad_language.phrases import Mention, replace_fields
 from querycad_language.phrases.sizes import COMPARISONS
 from querycad_language.readings.parses import Parse
-from querycad_language.readings.question import Question
+from querycad_language.readings.question import Question, used_by
 from querycad_language.readings.requested_measures import asked_in
 from querycad_language.tokens import Kind
 
@@ -47,8 +48,8 @@ def _compared(question: Question) -> Iterator[Parse]:
     if not before or not (behind or own) or text.tokens[than + 1].kind in (Kind.QUANTITY, Kind.NUMBER):
         return
     left, right = before[0], (before if own and itself else behind)[0]
-    used = {than, *comparative.tokens, *left.used, *right.used}
-    measure, used = _of_noun(question, comparative.value.measure, used)
+    measure, named = _of_noun(question, comparative.value.measure)
+    used = {than, *comparative.tokens, *left.used, *right.used, *named}
     times = comparative.start - 1 - text.is_word(comparative.start - 1, "as")  # '2 times as wide', 'many times wider'
     ratio = text.is_word(times, "time")
     a, b = Get((measure,), left.query), Get((own.value.measure if own else measure,), right.query)
@@ -68,13 +69,12 @@ def _compared(question: Question) -> Iterator[Parse]:
         yield Parse(Check(a, relation, b), {"check": 1.0}, used | {start})
 
 
-def _of_noun(question: Question, measure: Measure, used: set[int]) -> tuple[Measure, set[int]]:
+def _of_noun(question: Question, measure: Measure) -> tuple[Measure, AbstractSet[int]]:
     """'larger in diameter': what is compared, and the words for it."""
     named = next((one for one in asked_in(question) if is_length(one.measures[0])), None)
     if measure is not Measure.MAGNITUDE or named is None:
-        return measure, used
-    said = _PLAIN.get(named.measures[0], named.measures[0])  # 'the larger diameter' is no outer one here
-    return said, used | named.used
+        return measure, frozenset()
+    return _PLAIN.get(named.measures[0], named.measures[0]), named.used  # 'the larger diameter' is no outer one here
 
 
 def _which(question: Question) -> Iterator[Parse]:
@@ -92,14 +92,13 @@ def _which(question: Question) -> Iterator[Parse]:
         return  # neither is asked for
     more = text.is_word(has or 0, "more") if scale is None else scale.value.degree in ("more", "most")
     which = text.at_words("which", "what", "compare")
-    said = scale.tokens if scale is not None else (has,)
-    used = {question.asking[0], *which, *either, *said, *left.used, *right.used}
-    used = used.union(*(m.used for m in question.parts if m.start - 1 in which))  # 'which lug'
+    named = used_by(left, right, *(m for m in question.parts if m.start - 1 in which))  # 'which lug'
     rank = next((rank for m in (left, right) for rank in m.part.ranks), None)  # 'A or B that has the greater height'
-    measure, used = _of_noun(question, scale.value.measure if scale is not None else Measure.MAGNITUDE, used)
+    measure, said = _of_noun(question, scale.value.measure if scale is not None else Measure.MAGNITUDE)
     measure = rank.measure if rank is not None and rank.measure else measure
     words = (_said(question, left), _said(question, right))
     a, b = (Get((measure,), replace_fields(m.part, ranks=())) for m in (left, right))
+    used = {question.asking[0], *which, *either, *(scale.tokens if scale is not None else (has,)), *named, *said}
     yield Parse(Which(a, Relation.MORE if more else Relation.LESS, b, words), {"combined": 1.0}, used)
 
 
@@ -114,17 +113,16 @@ def _combined(question: Question) -> Iterator[Parse]:
     """'the ratio of length to width of A', 'the sum of the heights of A and B'."""
     text, owners = question.text, [m for m in question.mentions if not m.pronoun][:2]
     two = len(owners) > 1 and text.is_word(owners[0].end, "and")  # 'the total width of A and B'
-    spans = text.all("operation", *["total"] * two)
+    spans = [span for span in text.all("operation", *["total"] * two) if span.value != "share"]
     numbers = [i for i in sorted(text.at_words("time")) if text.tokens[i - 1].kind is Kind.NUMBER and question.closed]
-    other = [Span(i - 1, i + 1, "times", "ratio") for i in numbers]  # 'is the width of A 2 times that of B'
-    other += [Span(i, i + 1, "exceed", "apart") for i in text.at_words("exceed") if text.has("much")]
-    span = next((one for one in (*spans, *other) if one.value != "share"), None)
-    if span is None:
+    spans += [Span(i - 1, i + 1, "times", "ratio") for i in numbers]  # 'is the width of A 2 times that of B'
+    spans += [Span(i, i + 1, "exceed", "apart") for i in text.at_words("exceed") if text.has("much")]
+    if not spans:
         return
-    asked = [one for one in asked_in(question) if one.start >= span.start][:2]
+    span, named = spans[0], asked_in(question)
+    asked = [one for one in named if one.start >= span.start][:2]
     if len(asked) < (2 if span.value == "ratio" else 1):  # 'the length to width ratio', 'width difference of A and B'
-        before = [one for one in asked_in(question) if one.start < span.start]
-        asked = [*before[-2 + len(asked) :], *asked]
+        asked = [*[one for one in named if one.start < span.start][-2 + len(asked) :], *asked]
     measures = [measure for one in asked for measure in one.measures]
     targets: list[Target] = [m.query for m in owners] or [None]
     several = owners[0].query if len(owners) == 1 else None

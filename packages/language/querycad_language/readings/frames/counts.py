@@ -9,7 +9,8 @@ from querycad_language.forms import Check, Combine, Count, Exists, Towards
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.parses import Features, Parse
-from querycad_language.readings.question import Question
+from querycad_language.readings.question import Question, used_by
+from querycad_language.readings.requested_measures import SIZES
 from querycad_language.text import Text
 
 _LEADING = ("courtesy", "chatter")
@@ -34,15 +35,14 @@ def counts(question: Question) -> Iterator[Parse]:
         if measure is not None and not (noun_here and noun_here.end >= measure.end):
             named = question.parts
             valued += [(m, measure.value, {*range(at, measure.end)}) for m in named if m.start >= measure.end]
-        owner = next((m for m in question.parts if different and m.start == inner), None)
-        size = text.find(owner.end, "measure") if owner is not None else None
-        if owner is not None and size is not None:  # 'how many different hole sizes'
-            measured = Measure.DIAMETER if size.value in (Measure.SIZE, Measure.MAGNITUDE) else size.value
-            valued.append((owner, measured, {*range(at, inner), *size.tokens}))
+        for owner in (m for m in question.parts if different and m.start == inner):
+            if size := text.find(owner.end, "measure"):  # 'how many different hole sizes'
+                measured = Measure.DIAMETER if size.value in SIZES else size.value
+                valued.append((owner, measured, {*range(at, inner), *size.tokens}))
         for mention, value, said in valued:
             values = Count(replace_fields(mention.part, plural=True), value)
             yield Parse(values, {"count_next": 1.0, "count_values": 1.0}, used | mention.used | said)
-        if different and (measure or size):
+        if different and (measure or valued):
             continue  # nobody counts the holes themselves by 'how many different diameters'
         yield from _treated(question, at, used)
         restricted = text.at_phrases("side", "adjective", "operation", "with")
@@ -84,7 +84,7 @@ def _topology(question: Question, at: int, used: set[int]) -> Iterator[Parse]:
     measure = _TOPOLOGY.get(question.text.words[at]) if at < len(question.text) else None
     named = question.parts
     if measure is not None and len(named) < 2 and all(bare_of(one.part, *_TOPOLOGY) for one in named):
-        said = {i for m in question.mentions if m.query is None for i in m.used}
+        said = used_by(*(m for m in question.mentions if m.query is None))
         whole = Count(PartQuery(noun="object", definite=True), measure)
         yield Parse(whole, {"count_next": 1.0, "topology": 1.0}, used | said | {at})
 
@@ -106,19 +106,19 @@ def _count_of(
         yield Parse(Count(query), features, used)
     for owner in (m for m in others[:2] if m.query is not None):
         stands = text.find(owner.start - 1, "place")
-        link = "owner_after" if owner.start > mention.start else "owner_before"
-        link = "owner_placed" if stands is not None else link
-        owned = Count(placed_in(query, stands.value if stands is not None else "of", owner.part))
+        relation, said = (stands.value, stands.tokens) if stands is not None else ("of", ())
+        order = "owner_after" if owner.start > mention.start else "owner_before"
+        owned = Count(placed_in(query, relation, owner.part))
         shared = each & {owner.start, owner.start - 1}
         form = Combine("per", owned, Count(replace_fields(owner.part, plural=True))) if shared else owned
-        tokens = used | owner.used | each | {*(stands.tokens if stands is not None else ())}
-        yield Parse(form, {**features, link: 1.0}, tokens)
+        link = "owner_placed" if stands is not None else order
+        yield Parse(form, {**features, link: 1.0}, (used | owner.used | each).union(said))
 
 
 def exists(question: Question) -> Iterator[Parse]:
     """'Is there a keyway in the shaft?', 'Does the lever have a rib?'"""
     text = question.text
-    gap = text.at_phrases("gap").difference(*(m.used for m in question.parts))
+    gap = text.at_phrases("gap") - used_by(*question.parts)
     if gap or text.at_phrases("overlap", "contact") or any(text.is_word(i + 1, "many") for i in text.at_words("as")):
         return  # whether there are the bodies that touch, or have play, or as many, is not asked
     for span in text.all("exists"):
@@ -129,8 +129,7 @@ def exists(question: Question) -> Iterator[Parse]:
     has = min(filter(question.in_question, text.at_phrases("have") - text.at_words("with")), default=len(text))
     owner = next((m for m in reversed(question.parts) if m.end <= has), None)
     owns = next((m for m in question.parts if m.start > has), None)
-    both = {i for m in (owner, owns) if m is not None for i in m.used}
-    several = both & text.at_words("both", "each", "every") and not text.has("end", "side")  # one is not enough
+    several = used_by(owner, owns) & text.at_words("both", "each", "every") and not text.has("end", "side")
     start = _having(question)
     owned = [m for m in question.parts if start is not None and m.start >= start and not several][:2]
     if question.closed and owner is not None and owns is not None and not (owns.part.count or several):

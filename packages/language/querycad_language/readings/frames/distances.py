@@ -65,7 +65,7 @@ def distances(question: Question) -> Iterator[Parse]:
     """'How far apart are the two keyways?', 'What is the distance between the keyway and the shoulder?'"""
     text = question.text
     for start, end, said, used, named, level in _distance_words(question):
-        axis, along = axis_named(question, set())
+        axis, along = axis_named(question)
         reduce, extreme = _extreme(question, start, end)
         mode, centred = _mode(question, said)
         axes, listed = axes_listed(question)
@@ -247,34 +247,29 @@ def _extreme(question: Question, start: int, end: int) -> tuple[Reduce, set[int]
 
 def _pairs(question: Question, start: int) -> Iterator[_Pair]:
     """Every two parts of a plural one; two that are named; one from the middle or the outside of the model."""
-    named = _ends(question)
-    for spot in chain.from_iterable(named):
+    text, named = question.text, _ends(question)
+    spots = [*chain.from_iterable(named)]
+    for spot in spots:
+        behind = max(spot.used) + 1
         for first, second in ends_between(spot.anchor if isinstance(spot.anchor, PartQuery) else None):
             yield _Pair(first, second, spot.used, {"place_between": 1.0})
-            if second == "each other":
-                yield from _with_next(question.text, named, spot, first)
+            for other in spots if second == "each other" and text.is_word(behind, "and") else ():
+                if behind < min(other.used) <= behind + 3:  # 'the wall between the bore and the edge', which is no part
+                    used = spot.used | other.used | text.at_words("closest", "nearest")
+                    yield _Pair(replace_fields(first, plural=False), other.anchor, used, {"place_between": 1.0})
     ends = [spots for spots in named if not all(spot.at == start for spot in spots)]  # 'the gap' is no end of itself
     after = [spots for spots in ends if spots[0].at >= start]
     before = [spots for spots in ends if spots[0].at < start]
-    neighbors = question.text.at_phrases("neighbor")
+    neighbors = text.at_phrases("neighbor")
     for _, anchor, used, mate in chain.from_iterable([*after[:3], *before[-3:]]):
         if isinstance(anchor, PartQuery) and not (mate or anchor.also):
             anchor = replace_fields(anchor, count=None, plural=True) if neighbors else anchor
             features: Features = {"each_other": 1.0, "count_two": float(anchor.count == 2)}
             yield _Pair(anchor, "each other", used | neighbors, features)
-    yield from _two(question.text, before, after)
-    yield from _levels(question.text, ends)
+    yield from _two(text, before, after)
+    yield from _levels(text, ends)
     for spot in chain.from_iterable([*after[:2], *before[-1:]]):
         yield from _from_model(spot)
-
-
-def _with_next(text: Text, named: Sequence[list[Spot]], spot: Spot, first: PartQuery) -> Iterator[_Pair]:
-    """'The wall between the bore and the edge': what is no part stands behind the phrase."""
-    behind, near = max(spot.used) + 1, text.at_words("closest", "nearest")
-    for other in chain.from_iterable(named) if text.is_word(behind, "and") else ():
-        if behind < min(other.used) <= behind + 3:
-            one = replace_fields(first, plural=False)
-            yield _Pair(one, other.anchor, spot.used | other.used | near, {"place_between": 1.0})
 
 
 def _ends(question: Question) -> list[list[Spot]]:
@@ -293,11 +288,10 @@ def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) 
     pairs += [(after[0], after[2])] if len(after) > 2 else []
     for one, two in chain.from_iterable(product(ones, others) for ones, others in pairs):
         used = one.used | two.used
-        sides = [
-            end.anchor.side for end in (one, two) if isinstance(end.anchor, Boundary) and text.find(end.at, "side")
-        ]
-        if len(sides) == 2 and sides[0] and sides[0].opposite is sides[1]:  # 'from the left side to the right'
-            one = one._replace(anchor=Plane(sides[0], WHOLE))
+        bounds = [end.anchor for end in (one, two) if isinstance(end.anchor, Boundary) and text.find(end.at, "side")]
+        side, other = (bound.side for bound in bounds) if len(bounds) == 2 else (None, None)
+        if side and side.opposite is other:  # 'from the left side to the right'
+            one = one._replace(anchor=Plane(side, WHOLE))
         owner = one.anchor.of if isinstance(one.anchor, Plane) else one.anchor
         itself = isinstance(owner, PartQuery) and two.anchor in (owner, Plane(None, owner))  # 'the slot to its end'
         if isinstance(one.anchor, PartQuery) and one.anchor == two.anchor:  # 'eye to eye'
@@ -311,10 +305,9 @@ def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) 
 def _led(text: Text, one: Spot, two: Spot) -> float:
     """Do a 'from' and a 'to' stand before the two anchors: 'the height from the seat to the rim'? 0.5: one of both."""
     begins, ends = text.at_words("from", "between"), text.at_words("to", "and", "until", "till")
-    leads = []
-    for first in (min(one.used), min(two.used)):
-        start = max((i for i in range(first - 3, first) if text.find(i, "noun")), default=first - 3)
-        leads.append(set(range(start, first)))
+    firsts = (min(one.used), min(two.used))
+    nouns = [max((i for i in range(at - 3, at) if text.find(i, "noun")), default=at - 3) for at in firsts]
+    leads = [set(range(noun, at)) for noun, at in zip(nouns, firsts, strict=True)]
     both = any(a & begins and b & ends for a, b in (leads, leads[::-1]))
     return 1.0 if both else 0.5 * any(lead & (begins | ends) for lead in leads)
 
@@ -424,11 +417,10 @@ def angles(question: Question) -> Iterator[Parse]:
         plain = asked.measures in ((Measure.ANGLE,), (Measure.INCLUDED_ANGLE,))
         if not (plain or leans) or not question.in_question(asked.start):
             continue
-        between = bool(text.at_phrases("between"))
+        between, next_to = bool(text.at_phrases("between")), text.at_phrases("neighbor")
         joining = text.at_phrases("between", "neighbor") if between else text.at_words("apart", *_AGAINST)
         joining |= {i for span in text.all("measure") if span.value is Measure.AXIS for i in span.tokens}
         features: Features = {"angle_between" if between else "angle_of_parts": 1.0}
-        next_to = text.at_phrases("neighbor")
         for first, second in zip_longest(question.parts, question.parts[1:]):
             used = {*asked.used, *first.used, *joining}
             if first.plural or next_to or any(place.relation == "between" for place in first.part.places):

@@ -10,7 +10,7 @@ from querycad_language.forms import AtBothEnds, Check, Count, Distance, Every, F
 from querycad_language.lexicon import Span
 from querycad_language.phrases import Mention, Phrases, placed_in, places_of, replace_fields, without
 from querycad_language.readings.parses import Parse
-from querycad_language.readings.question import Question
+from querycad_language.readings.question import Question, used_by
 from querycad_language.text import Text
 
 from .anchors import WHOLE
@@ -47,7 +47,7 @@ def verb_start(question: Question) -> int | None:
     text, (start, end) = question.text, question.asking
     if question.claims or question.offers_yes_no:
         return start
-    if any(text.find(i, "ask", "where", "count") for i in range(start, end)):
+    if text.any_in(range(start, end), "ask", "where", "count"):
         return None
     if question.closed and question.whether is not None:
         return question.whether
@@ -62,11 +62,9 @@ def verb_start(question: Question) -> int | None:
 
 def _leads(text: Text, at: int) -> bool:
     """May the word stand before a yes-or-no question: 'please tell me whether'?"""
-    if text.find(at, "ask", "where", "count", "noun", "measure") and not text.is_word(at, "that", "this"):
-        return False
-    return text.is_word(at, ",", "if", "whether") or bool(
-        text.find(at, "chatter", "courtesy", "imperative", "function")
-    )
+    names = text.find(at, "ask", "where", "count", "noun", "measure") and not text.is_word(at, "that", "this")
+    leads = text.is_word(at, ",", "if", "whether") or text.find(at, "chatter", "courtesy", "imperative", "function")
+    return bool(leads and not names)
 
 
 def all_such(query: PartQuery, *more: str) -> PartQuery:
@@ -79,8 +77,7 @@ def _openings(question: Question, verb: Span, subject: Mention) -> Iterator[Pars
     text, part = question.text, subject.part
     end = next((i for i in range(verb.end, len(text)) if text.is_break(i) or text.is_word(i, ",")), len(text))
     sides = (text.find(at, "side") for at in range(verb.end, end) if not text.is_word(at - 1, "same"))
-    side = next(filter(None, sides), None)
-    other = next((m for m in _behind(question, verb.end) if m.start < end), None)
+    side, other = next(filter(None, sides), None), _behind(question, verb.end, end)
     used = {*subject.used, *verb.tokens}
     if any(verb.start <= span.start < end for span in text.all("all_through")):
         lengthwise = any(text.is_word(i, "end", "across") for i in range(verb.start, end))
@@ -100,33 +97,31 @@ def _middles(question: Question, cue: Span, subject: Mention) -> Iterator[Parse]
     text = question.text
     if not any(text.find(i, "be", "do") or text.is_word(i, "sit", "lie") for i in range(cue.start)):
         return
-    first = next(iter(_behind(question, cue.end)), None)
-    used = {*subject.used, *cue.tokens, *(first.used if first is not None else ())}
+    first = _behind(question, cue.end)
+    used = used_by(subject, first).union(cue.tokens)
     between = first is not None and text.is_word(cue.end - 1, "between") and not first.plural
     second = question.phrases.at(first.end + 1, 1) if first and between and text.is_word(first.end, "and") else None
     if first is not None and second is not None and second.query is not None:
         far, near = (Distance(subject.part, m.part, "centers") for m in (first, second))
         yield Parse(Check(far, Relation.EQUAL, near), _SAYS, used | second.used)
         return
-    measures = (text.find(i, "measure") for i in range(cue.start, min(cue.end + 5, len(text))))
+    measures = (text.find(i, "measure") for i in range(cue.start, cue.end + 5))
     side = next((one for one in measures if one is not None and one.value in ALONG), None)
-    axis, used = (ALONG[side.value], used | set(side.tokens)) if side is not None else (None, used)
+    axis, along = (ALONG[side.value], set(side.tokens)) if side is not None else (None, set())
     if axis is None and text.is_word(cue.start, *_CENTRED):
-        axis, along = axis_named(question, set())
-        used |= along
-    owner = first.part if first is not None else WHOLE
-    yield Parse(Check(Distance(subject.part, owner, "centers", axis), Relation.AT_MOST, 0.0), _SAYS, used)
+        axis, along = axis_named(question)
+    middle = Distance(subject.part, first.part if first is not None else WHOLE, "centers", axis)
+    yield Parse(Check(middle, Relation.AT_MOST, 0.0), _SAYS, used | along)
 
 
 def _in_line(question: Question, cue: Span, subject: Mention) -> Iterator[Parse]:
     """'Are the two bores in line?', 'Is the pin on the same axis as the bore?'"""
     text = question.text
     joined = _subject(question, subject.end, cue.start) if text.is_word(subject.end, "and") else None
-    other = next(iter(_behind(question, cue.end)), joined)  # 'are the bore and the pin coaxial'
-    used = {*subject.used, *cue.tokens, *(other.used if other is not None else ())}
+    other = _behind(question, cue.end) or joined  # 'are the bore and the pin coaxial'
     strict = any(text.is_word(i, "axis", "coaxial", "concentric") for i in range(cue.start, len(text)))
-    second = other.query if other is not None else None
-    yield Parse(Parallel(subject.part, second, in_line="axis" if strict else "row"), _SAYS, used)
+    form = Parallel(subject.part, other.query if other is not None else None, in_line="axis" if strict else "row")
+    yield Parse(form, _SAYS, used_by(subject, other).union(cue.tokens))
 
 
 def _facing(question: Question, start: int) -> Iterator[Parse]:
@@ -137,15 +132,13 @@ def _facing(question: Question, start: int) -> Iterator[Parse]:
         subject = _subject(question, start, at)
         if subject is None or not (sided or text.is_word(at + 1, "each", "one")):
             continue
-        joined = next((m for m in _behind(question, subject.end + 1) if m.start < at), None)
-        other = joined if text.is_word(subject.end, "and") else None
+        other = _behind(question, subject.end + 1, at) if text.is_word(subject.end, "and") else None
         if other is None and sided and not subject.plural:  # '… on the same side as the pin'
-            other = next(iter(_behind(question, at + 3)), None)
-        second = other.part if other is not None else None
-        used = {*subject.used, *range(subject.end, at + 3 - sided), *(other.used if other is not None else ())}
-        used |= {i for m in question.parts if m.start > at for i in m.used} if sided else set()  # '… of the web'
+            other = _behind(question, at + 3)
+        used = used_by(subject, other, *(m for m in question.parts if sided and m.start > at))  # '… of the web'
         how: Literal["same", "opposite"] = "opposite" if text.is_word(at, "opposite") else "same"
-        yield Parse(Facing(subject.part, second, how if sided else "across"), _SAYS, used)
+        form = Facing(subject.part, other.part if other is not None else None, how if sided else "across")
+        yield Parse(form, _SAYS, used.union(range(subject.end, at + 3 - sided)))
 
 
 def _traits(question: Question, start: int) -> Iterator[Parse]:
@@ -215,8 +208,8 @@ def _subject(question: Question, start: int, end: int) -> Mention | None:
     return mention if mention is not None and mention.query is not None else None
 
 
-def _behind(question: Question, at: int) -> list[Mention]:
-    """The parts that are named behind a token."""
+def _behind(question: Question, at: int, end: int | None = None) -> Mention | None:
+    """The parts that are named first behind a token, and before the end."""
     inner = (question.phrases.at(i, 1, joined=False) for i in range(at, min(at + 4, len(question.text))))
     first = next((m for m in inner if m is not None and m.query is not None), None)
-    return [first, *(m for m in question.parts if m.start >= first.end)] if first is not None else []
+    return first if first is not None and (end is None or first.start < end) else None
