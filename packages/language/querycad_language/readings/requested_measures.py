@@ -156,7 +156,10 @@ def _how(text: Text, at: int, taken: set[int]) -> Requested | None:
         lies = text.at_words("sit", "lie") | ({scale.end} if text.is_word(scale.end, "up") else set())
         if scale.value.measure is Measure.HEIGHT and lies and not text.has("above", "over", "from"):  # where it is
             return _asked("how", Measure.CENTER_HEIGHT, at, scale.end, lies)
-        return _joined_scales(text, at, scale)
+        measures, end = [scale.value.measure], scale.end
+        while text.is_word(end, *_BY) and (more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")):
+            measures, end = [*measures, more.value.measure], more.end  # 'how long and wide is …?'
+        return Requested(at, end, tuple(measures), "how", used=frozenset(range(at, end)))
     free = (i for i in range(at + 2, at + 14) if i not in taken or not text.find(i, "noun"))  # a recess is not recessed
     ahead = (text.find(i, "reach") for i in free if text.is_word(at + 1, "far", "much"))
     if (reach := next(filter(None, ahead), None)) is not None:
@@ -221,7 +224,7 @@ def _bare_scale(text: Text, at: int, taken: AbstractSet[int] = frozenset()) -> S
 
 def _ends(text: Text, at: int) -> bool:
     """Does a symbol or an 'and' stand here?"""
-    return text.is_word(at, "and", "plus") or (0 <= at < len(text) and text.tokens[at].kind is Kind.SYMBOL)
+    return text.is_word(at, "and", "plus") or text.is_kind(at, Kind.SYMBOL)
 
 
 def _of_measure(text: Text, span: Span, taken: set[int]) -> Requested | None:
@@ -248,15 +251,6 @@ def _both(text: Text, span: Span) -> tuple[int, list[Measure]] | None:
     named = (f"{text.words[at]} {text.words[span.end - 1]}" for at in (joint - 1, second))
     found = [dict(text.lexicon.phrases.get(phrase, ())).get("measure") for phrase in named]
     return (joint - 1, [measure for measure in found if measure]) if all(found) else None
-
-
-def _joined_scales(text: Text, at: int, scale: Span) -> Requested:
-    """'How long and wide is …?'"""
-    measures, end = [scale.value.measure], scale.end
-    while text.is_word(end, *_BY) and (more := text.find(end + 1 + text.is_word(end + 1, "how"), "scale")):
-        measures.append(more.value.measure)
-        end = more.end
-    return Requested(at, end, tuple(measures), "how", used=frozenset(range(at, end)))
 
 
 def _joined_measures(text: Text, span: Span, taken: set[int]) -> Requested:

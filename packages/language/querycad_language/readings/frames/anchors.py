@@ -96,8 +96,7 @@ def plane_of(query: PartQuery) -> Plane | Boundary | None:
         return Plane(side, PartQuery(noun=whose, words=(whose,), definite=True))
     if query.noun not in ("face", "surface", "end", "end face", "side face", "flat face"):
         return None
-    planes = (Plane(side, holder) for _, holder in places_of(query))
-    return next(planes, Boundary(side) if side is not None else None)
+    return next((Plane(side, holder) for _, holder in places_of(query)), Boundary(side) if side is not None else None)
 
 
 def _owners(question: Question, at: int) -> list[PartQuery]:

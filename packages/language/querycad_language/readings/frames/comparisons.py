@@ -123,7 +123,7 @@ def _combined(question: Question) -> Iterator[Parse]:
     asked = [one for one in named if one.start >= span.start][:2]
     if len(asked) < (2 if span.value == "ratio" else 1):  # 'the length to width ratio', 'width difference of A and B'
         asked = [*[one for one in named if one.start < span.start][-2 + len(asked) :], *asked]
-    measures = [measure for one in asked for measure in one.measures]
+    measures = [measure for one in asked for measure in one.measures][:2]
     targets: list[Target] = [m.query for m in owners] or [None]
     several = owners[0].query if len(owners) == 1 else None
     if span.value == "apart" and len(measures) == 1 and several is not None and several.plural:
@@ -132,9 +132,8 @@ def _combined(question: Question) -> Iterator[Parse]:
         used = {*span.tokens, *owners[0].used, *asked[0].used, *text.at_words("between")}
         yield Parse(Combine("apart", *ends), {"combined": 1.0}, used)
     if measures and len(measures) + len(targets) > 2:
-        left = Get((measures[0],), targets[0])
-        right = Get((measures[min(1, len(measures) - 1)],), targets[-1])
-        used = set(span.tokens).union(*(one.used for one in asked), *(one.used for one in owners))
+        left, right = (Get((measures[at],), targets[at]) for at in (0, -1))
+        used = used_by(*owners).union(span.tokens, *(one.used for one in asked))
         form = Combine("plus" if span.category == "total" else span.value, left, right)
         factor = Check(form, Relation.EQUAL, text.tokens[span.start].value)
         yield Parse(factor, {"check": 1.0}, used) if span.category == "times" else Parse(form, {"combined": 1.0}, used)

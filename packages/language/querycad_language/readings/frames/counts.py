@@ -124,8 +124,7 @@ def exists(question: Question) -> Iterator[Parse]:
     for span in text.all("exists"):
         counted = text.find(span.start, "count") or text.find(span.start - 1, "count", "ask", "noun", "scale")
         if question.in_question(span.start) and not counted:
-            named = [m for m in question.mentions if m.start >= span.start]
-            yield from _existing(text, named[:2], set(span.tokens))
+            yield from _existing(text, [m for m in question.mentions if m.start >= span.start][:2], set(span.tokens))
     has = min(filter(question.in_question, text.at_phrases("have") - text.at_words("with")), default=len(text))
     owner = next((m for m in reversed(question.parts) if m.end <= has), None)
     owns = next((m for m in question.parts if m.start > has), None)

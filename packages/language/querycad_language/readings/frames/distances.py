@@ -325,8 +325,8 @@ def _levels(text: Text, ends: Sequence[list[Spot]]) -> Iterator[_Pair]:
     for spot in chain.from_iterable(ends):
         under_it = {i for i in text.at_words(*_UNDER) if max(spot.used) - 4 < i < spot.at}
         if isinstance(spot.anchor, PartQuery) and under_it and text.at_phrases("gap"):
-            underside = Plane(Side.BOTTOM, spot.anchor)  # 'the clearance under the handle'
-            yield _Pair(underside, Boundary(Side.BOTTOM), spot.used | under_it, {"level": 1.0})
+            used = spot.used | under_it  # 'the clearance under the handle'
+            yield _Pair(Plane(Side.BOTTOM, spot.anchor), Boundary(Side.BOTTOM), used, {"level": 1.0})
 
 
 def _from_model(spot: Spot) -> Iterator[_Pair]:

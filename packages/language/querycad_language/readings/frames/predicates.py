@@ -144,11 +144,11 @@ def _facing(question: Question, start: int) -> Iterator[Parse]:
 def _traits(question: Question, start: int) -> Iterator[Parse]:
     """'Is the boss hollow?', 'Is the bottom of the pocket flat?': nouns that are adjectives here."""
     text, end = question.text, question.asking[1]
-    said = next((span for span in text.all("adjective") if span.end == end and text.find(span.start, "noun")), None)
-    subject = _subject(question, start, said.start) if said is not None else None
-    if said is not None and subject is not None and said.value.tags and text.find(start, "be"):
-        form = Every(subject.part, all_such(subject.part, said.value.name))
-        yield Parse(form, _SAYS, {*subject.used, *said.tokens})
+    for said in text.all("adjective") if text.find(start, "be") else ():
+        subject = _subject(question, start, said.start) if said.end == end and text.find(said.start, "noun") else None
+        if subject is not None and said.value.tags:
+            such = all_such(subject.part, said.value.name)
+            yield Parse(Every(subject.part, such), _SAYS, {*subject.used, *said.tokens})
 
 
 def _both(question: Question, start: int) -> Iterator[Parse]:

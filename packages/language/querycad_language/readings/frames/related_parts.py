@@ -13,7 +13,7 @@ from querycad_language.measures import ENDS
 from querycad_language.phrases import bare_of, placed_in, places_of, replace_fields
 from querycad_language.readings.owners import CIRCLES
 from querycad_language.readings.parses import Parse
-from querycad_language.readings.question import Question
+from querycad_language.readings.question import Question, used_by
 from querycad_language.readings.requested_measures import Requested
 from querycad_language.text import Text
 
@@ -89,8 +89,7 @@ def _of_piece(text: Text, target: PartQuery, get: Get, parse: Parse) -> Iterator
             yield _of(get, parse, placed_in(point, "of", target), "its_end", used=text.at_words("bottom"))
         case (Measure.LENGTH,) if said := text.covered("center_to_center") | text.at_words("straight"):
             # 'how long is the keyway between its arc centres?', 'the length of the straight part'
-            names = tuple(name for name in target.adjectives if name != "straight")
-            part = replace_fields(target, adjectives=names)
+            part = replace_fields(target, adjectives=tuple(name for name in target.adjectives if name != "straight"))
             yield _of(replace(get, measures=(Measure.CENTRE_LENGTH,)), parse, part, "there", used=said)
 
 
@@ -104,8 +103,7 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
     asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
     if is_round and target.noun in CIRCLES and not target.places:
         links = text.at_words("on", "through", "which", "do", "are")  # 'on which the studs stand', 'through the holes'
-        on_it = [one for one in question.parts if any(asked.end <= i < one.start for i in links)]
-        for mention in on_it[:1]:
+        for mention in [one for one in question.parts if any(asked.end <= i < one.start for i in links)][:1]:
             on = placed_in(replace_fields(target, noun="bolt circle"), "", mention.part)
             yield _of(get, parse, on, used=mention.used | text.at_words("on", "through", "which"))
     if get.measures == (Measure.PITCH_DIAMETER,) and target.noun != "gear":
@@ -122,12 +120,11 @@ def _root_fillet(question: Question, get: Get, parse: Parse) -> Iterator[Parse]:
     if get.measures != (Measure.RADIUS,) or not between or text.has("blend"):
         return
     ends = [m for m in question.parts if m.start > min(between)][:2]
-    first_in = (what for m in ends[:1] for _, what in places_of(m.part))
-    meeting = [*(m.part for m in ends), *first_in][:2]
+    meeting = [*(m.part for m in ends), *(what for m in ends[:1] for _, what in places_of(m.part))][:2]
     if len(meeting) == 2:
         fillet = PartQuery(noun="fillet", words=("fillet",), definite=True)
         fillet = placed_in(placed_in(fillet, "on", replace_fields(meeting[0], places=())), "on", meeting[1])
-        used = (between | text.at_words("meet", "join", "and", "to")).union(*(m.used for m in ends))
+        used = between | text.at_words("meet", "join", "and", "to") | used_by(*ends)
         yield _of(get, parse, fillet, "its_end", used=used)
 
 
@@ -188,7 +185,7 @@ def _there(question: Question, target: PartQuery, get: Get, parse: Parse) -> Ite
             sides = faced if measure is Measure.OPENING else ()  # 'its centre on the bottom face'
             form = replace(get, measures=(measure,), target=replace_fields(target, sides=sides))
             said = {name: value for name, value in parse.features.items() if not name.startswith("link_")}
-            named = set().union(*(m.used for m in question.parts if m.start <= end < m.end))
+            named = used_by(*(m for m in question.parts if m.start <= end < m.end))
             yield Parse(form, said | {"link_of": 1.0, "there": 1.0}, parse.used | {*range(start, end + 1)} | named)
 
 
@@ -208,8 +205,7 @@ def _of_its_end(question: Question, asked: Requested, get: Get, parse: Parse) ->
     said = set(before.tokens) if before is not None else set()
     if get.measures[0] is Measure.RADIUS and target is not None:  # 'R at the top of the lugs'
         ends = PartQuery(noun="rounded end", adjectives=("outer",), definite=True)
-        rounded = placed_in(ends, "on", replace_fields(target, sides=()))
-        yield _of(get, parse, rounded, "its_end", used=said)
+        yield _of(get, parse, placed_in(ends, "on", replace_fields(target, sides=())), "its_end", used=said)
     face = PartQuery(noun="face", words=("face",), sides=sides, definite=True)
     face = face if target is None else placed_in(face, "of", replace_fields(target, sides=()))
     yield _of(get, parse, face, "its_end", used=said)

@@ -13,7 +13,7 @@ from querycad_language.measures import EXTENTS, is_length
 from querycad_language.phrases import places_of, replace_fields
 from querycad_language.readings.owners import Owner, owners_of
 from querycad_language.readings.parses import Features, Parse
-from querycad_language.readings.question import Question
+from querycad_language.readings.question import Question, used_by
 from querycad_language.readings.requested_measures import EXTREMES, SIZES, Requested, asked_in
 from querycad_language.text import Text
 from querycad_language.tokens import DENSITY, Kind
@@ -54,7 +54,7 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
-            if not under_cut(question, get):
+            if not _under_cut(question, get):
                 yield from _with_axis(question, get, parse)
             yield from less(question, get, parse.features, parse.used)
             yield from material(question, get, parse.features, parse.used)
@@ -148,7 +148,7 @@ def material(question: Question, get: Get, features: Features, used: AbstractSet
         yield Parse(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
 
 
-def under_cut(question: Question, get: Get) -> bool:
+def _under_cut(question: Question, get: Get) -> bool:
     """Is it asked how thick the lever is below the pocket? Then what is left there is meant, and not all of it."""
     known = question.text.lexicon.nouns
     below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
@@ -253,19 +253,15 @@ def _reduce(question: Question, asked: Requested, target: Target) -> tuple[Reduc
             if meaning is not Reduce.TOTAL or (plural and adds):
                 return meaning, set(span.tokens)
             used |= set(span.tokens)
-    if target is None:
-        return Reduce.ONE, used
-    if each or (target.plural and not target.sample):
+    if target is not None and (each or (target.plural and not target.sample)):
         return Reduce.EACH, used | each
-    named = any(text.tokens[i].plural for i in range(asked.start, asked.end))  # 'which diameters has one of the holes'
-    several = named and target.plural and not target.definite and asked.measures[0] is not Measure.SIZE
-    return Reduce.EACH if several else Reduce.ONE, used
+    return Reduce.ONE, used
 
 
 def wholes(question: Question) -> Iterator[Parse]:
     """'Which share of the box around it does it take up?', 'Which direction is the model largest in, x, y or z?'"""
     text = question.text
-    named = {i for m in question.mentions if m.query is None for i in m.used}
+    named = used_by(*(m for m in question.mentions if m.query is None))
     yield from _against_box(question, named)
     scales = [span for span in text.all("scale") if span.value.degree == "most" and span.value.measure in _LONG]
     longest = text.at_words("furthest").union(*(span.tokens for span in scales))
@@ -282,8 +278,7 @@ def wholes(question: Question) -> Iterator[Parse]:
     for mention in question.parts[:2] if led and (which or either) else ():
         bare = tuple(name for name in mention.part.adjectives if "parallel" not in name)  # 'does it run along x or y?'
         form = Get((Measure.LONG_AXIS,), replace_fields(mention.part, adjectives=bare))
-        said = used | led | mention.used | text.at_words("or")
-        yield Parse(form, {"along_axis": 1.0, "asked_noun": 1.0}, said)
+        yield Parse(form, {"along_axis": 1.0, "asked_noun": 1.0}, used | led | mention.used | text.at_words("or"))
 
 
 def _against_box(question: Question, named: set[int]) -> Iterator[Parse]:
