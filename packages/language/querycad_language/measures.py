@@ -27,12 +27,8 @@ _TYPES = {
 }  # fmt: skip
 """Of what is no single length."""
 SCALARS = frozenset(getattr(AnswerType, name) for name in ["LENGTH", "AREA", "VOLUME", "ANGLE", "NUMBER", "COUNT"])
-_MANY = {
-    AnswerType.SIZE: AnswerType.SIZES, AnswerType.AREA: AnswerType.AREAS, AnswerType.VOLUME: AnswerType.VOLUMES,
-    AnswerType.POINT: AnswerType.POINTS, AnswerType.DIRECTION: AnswerType.DIRECTIONS, AnswerType.TEXT: AnswerType.TEXTS,
-    AnswerType.LENGTH: AnswerType.LENGTHS, AnswerType.ANGLE: AnswerType.ANGLES, AnswerType.COUNT: AnswerType.NUMBERS,
-    AnswerType.NUMBER: AnswerType.NUMBERS,
-}  # fmt: skip
+_MANY = {kind: AnswerType(f"{kind}s") for kind in AnswerType if f"{kind}s" in [*AnswerType]}
+_MANY[AnswerType.COUNT] = AnswerType.NUMBERS
 
 
 def answer_type(measure: Measure, several: bool = False) -> AnswerType:

@@ -29,6 +29,12 @@ _CUT_BY = {
 MAX_OWNERS = 12  # parts further away are hardly meant; no question that was collected names more
 
 
+def kinds_of(query: Target) -> tuple[str, ...]:
+    """Of which kinds are such parts, in the narrowest sense of their noun? None where it is not known."""
+    noun = lexicon().nouns.get(query.noun) if query is not None else None
+    return noun.senses[0].kind if noun is not None else ()
+
+
 class Owner(NamedTuple):
     """What a measure may be asked of. `used`: the tokens that name and link it."""
 
@@ -88,7 +94,7 @@ def _part_of(query: PartQuery, one: bool) -> Iterator[PartQuery]:
             yield placed_in(replace_fields(what, noun=CIRCLES[-1]), "of", without(query, place))
     for relation, ends in (("of", _CUTS | {"cone"}), ("", {"cone"})):
         for _, holder in places_of(query, relation) if query.noun in _SECTIONS else ():
-            if (noun := lexicon().nouns.get(holder.noun)) is not None and ends.issuperset(noun.senses[0].kind):
+            if (kinds := kinds_of(holder)) and ends.issuperset(kinds):
                 yield replace_fields(holder, adjectives=(*holder.adjectives, *query.adjectives))
 
 

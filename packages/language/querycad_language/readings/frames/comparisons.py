@@ -122,7 +122,8 @@ def _combined(question: Question) -> Iterator[Parse]:
     span, named = spans[0], asked_in(question)
     asked = [one for one in named if one.start >= span.start][:2]
     if len(asked) < (2 if span.value == "ratio" else 1):  # 'the length to width ratio', 'width difference of A and B'
-        asked = [*[one for one in named if one.start < span.start][-2 + len(asked) :], *asked]
+        before = [one for one in named if one.start < span.start]
+        asked = [*before[-2 + len(asked) :], *asked]
     measures = [measure for one in asked for measure in one.measures][:2]
     targets: list[Target] = [m.query for m in owners] or [None]
     several = owners[0].query if len(owners) == 1 else None

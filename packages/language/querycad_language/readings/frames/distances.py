@@ -9,8 +9,8 @@ from typing import Literal, NamedTuple
 
 from querycad_contracts import Measure, PartKind, PartQuery, Side
 from querycad_language.forms import LONGEST, SHORTER, Anchor, Angle, Boundary, Distance, Plane, Reduce, Several
-from querycad_language.lexicon import lexicon
 from querycad_language.phrases import places_of, replace_fields, without
+from querycad_language.readings.owners import kinds_of
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question
 from querycad_language.readings.requested_measures import EXTREMES, asked_in
@@ -22,7 +22,7 @@ from .related_parts import floored, is_cut, rimmed
 
 Mode = Literal["centers", "surfaces", "outsides", "usual"]
 NEAR = 3  # words between 'over the outsides' and the measure that it belongs to
-_ROUND = (PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY)
+_ROUND = frozenset((PartKind.HOLE, PartKind.BOSS, PartKind.CYLINDER, PartKind.BODY))
 _RIMS = ("rim", "brim", "top", "top edge", "upper edge", "mouth")
 BORDERS = ("edge", "wall", "flank", "side", "end", "face", "rim", "beginning", "start")
 """What has a nearer one of: 'to the near edge of the slot'."""
@@ -101,7 +101,7 @@ def distances(question: Question) -> Iterator[Parse]:
 def _of_holders(form: Distance) -> Distance:
     """'The inner faces of the two webs', 'across the outer faces of the lugs': of the webs, of the lugs."""
     first = form.first
-    if form.second != "each other" or not (isinstance(first, PartQuery) and _is_kind(first, PartKind.FACE)):
+    if form.second != "each other" or not (isinstance(first, PartQuery) and PartKind.FACE in kinds_of(first)):
         return form
     holder = next((what for _, what in places_of(first, "of", "") if what.plural), None)
     mode: Mode = "outsides" if "outer" in first.adjectives else "surfaces"
@@ -305,9 +305,10 @@ def _two(text: Text, before: Sequence[list[Spot]], after: Sequence[list[Spot]]) 
 def _led(text: Text, one: Spot, two: Spot) -> float:
     """Do a 'from' and a 'to' stand before the two anchors: 'the height from the seat to the rim'? 0.5: one of both."""
     begins, ends = text.at_words("from", "between"), text.at_words("to", "and", "until", "till")
-    firsts = (min(one.used), min(two.used))
-    nouns = [max((i for i in range(at - 3, at) if text.find(i, "noun")), default=at - 3) for at in firsts]
-    leads = [set(range(noun, at)) for noun, at in zip(nouns, firsts, strict=True)]
+    leads = []
+    for first in (min(one.used), min(two.used)):
+        start = max((i for i in range(first - 3, first) if text.find(i, "noun")), default=first - 3)
+        leads.append(set(range(start, first)))
     both = any(a & begins and b & ends for a, b in (leads, leads[::-1]))
     return 1.0 if both else 0.5 * any(lead & (begins | ends) for lead in leads)
 
@@ -400,13 +401,8 @@ def opposites(question: Question) -> Iterator[Parse]:
     across = text.at_words("opposite", "far", "across", "straight", "to", "from", "wall", "side", "floor", "bottom")
     beyond = text.has("opposite") or any(text.is_word(i + 1, "side", "wall", "face") for i in text.at_words("far"))
     for (flat, used), (other, more) in permutations(named, 2) if beyond else ():
-        if (is_cut(flat) or flat.noun == "flat") and not _is_kind(flat, *_ROUND) and _is_kind(other, *_ROUND):
+        if (is_cut(flat) or flat.noun == "flat") and not _ROUND & {*kinds_of(flat)} and _ROUND & {*kinds_of(other)}:
             yield Parse(Distance(flat, other, "across"), {"across_round": 1.0}, used | more | across)
-
-
-def _is_kind(query: PartQuery, *kinds: PartKind) -> bool:
-    noun = lexicon().nouns.get(query.noun)
-    return noun is not None and not set(kinds).isdisjoint(noun.senses[0].kind)
 
 
 def angles(question: Question) -> Iterator[Parse]:

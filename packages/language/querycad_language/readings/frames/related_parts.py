@@ -11,7 +11,7 @@ from querycad_language.forms import Get, Reduce, Target
 from querycad_language.lexicon import lexicon
 from querycad_language.measures import ENDS
 from querycad_language.phrases import bare_of, placed_in, places_of, replace_fields
-from querycad_language.readings.owners import CIRCLES
+from querycad_language.readings.owners import CIRCLES, kinds_of
 from querycad_language.readings.parses import Parse
 from querycad_language.readings.question import Question, used_by
 from querycad_language.readings.requested_measures import Requested
@@ -103,7 +103,8 @@ def _circle(question: Question, asked: Requested, get: Get, parse: Parse) -> Ite
     asked_on = {i for i in leads if text.is_word(i, "on") and text.find(i + 1, "ask")}  # 'on which diameter are they?'
     if is_round and target.noun in CIRCLES and not target.places:
         links = text.at_words("on", "through", "which", "do", "are")  # 'on which the studs stand', 'through the holes'
-        for mention in [one for one in question.parts if any(asked.end <= i < one.start for i in links)][:1]:
+        on_it = [one for one in question.parts if any(asked.end <= i < one.start for i in links)]
+        for mention in on_it[:1]:
             on = placed_in(replace_fields(target, noun="bolt circle"), "", mention.part)
             yield _of(get, parse, on, used=mention.used | text.at_words("on", "through", "which"))
     if get.measures == (Measure.PITCH_DIAMETER,) and target.noun != "gear":
@@ -220,8 +221,8 @@ def within(target: Target) -> PartQuery:
 
 def is_cut(target: Target) -> bool:
     """Is it a space, not what is around one?"""
-    noun = lexicon().nouns.get(target.noun) if target is not None else None
-    return noun is not None and all(PartKind(kind).cuts_in or kind in _TUBES for kind in noun.senses[0].kind)
+    kinds = kinds_of(target)
+    return bool(kinds) and all(PartKind(kind).cuts_in or kind in _TUBES for kind in kinds)
 
 
 def floored(query: PartQuery) -> PartQuery | None:

@@ -11,7 +11,7 @@ from querycad_contracts import Measure, PartKind
 from querycad_language.forms import LONGEST, Behind, Combine, Distance, Get, Reduce, Target
 from querycad_language.measures import EXTENTS, is_length
 from querycad_language.phrases import places_of, replace_fields
-from querycad_language.readings.owners import Owner, owners_of
+from querycad_language.readings.owners import Owner, kinds_of, owners_of
 from querycad_language.readings.parses import Features, Parse
 from querycad_language.readings.question import Question, used_by
 from querycad_language.readings.requested_measures import EXTREMES, SIZES, Requested, asked_in
@@ -54,7 +54,7 @@ def values(question: Question) -> Iterator[Parse]:
             assert isinstance(get, Get)
             yield from _both_diameters(question, get, parse)
             yield from of_related(question, asked, get, parse)
-            if not _under_cut(question, get):
+            if not _under_cut(get):
                 yield from _with_axis(question, get, parse)
             yield from less(question, get, parse.features, parse.used)
             yield from material(question, get, parse.features, parse.used)
@@ -148,11 +148,10 @@ def material(question: Question, get: Get, features: Features, used: AbstractSet
         yield Parse(Get((Measure.BOTTOM_THICKNESS,), floored(cut) or cut), under, owned)
 
 
-def _under_cut(question: Question, get: Get) -> bool:
+def _under_cut(get: Get) -> bool:
     """Is it asked how thick the lever is below the pocket? Then what is left there is meant, and not all of it."""
-    known = question.text.lexicon.nouns
-    below = [known[cut.noun] for _, cut in places_of(get.target, "below", "behind") if cut.noun in known]
-    cut_in = any(PartKind(kind).cuts_in for noun in below for kind in noun.senses[0].kind)
+    kinds = [kind for _, cut in places_of(get.target, "below", "behind") for kind in kinds_of(cut)]
+    cut_in = any(PartKind(kind).cuts_in for kind in kinds)
     return cut_in and get.measures[0] in _THICKNESSES and get.target is not None and get.target.noun != "floor"
 
 
