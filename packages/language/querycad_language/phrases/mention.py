@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -37,8 +38,9 @@ class Mention:
 
 @dataclass(slots=True)
 class PhraseBuilder:
-    """What is gathered of a phrase while it is read."""
+    """What is gathered of a phrase while it is read. `read`: `Phrases.at`, for the phrases within this one."""
 
+    read: Callable[[int, int, bool], Mention | None]
     adjectives: list[str] = field(default_factory=list)
     lacking: list[str] = field(default_factory=list)
     sizes: list[SizeFilter] = field(default_factory=list)
@@ -63,6 +65,15 @@ class PhraseBuilder:
     depth: int = 0  # in how many other phrases it stands
     joined: bool = False  # may 'and' add a further kind?
     used: set[int] = field(default_factory=set)
+
+    def within(self, at: int, joined: bool = False) -> Mention | None:
+        """The noun phrase within this one that begins here. `joined`: 'and' may add a further kind to it."""
+        return self.read(at, self.depth + 1, joined)
+
+    def inner(self, at: int) -> Mention | None:
+        """The parts that are named here within this phrase."""
+        mention = self.within(at)
+        return mention if mention is not None and mention.query is not None else None
 
     def seen_on(self, sides: list[Side], half: bool) -> None:
         """They are seen on the sides, or lie in those halves of the model."""

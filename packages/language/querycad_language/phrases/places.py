@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from querycad_contracts import Measure, Place, Rank, Side
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -11,13 +9,9 @@ from querycad_language.tokens import Kind
 from .mention import MAX_DEPTH, PhraseBuilder, gather, replace_fields
 from .words import is_noun, noun_follows
 
-if TYPE_CHECKING:
-    from .reader import Phrases
 
-
-def seen(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def seen(text: Text, at: int, build: PhraseBuilder) -> int:
     """'visible from the top', 'on the left side', 'not seen from above'."""
-    text = phrases.text
     if (beside := text.find(at, "place")) is not None and beside.value in ("left", "right"):
         return at  # 'to the left of the collar'
     negated = text.is_word(at, "not", "invisible", "hidden")
@@ -39,7 +33,7 @@ def seen(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     if not sides or (negated and seeing is None and not text.find(start, "side_preposition")):
         return at
     at_end = seeing is None and not negated and (text.is_word(end - 1, "end") or text.is_word(start, "near"))
-    other = phrases.at(end + 1, build.depth + 1) if text.is_word(end, "of") else None
+    other = build.within(end + 1, joined=True) if text.is_word(end, "of") else None
     if other is not None and other.query is not None:  # 'on the left side of the flange'
         build.ends += sides if at_end else []  # 'at the left end of the shaft'
         build.places.append(Place(relation="of", what=other.query, side=None if at_end else sides[0]))
@@ -108,9 +102,8 @@ def along(text: Text, at: int, build: PhraseBuilder) -> int:
     return text.skip(axis.end, "measure") if text.is_word(axis.end, "axis", "direction") else axis.end
 
 
-def nearest(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def nearest(text: Text, at: int, build: PhraseBuilder) -> int:
     """'nearest to the edge', 'farthest from the slot'."""
-    text = phrases.text
     if (end := _by_coordinate(text, at, build)) > at:
         return end
     span = text.find(at, "near", "far")
@@ -127,7 +120,7 @@ def nearest(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
         away = most and "from" in text.words[span.start : start]
         build.ranks.append(Rank(side=side.value.opposite if away else side.value))
         return text.skip(side.end, "side_noun")
-    other = phrases.inner(start, build.depth)
+    other = build.inner(start)
     return gather(build.ranks, Rank(near=other.query, most=most), other.end) if other is not None else at
 
 
@@ -143,9 +136,8 @@ def _by_coordinate(text: Text, at: int, build: PhraseBuilder) -> int:
     return gather(build.ranks, Rank(side=next(side for side in Side if side.outward[axis.value] == sign)), axis.end)
 
 
-def central(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def central(text: Text, at: int, build: PhraseBuilder) -> int:
     """'in the middle of the plate', 'in the four corners'."""
-    text = phrases.text
     span = text.find(at, "center")
     corner = text.skip(at + 1, "article", "each", "number")
     if span is not None:
@@ -158,15 +150,14 @@ def central(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     else:
         return at
     build.adjectives.append("corner" if text.is_word(end - 1, "corner") else "central")
-    other = phrases.at(end + 1, build.depth + 1, joined=False) if text.is_word(end, "of") else None
+    other = build.within(end + 1) if text.is_word(end, "of") else None
     if other is not None and other.query is not None:
         build.places.append(Place(relation="in", what=other.query))
     return other.end if other is not None else span.end if span is not None else end
 
 
-def placed(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def placed(text: Text, at: int, build: PhraseBuilder) -> int:
     """'in the flange', 'between the lugs', 'above the pocket'."""
-    text = phrases.text
     span = text.find(at, "place")
     longer = text.find(at, "measure", "contact", "noun")  # 'across flats', 'in contact with', 'through holes'
     if span is None or (longer and longer.end > span.end) or leads_away(text, at):
@@ -180,7 +171,7 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     piece = text.skip(inner, "side_noun", "edge")
     if piece > inner and text.is_word(piece, "of") and not text.is_word(at, "from"):  # 'in the side of' is in it
         start = piece + 1
-    other = phrases.at(start, build.depth + 1, joined=span.value == "between")
+    other = build.within(start, joined=span.value == "between")
     if other is None:
         return at
     if other.query is None:
@@ -188,7 +179,7 @@ def placed(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     if text.find(other.end, "measure") and not text.is_word(other.end, "of"):
         return at  # 'holes in plate thickness direction'
     also = text.skip(other.end, "side", "ground", "side_noun")  # 'groove bottom and bore'
-    second = phrases.inner(also + 1, build.depth) if span.value == "between" and text.is_word(also, "and") else None
+    second = build.inner(also + 1) if span.value == "between" and text.is_word(also, "and") else None
     if second is not None:
         both = replace_fields(other.query, also=(*other.query.also, second.part))
         return gather(build.places, Place(relation="between", what=both), second.end)

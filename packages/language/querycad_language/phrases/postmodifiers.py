@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from querycad_contracts import Place, Rank, Relation
 from querycad_language.text import Text
 from querycad_language.tokens import Kind
@@ -13,30 +11,26 @@ from .places import along, central, leads_away, nearest, placed, seen, sideways
 from .sizes import stated_size
 from .words import is_noun, noun_follows, scale_at, superlative
 
-if TYPE_CHECKING:
-    from .reader import Phrases
-
 _OPENING = ("open", "opens", "break", "breaks", "out")
 _GAP = ("be", "do", "seeing", "function", "have")  # words that may lead to a modifier: 'that are', 'which has'
 
 
-def modifiers(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def modifiers(text: Text, at: int, build: PhraseBuilder) -> int:
     """Where the modifiers that begin here end."""
-    while (end := _modifier(phrases, at, build)) > at:
+    while (end := _modifier(text, at, build)) > at:
         at = end
     return at
 
 
-def _modifier(phrases: Phrases, start: int, build: PhraseBuilder) -> int:
+def _modifier(text: Text, start: int, build: PhraseBuilder) -> int:
     """Where a modifier that begins here, or behind words such as 'that are', ends; `start` where none does."""
-    text = phrases.text
     relative = False
     for at in range(start, min(len(text), start + 6)):
         opening = text.find(at, "emerging")
         to_side = text.find(opening.end if opening else at + 1, "side_preposition")
         to_side = to_side if to_side and not text.is_word(to_side.end, "both", "one") else None
         if text.is_word(at, "(") or (text.is_word(at, ",") and at == start):
-            after = _joins(phrases, at, build) or _left_out(phrases, at + 1, build)
+            after = _joins(text, at, build) or _left_out(text, at + 1, build)
             if after == at + 1 and _opens(text, at):
                 continue
         elif to_side and (opening or text.is_word(at, *_OPENING)):
@@ -44,7 +38,7 @@ def _modifier(phrases: Phrases, start: int, build: PhraseBuilder) -> int:
         elif text.tokens[at].kind is Kind.SYMBOL and not text.find(at, "relation"):
             return start
         else:
-            after = _one_modifier(phrases, at, build)
+            after = _one_modifier(text, at, build)
         if after > at + text.is_word(at, "(", ","):
             after += text.is_word(after, ")") and "(" in text.words[start:after]
             build.used.update(range(start, after))
@@ -89,18 +83,12 @@ def _leads(text: Text, at: int) -> bool:
     return not verb or text.is_word(at - 1, "that", "which", "where")
 
 
-def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
-    text = phrases.text
-    if (end := seen(phrases, at, build)) > at:
-        return end
+def _one_modifier(text: Text, at: int, build: PhraseBuilder) -> int:
     be = text.is_word(at - 1, "are", "is")  # 'the holes of the rail are stepped': said of the noun around it
     own = build.depth == 0 or text.is_word(at - 1 - be, "that", "which")
-    restricting = (_through, sideways, along, _colored, _ranked, _fitted, _stated_size)
-    for read in restricting if own else (_fitted, _stated_size):
+    restricting = [_through, sideways, along, _colored, _ranked] if own else []
+    for read in [seen, *restricting, _fitted, _stated_size, _trait, _exception, nearest, central]:
         if (end := read(text, at, build)) > at:
-            return end
-    for nested in (_trait, _exception, nearest, central):
-        if (end := nested(phrases, at, build)) > at:
             return end
     negated = text.is_word(at, "not")
     begin = at + 2 if text.is_word(at, "on", "in", "around") and text.is_word(at + 2, "inside", "outside") else at
@@ -112,17 +100,16 @@ def _one_modifier(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     asked = text.find(begin, "verbs") is not None and text.has("much", "degree")  # 'how much is it tilted'
     if own and adjective and not (sided or asked or is_noun(text, adjective.end) or place) and adjective.value.tags:
         return gather(build.lacking if negated else build.adjectives, adjective.value.name, adjective.end)
-    end = placed(phrases, at, build)
-    return end if end > at else _joins(phrases, at, build) or at
+    end = placed(text, at, build)
+    return end if end > at else _joins(text, at, build) or at
 
 
-def _joins(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def _joins(text: Text, at: int, build: PhraseBuilder) -> int:
     """Where another kind ends that is joined here: 'holes and slots', 'screws, washers and nuts'; 0 where none is."""
-    text = phrases.text
     plural = build.nouns and any(text.tokens[i].plural for i in build.nouns[-1].tokens)
     if not (plural and build.joined and text.is_word(at, "and", "or", "&", "plus", ",")):
         return 0
-    other = phrases.at(at + 1, min(build.depth + 1, MAX_DEPTH), joined=False)
+    other = build.read(at + 1, min(build.depth + 1, MAX_DEPTH), False)
     if other is None or other.query is None or not (other.query.known and other.query.noun and other.query.plural):
         return 0
     there = text.is_word(other.end + 1, "there")  # 'how many holes and slots are there'
@@ -225,9 +212,8 @@ def _ranked(text: Text, at: int, build: PhraseBuilder) -> int:
     return gather(build.ranks, Rank(measure=measure.value, most=most), measure.end)
 
 
-def _trait(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def _trait(text: Text, at: int, build: PhraseBuilder) -> int:
     """'with a thread', 'without counterbore', 'having four holes'."""
-    text = phrases.text
     place = text.find(at, "place")
     place = place if place is not None and place.value in ("with", "without") else None
     counts = build.depth == 0 and text.any_in(range(at), "count")  # 'how many holes have a thread'
@@ -243,7 +229,7 @@ def _trait(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     if span is not None and not (longer and longer.end > span.end) and not text.find(span.end, "relation"):
         (build.lacking if lacking else build.adjectives).append(span.value.name)
         return _further(text, span.end, build) if lacking else span.end
-    other = phrases.inner(start, build.depth) if place is not None else None
+    other = build.inner(start) if place is not None else None
     if other is None:
         return at
     return gather(build.places, Place(relation="with", what=other.part, negated=lacking), other.end)
@@ -261,17 +247,16 @@ def _further(text: Text, at: int, build: PhraseBuilder) -> int:
     return _further(text, span.end, build)
 
 
-def _left_out(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def _left_out(text: Text, at: int, build: PhraseBuilder) -> int:
     """', the dowel holes left out', ', dowel holes not counted'."""
-    other = phrases.inner(at, build.depth) if build.depth == 0 else None
-    if other is None or (span := phrases.text.find(other.end, "left_out")) is None:
+    other = build.inner(at) if build.depth == 0 else None
+    if other is None or (span := text.find(other.end, "left_out")) is None:
         return at
     return gather(build.excluded, other.part, span.end)
 
 
-def _exception(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
+def _exception(text: Text, at: int, build: PhraseBuilder) -> int:
     """'except the one in the middle'."""
-    text = phrases.text
     if build.depth > 0:
         return at  # 'holes in the ring except the large one' excludes a hole
     scale, span = text.find(at, "scale"), text.find(at, "except", "minus")
@@ -281,12 +266,12 @@ def _exception(phrases: Phrases, at: int, build: PhraseBuilder) -> int:
     start = span.end if span is not None else int(below) - 1
     inner = text.skip(start, "article")
     ranked = inner > start and superlative(text, inner) is not None  # 'minus the largest'
-    other = phrases.at(start, build.depth + 1) if ranked or span is None or span.category == "except" else None
+    other = build.within(start, joined=True) if ranked or span is None or span.category == "except" else None
     if other is None or other.query is None:
         return at
     build.excluded.append(other.query)
     more = text.skip(other.end + 1, "except") if text.is_word(other.end, "and", "or", ",") else other.end
     again = span is not None and (more > other.end + 1 or (more > other.end and text.find(more, "article")))
-    second = phrases.at(more, build.depth + 1) if again else None  # 'besides the slit and (besides) the keyway'
+    second = build.within(more, joined=True) if again else None  # 'besides the slit and (besides) the keyway'
     build.excluded += [second.query] if second is not None and second.query is not None else []
     return second.end if second is not None else other.end

@@ -37,16 +37,11 @@ class Phrases:
             self._known[key] = self._owned(mention, depth, joined) if mention is not None else None
         return self._known[key]
 
-    def inner(self, start: int, depth: int) -> Mention | None:
-        """The parts that are named here within a phrase."""
-        mention = self.at(start, depth + 1, joined=False)
-        return mention if mention is not None and mention.query is not None else None
-
     def place(self, start: int) -> tuple[Place | None, int]:
         """The place by another part that begins here, apart from what is there, and where it ends."""
         for read in (placed, seen):
-            build = PhraseBuilder()
-            end = read(self, start, build)
+            build = PhraseBuilder(self.at)
+            end = read(self.text, start, build)
             if build.places:
                 return build.places[0], end
         return None, start
@@ -144,19 +139,19 @@ class Phrases:
         return replace(mention, query=replace_fields(query, noun=named.noun, known=named.known, words=named.words))
 
     def _read(self, start: int, depth: int, joined: bool) -> Mention | None:
-        build, at = PhraseBuilder(depth=depth, joined=joined), start
+        build, at = PhraseBuilder(self.at, depth=depth, joined=joined), start
         while at < min(len(self.text), start + MAX_LEAD) and (after := before_noun(self.text, at, build)) > at:
             build.used.update(range(at, after))
             at = after
         head = head_of(self.text, build, start, at)
         if not isinstance(head, int):
             return head
-        return mention_of(self.text, start, modifiers(self, head, build), build)
+        return mention_of(self.text, start, modifiers(self.text, head, build), build)
 
     def view(self, at: int) -> Mention | None:
         """A side that is said here apart from a part, as a mention without a noun."""
-        build = PhraseBuilder(depth=1)
-        end = seen(self, at, build)
+        build = PhraseBuilder(self.at, depth=1)
+        end = seen(self.text, at, build)
         inner = self.text.skip(at, "article")
         if end == at and inner > at and (side := self.text.find(inner, "side")):
             owner = self.text.skip(side.end, "side_noun")
