@@ -152,32 +152,27 @@ class Phrases:
         """A side that is said here apart from a part, as a mention without a noun."""
         build = PhraseBuilder(self.at, depth=1)
         end = seen(self.text, at, build)
-        inner = self.text.skip(at, "article")
-        if end == at and inner > at and (side := self.text.find(inner, "side")):
-            owner = self.text.skip(side.end, "side_noun")
-            whole = self.text.skip(owner + 1, "article") if self.text.is_word(owner, "of") else owner
-            owner = self.text.skip(whole, "whole")  # 'the top of the part has …'
-            if self.text.find(owner, "have") or self.text.find(at - 1, "have"):  # 'does the top have?'
-                build.sides.append(side.value)
-                end = owner
-        if end == at:
-            end = self._fragment(at, build)
+        end = end if end > at else self._side(at, build)
         build.used.update(range(at, end))
         return mention_of(self.text, at, end, build) if end > at else None
 
-    def _fragment(self, at: int, build: PhraseBuilder) -> int:
-        """Where a side ends that stands alone between commas: 'lugs, underside only'."""
+    def _side(self, at: int, build: PhraseBuilder) -> int:
+        """Where a side ends that has something ('the top of the part has') or stands alone: 'lugs, underside only'."""
         text = self.text
         start = text.skip(at, "article")
-        side = text.find(start, "side") if not text.is_word(at - 1, "and", "or", "/") else None
-        lead = at - text.is_word(at - 1, "only", "just")
-        if side is None or not (lead == 0 or text.is_kind(lead - 1, Kind.SYMBOL)):
+        if (side := text.find(start, "side")) is None:
             return at
         end = text.skip(side.end, "side_noun")
+        owner = text.skip(text.skip(end + 1, "article") if text.is_word(end, "of") else end, "whole")
+        if start > at and (text.find(owner, "have") or text.find(at - 1, "have")):  # 'does the top have?'
+            build.sides.append(side.value)
+            return owner
         half = text.is_word(end - 1, "half")
         end += text.is_word(end, "only", "alone")
         whole = text.skip(text.skip(end + 1, "article"), "whole") if text.is_word(end, "of") else end
-        if whole < len(text) and not text.is_kind(whole, Kind.SYMBOL):
+        lead = at - text.is_word(at - 1, "only", "just")
+        begun = text.is_word(at - 1, "and", "or", "/") or not (lead == 0 or text.is_kind(lead - 1, Kind.SYMBOL))
+        if begun or (whole < len(text) and not text.is_kind(whole, Kind.SYMBOL)):
             return at
         build.seen_on([side.value], half)
         return whole
