@@ -8,15 +8,14 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from importlib.resources import files
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 from querycad_contracts import Measure, Relation, Side
 
 Order = Literal["size", "length", "width", "depth", "height", "thickness", "distance", "corner"]
 Pick = Literal["lowest", "largest", "smallest", "wide", "standing", "tall", "low", "most", "elongated"]
 Degree = Literal["positive", "more", "less", "most", "least"]
-DEGREES: tuple[Degree, ...] = ("positive", "more", "less", "most", "least")
-"""The order of the lists of a scale in measures.toml."""
+"""In the order of the lists of a scale in measures.toml."""
 _MARKS: dict[str, tuple[str, Any]] = {
     **{mark: (mark, True) for mark in ("alone", "several")},
     **{mark: ("step", mark) for mark in ("widest", "narrowest")},
@@ -217,7 +216,7 @@ def lexicon() -> Lexicon:
     lex = Lexicon(
         spelling=dict(pair.split(": ") for pairs in words.pop("spelling").values() for pair in pairs),
         irregular=words.pop("irregular"),
-        uninflected=frozenset(words.pop("singular")["words"]),
+        uninflected=frozenset(words.pop("uninflected")),
     )  # fmt: skip
     _add_parts(lex, _load("parts"))
     _add_adjectives(lex, _load("adjectives")["adjective"])
@@ -234,7 +233,7 @@ def _add_parts(lex: Lexicon, data: dict[str, Any]) -> None:
         noun = Noun(words[0], senses, measure=measure, **entry)
         lex.nouns |= dict.fromkeys(words, noun)
         lex.add("noun", noun, words)
-    for word in data["products"]["words"]:
+    for word in data["products"]:
         senses = tuple(map(_sense, ("model @alone", f"body [{word}]", "model ~0.5")))
         lex.add("noun", lex.nouns.setdefault(word, Noun(word, senses, product=True)), [word])
 
@@ -254,7 +253,7 @@ def _add_words(lex: Lexicon, words: dict[str, Any]) -> None:
     for factor, power, names in words.pop("unit").values():
         lex.units |= dict.fromkeys(names, (factor, power))
     for category in ("number", "ordinal"):
-        for word, value in words.pop(category)["words"].items():
+        for word, value in words.pop(category).items():
             lex.add(category, value, [word])
     plain = words.pop("category")
     for category, table in words.items():
@@ -268,7 +267,7 @@ def _add_measures(lex: Lexicon, data: dict[str, Any]) -> None:
     for name, phrases in data["nouns"].items():
         lex.add("measure", Measure(name), phrases)
     for name, degrees in data["scale"].items():
-        for degree, phrases in zip(DEGREES, degrees, strict=True):
+        for degree, phrases in zip(get_args(Degree), degrees, strict=True):
             lex.add("scale", Scale(Measure(name), degree), phrases)
     for category in ("reach", "verbs"):
         for name, phrases in data[category].items():

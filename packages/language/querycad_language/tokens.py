@@ -62,17 +62,9 @@ def _sided(side: str, axis: re.Match[str]) -> str:
     return side if word in ("side", "half") or lex.singular(word) in lex.nouns else axis[0]
 
 
-_SLASHED = {
-    "a/f": "across flats", "c/c": "center to center", "c/l": "centerline", "c/line": "centerline",
-    "c/bore": "counterbore", "c/sink": "countersink", "c/sunk": "countersunk", "o/a": "overall", "o/all": "overall",
-    "u/side": "underside", "u/cut": "undercut",
-}  # fmt: skip
-"""Drawing offices shorten words at a slash or an apostrophe (BS 308)."""
-
-
 def _unslashed(found: re.Match[str]) -> str:
     """'c'bore' and 'c/bore' are counterbores."""
-    return _SLASHED.get(re.sub("['’]", "/", found[0].lower()), found[0])
+    return lexicon().spelling.get(re.sub("['’]", "/", found[0].lower()), found[0])
 
 
 def _unlettered(found: re.Match[str]) -> str:
@@ -228,9 +220,8 @@ def _number(text: str, rest: str, position: int) -> tuple[Token, int]:
         if unit[1].lower() != "in" or not _OPENING.match(rest, unit.end()):  # '5 in the plate', '5.5 in diameter'
             raw = text + unit[0]
             return Token(raw, raw, Kind.QUANTITY, float(f"{value * factor:.12g}"), power), unit.end()
-    if ordinal := re.match(r"(?:st|nd|rd|th)\b", rest[position:]):
-        return Token(text + ordinal[0], text + ordinal[0]), position + ordinal.end()
-    if (word := re.match(r"[a-zA-Z]\w*", rest[position:])) and text.isdecimal():  # '3d'
+    word = re.match(r"[a-zA-Z]\w*", rest[position:])
+    if word and (text.isdecimal() or word[0] in ("st", "nd", "rd", "th")):  # '3d', '1/2nd'
         return Token((text + word[0]).lower(), text + word[0]), position + word.end()
     return Token(text, text, Kind.NUMBER, value), position
 
